@@ -1,66 +1,136 @@
-//! The outcome put together: verdict, findings, errors before and after, what to do next.
+//! The outcome put together: verdict, inventory, findings, changes, errors before and after, what to do next.
 
-use super::answer::{explained, judge, rivals};
-use super::changes::Changes;
-use super::decisions::{SURE, SUSPECTED};
-use super::effects::meaning;
+use super::calibration::confidence;
+use super::changes::{Change, changes};
+use super::decisions::{MATERIAL, NAMED, QUIET, UNEXPLAINED};
+use super::effects::{self, meaning};
 use super::name_of::name_of;
 use super::outcome::*;
 use super::prepared::Against;
-use super::search::{self, Search, physical};
-use super::situation::Situation;
-use super::{answer, calibration, changes, effects, improved, next_test, phrases, regions, round, tree, untestable};
-use dashpot_estimation::deviations::deviations;
-use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
+use super::{improved, next_test, phrases, regions, tree, untestable};
+use dashpot_estimation::deviations::sandwich;
+use dashpot_estimation::gap::{errors, gap_closed, rms, rms_of_tests};
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
-use dashpot_estimation::refit;
+use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_estimation::situation::Situation;
+use dashpot_estimation::structure::component::{Component, element_of};
+use dashpot_estimation::structure::inventory::{InventoryItem, Status, inventory};
+use dashpot_estimation::structure::search::{Structure, StructureSearch};
 use dashpot_estimation::unknowns::Unknown;
+use dashpot_estimation::vocabulary::Unnamed;
+use dashpot_identification::TEMPERATURE;
 use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence};
 use std::collections::BTreeMap;
 
-/// Probability, each test counted as one sample, from which a name needs no further test.
+/// Confidence from which a name needs no further test.
 const DECIDED: f64 = 0.9;
-/// Most names that a test is sought to tell apart.
+/// Most names that a test is sought to tell apart, and most rivals and suspects that are listed.
 const UNDECIDED: usize = 3;
+const LISTED: usize = 4;
+/// Probability below which an effect is no suspect.
+const SUSPECT: f64 = 0.03;
+/// Log posterior by which an error without a name must beat the best structure to be reported: its prior odds.
+const UNNAMED: f64 = 1.0;
+/// Mean square of a single test, in units of what noise and curves leave, from which it is listed where all in all nothing is missing.
+const LOUD: f64 = 4.0;
 
 /// What the answer is made from.
 pub(super) struct Composed<'a> {
     /// That the reference was read to count the other way, and that it was not as warm, where that is so.
     pub beside: [Option<Sentence>; 2],
     pub records: &'a [&'a Record],
-    pub fitted: &'a [Test],
-    pub left: &'a [Test],
-    pub found: &'a Search,
-    pub situation: &'a Situation,
-    /// Of each name, in the order in which they were added.
-    pub confidence: Vec<f64>,
-    /// The model as the reference damper has it, where there is one.
-    pub reference: Option<Against>,
+    pub fitted: Vec<Test>,
+    pub left: Vec<Test>,
+    pub search: StructureSearch,
+    /// The given model, or the reference's, refitted.
+    pub given: Structure,
+    /// The most probable structure, refitted.
+    pub best: Structure,
+    pub situation: Situation,
+    /// The reference damper, where there is one.
+    pub against: Option<Against>,
+}
+
+pub fn percent(x: f64) -> String {
+    format!("{:.0} %", 100.0 * x)
+}
+
+/// Fraction of what is beyond the noise that is explained: of mean squares in units of what noise and curves leave.
+pub fn explained(before: f64, after: f64) -> f64 {
+    if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
+}
+
+fn is_change(component: &Component) -> bool {
+    component.form == "changed"
+}
+
+/// An answer with its reasons.
+struct Judged {
+    verdict: Verdict,
+    summary: Sentence,
+    suspects: Vec<Rival>,
+    notes: Vec<Sentence>,
 }
 
 impl Composed<'_> {
-    /// What a drift of the load cell's zero may as well be where no temperature tells.
-    fn or_warm_gas(&self, names: &[&str]) -> Option<Sentence> {
-        (names.contains(&"force_drift") && !self.situation.temperature_measured).then(|| phrases::OR_WARM_GAS.into())
+    /// Probability that the damper has an effect.
+    fn probability(&self, probabilities: &BTreeMap<&'static str, f64>, effect: &str) -> f64 {
+        confidence(probabilities.get(effect).copied().unwrap_or(0.0), self.against.is_some())
+    }
+
+    /// Effects of the best structure that the given model lacks and that are probable enough to be named.
+    fn named<'c>(&'c self, probability: &dyn Fn(&str) -> f64) -> Vec<&'c Component> {
+        let is_new = |c: &&Component| !is_change(c) && self.given.components.iter().all(|own| own.effect != c.effect);
+        let mut all: Vec<&Component> =
+            self.best.components.iter().filter(is_new).filter(|c| probability(c.effect) >= NAMED).collect();
+        all.sort_by(|a, b| probability(b.effect).total_cmp(&probability(a.effect)));
+        all
+    }
+
+    /// Takes what is not probable enough to be named out of the best structure again.
+    fn settle(&mut self, probability: &dyn Fn(&str) -> f64) {
+        loop {
+            let doubtful = self.best.components.iter().position(|c| {
+                self.given.components.iter().all(|own| own.effect != c.effect) && probability(c.effect) < NAMED
+            });
+            let Some(place) = doubtful else { return };
+            let Some(less) = self.best.without(place, &self.fitted, Effort::FINE) else { return };
+            self.best = less;
+        }
     }
 
     /// All of it.
-    pub fn diagnosis(&self) -> Diagnosis {
-        let found = self.found;
-        let (base, first) = &found.base;
-        let (last, end) = &found.found.last;
-        let of = |h: &Hypothesis, theta: &[f64], tests: &[Test]| {
-            errors(self.accuracy(), h, theta, self.records, tests).unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
+    pub fn diagnosis(mut self) -> Diagnosis {
+        let probabilities = self.search.probabilities(TEMPERATURE);
+        let is_against = self.against.is_some();
+        let table = probabilities.clone();
+        let probability = move |effect: &str| confidence(table.get(effect).copied().unwrap_or(0.0), is_against);
+        self.settle(&probability);
+        let probability = |effect: &str| self.probability(&probabilities, effect);
+        let of = |structure: &Structure, tests: &[Test]| {
+            errors(self.accuracy(), &structure.hypothesis, &structure.refit.theta, self.records, tests)
+                .unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
         };
-        let (fitted_before, left_before) = (of(base, &first.theta, self.fitted), of(base, &first.theta, self.left));
-        let (fitted_after, left_after) = (of(last, &end.theta, self.fitted), of(last, &end.theta, self.left));
-        let judged = judge(found, self.fitted, &self.confidence);
+        let (fitted_before, left_before) = (of(&self.given, &self.fitted), of(&self.given, &self.left));
+        let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
+        let items = inventory(&self.search, &self.best, Some(&self.given), &self.fitted, &probability);
+        let force = |effect: &str| items.iter().find(|i| i.effect == effect).map_or(0.0, |i| i.force_n_rms);
+        let changed = if is_against { changes(&self.best, &self.fitted, &probability, &force) } else { Vec::new() };
+        let (changed_items, inventory): (Vec<InventoryItem>, Vec<InventoryItem>) =
+            items.iter().cloned().partition(|item| item.form == "changed");
+        let measured_rms = rms_of_tests(&self.fitted.iter().map(|t| t.forces().to_vec()).collect::<Vec<_>>());
+        let material: Vec<&Change> = changed
+            .iter()
+            .filter(|c| changed_items.iter().any(|i| i.effect == c.name) && c.force_n_rms > MATERIAL * measured_rms)
+            .collect();
+        let names = self.named(&probability);
+        let judged = self.judge(&names, &material, &inventory, &probability);
         let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
-        let noise = noise_of(self.fitted);
-        let left_noise = (!self.left.is_empty()).then(|| noise_of(self.left));
+        let noise = noise_of(&self.fitted);
+        let left_noise = (!self.left.is_empty()).then(|| noise_of(&self.left));
         let figures = |fitted: &[Vec<f64>], left: &[Vec<f64>]| {
             let every: Vec<f64> = self
                 .fitted
@@ -80,59 +150,60 @@ impl Composed<'_> {
             }
         };
         let gap = if self.left.is_empty() {
-            gap_closed(self.fitted, &fitted_before, &fitted_after)
+            gap_closed(&self.fitted, &fitted_before, &fitted_after)
         } else {
-            gap_closed(self.left, &left_before, &left_after)
+            gap_closed(&self.left, &left_before, &left_after)
         };
-        let after = deviations(last, end);
-        let names: Vec<&str> = found.found.added.iter().map(|a| a.candidate.effect).collect();
-        let first_round = &found.rounds[0];
-        let could_not_test = untestable::list(self.situation, &first_round.invisible, &names);
-        let changed = self.changed();
-        let (verdict, summary) = match judged.verdict {
-            Verdict::NothingMissing => {
-                changed_instead(self.with_limits(judged.summary.clone(), &could_not_test), &changed)
-            }
-            other => (other, changed_besides(judged.summary.clone(), &changed)),
+        let effects: Vec<&str> = names.iter().map(|c| c.effect).collect();
+        let could_not_test = untestable::list(&self.situation, &self.search.visible, &effects);
+        let summary = match judged.verdict {
+            Verdict::NothingMissing => self.with_limits(judged.summary.clone(), &could_not_test),
+            _ => judged.summary.clone(),
         };
-        let about_the_reference = self.about_the_reference();
+        let about_the_reference = self.about_the_reference(&names);
+        let or_warm_gas = (effects.contains(&"force_drift") && !self.situation.temperature_measured)
+            .then(|| phrases::OR_WARM_GAS.into());
+        let (before, after) = (self.given.evidence.mean(), self.best.evidence.mean());
+        let deviations = self.deviations();
         let mut diagnosis = Diagnosis {
-            verdict,
+            verdict: judged.verdict,
             summary,
-            findings: self.findings(),
+            findings: self.findings(&names, &inventory, &probability, &deviations),
+            inventory,
+            changes: changed,
             suspects: judged.suspects.clone(),
-            regions: regions::regions(self.fitted, &fitted_before),
+            regions: regions::regions(&self.fitted, &fitted_before),
             before: figures(&fitted_before, &left_before),
             after: figures(&fitted_after, &left_after),
-            gap_closed: gap.filter(|_| !names.is_empty()),
-            unexplained_share: 1.0
-                - explained(first_round.before.mean(), found.found.weighed(self.fitted).mean()).clamp(0.0, 1.0),
-            tree: tree::tree(first_round, SURE),
-            next_tests: self.next_tests(&judged),
+            gap_closed: gap.filter(|_| self.best.key() != self.given.key()),
+            unexplained_share: 1.0 - explained(before, after).clamp(0.0, 1.0),
+            tree: tree::tree(&self.search, TEMPERATURE),
+            next_tests: self.next_tests(&judged, &names, &probability),
             could_not_test,
             shifts: self.shifts(),
-            changed: changed.numbers,
-            curve_moved: changed.curve,
             notes: judged
                 .notes
                 .iter()
                 .chain(&about_the_reference)
                 .chain(self.beside.iter().flatten())
                 .cloned()
-                .chain(self.or_warm_gas(&names))
+                .chain(or_warm_gas)
                 .collect(),
             about_the_reference,
             tests: Vec::new(),
-            rounds: found.rounds.iter().map(|round| self.tried(round)).collect(),
-            base: base.params(&first.theta),
-            improved: last.params(&end.theta),
-            reference: self.reference.as_ref().map(|Against { base: (there, refit), .. }| there.params(&refit.theta)),
+            rounds: vec![self.tried(&probability)],
+            base: self.given.hypothesis.params(&self.given.refit.theta),
+            improved: self.best.hypothesis.params(&self.best.refit.theta),
+            reference: self
+                .against
+                .as_ref()
+                .map(|Against { structure, .. }| structure.hypothesis.params(&structure.refit.theta)),
             corrections: self.corrections(),
-            estimates: improved::estimates(found, &after),
-            measured: improved::measured(found, &after),
+            estimates: improved::estimates(&self.best, &deviations),
+            measured: improved::measured(&self.best, &deviations),
         };
         for (held_out, tests, before, after) in
-            [(false, self.fitted, &fitted_before, &fitted_after), (true, self.left, &left_before, &left_after)]
+            [(false, &self.fitted, &fitted_before, &fitted_after), (true, &self.left, &left_before, &left_after)]
         {
             for (k, test) in tests.iter().enumerate() {
                 let measured = test.forces().to_vec();
@@ -158,114 +229,251 @@ impl Composed<'_> {
         diagnosis
     }
 
-    /// All forms that a look tried, best first.
-    fn tried(&self, round: &round::Round) -> Vec<Tried> {
-        let odds = round.odds(SURE);
-        let before = &round.before;
-        let base = before.log_evidence(SURE);
-        round
-            .tried
-            .iter()
-            .map(|t| {
-                let after = &t.weighed;
-                let better = before.mean_squares.iter().zip(&after.mean_squares).filter(|(b, a)| a < b).count();
-                Tried {
-                    effect: t.candidate.effect,
-                    form: t.candidate.form,
-                    confidence: odds.effects.get(t.candidate.effect).copied().unwrap_or(0.0),
-                    evidence: Evidence {
-                        share: explained(before.mean(), after.mean()),
-                        mean_square_before: before.mean(),
-                        mean_square_after: after.mean(),
-                        log_odds: after.log_evidence(SURE) - base,
-                        numbers: after.numbers,
-                        implausibility: after.implausibility - before.implausibility,
-                        tests_better: better as f64 / self.fitted.len().max(1) as f64,
-                    },
-                }
-            })
-            .collect()
+    /// Standard deviations of the numbers of the best structure.
+    fn deviations(&self) -> Vec<f64> {
+        let n = self.best.hypothesis.numbers.len();
+        match sandwich(&self.best.hypothesis, &self.best.refit, &self.fitted) {
+            Some((covariance, _)) => (0..n).map(|k| covariance[(k, k)].max(0.0).sqrt()).collect(),
+            None => vec![f64::INFINITY; n],
+        }
     }
 
-    fn findings(&self) -> Vec<Finding> {
-        let found = self.found;
-        let (last, end) = &found.found.last;
-        let deviations = deviations(last, end);
-        let whole = found.found.weighed(self.fitted).mean();
-        let before = found.rounds[0].before.mean();
-        let one = |(place, added): (usize, &search::Added)| {
-            let round = &found.rounds[added.look];
-            let effect = added.candidate.effect;
-            let mut parameters = BTreeMap::new();
-            for (fresh, number) in added.candidate.fresh.iter().zip(added.numbers.clone()) {
-                let (value, deviation) = (end.theta[number], deviations[number]);
-                let at = |t: f64| physical(&fresh.free, t);
-                let (name, unit) = name_of(&fresh.free);
-                let v = at(value);
-                parameters.insert(
-                    name,
-                    Value {
-                        value: v,
-                        low: at(value - 1.96 * deviation),
-                        high: at(value + 1.96 * deviation),
-                        unit,
-                        plausible: (fresh.plausible.0..=fresh.plausible.1).contains(&v),
-                    },
-                );
+    /// Suspects: effects of the table that were not named, most probable first.
+    fn suspects(&self, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<Rival> {
+        let is_open = |effect: &str| {
+            names.iter().all(|c| c.effect != effect)
+                && self.best.components.iter().all(|c| c.effect != effect)
+                && effects::card(effect).is_some()
+        };
+        let before = self.best.evidence.mean();
+        let mut seen: Vec<&str> = Vec::new();
+        let mut all: Vec<Rival> = self
+            .search
+            .last
+            .iter()
+            .filter(|t| t.unnamed.is_none() && is_open(t.form.0))
+            .filter_map(|t| {
+                let effect = t.form.0;
+                if seen.contains(&effect) {
+                    return None;
+                }
+                seen.push(effect);
+                let share = explained(before, t.structure.evidence.mean()).max(0.0);
+                let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
+                Some(Rival { effect, confidence: probability(effect), share, why })
+            })
+            .collect();
+        // Rivals of a swap are in the table alone.
+        for effect in self.search.table.keys().flatten().map(|form| form.0) {
+            if is_open(effect) && all.iter().all(|r| r.effect != effect) {
+                let best = self.search.table.iter().filter(|(key, _)| key.iter().any(|form| form.0 == effect));
+                let square = best.map(|(_, row)| row).max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior));
+                let share = square.map_or(0.0, |row| explained(self.given.evidence.mean(), row.mean_square)).max(0.0);
+                let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
+                all.push(Rival { effect, confidence: probability(effect), share, why });
             }
-            let without = found.found.leave(place, self.fitted).map_or(before, |less| less.weighed(self.fitted).mean());
+        }
+        all.retain(|r| r.confidence >= SUSPECT);
+        all.sort_by(|a, b| b.confidence.total_cmp(&a.confidence).then(a.effect.cmp(b.effect)));
+        all.truncate(LISTED);
+        all
+    }
+
+    fn judge(
+        &self,
+        names: &[&Component],
+        changed: &[&Change],
+        items: &[InventoryItem],
+        probability: &dyn Fn(&str) -> f64,
+    ) -> Judged {
+        let (before, after) = (self.given.evidence.mean(), self.best.evidence.mean());
+        let times = |mean_square: f64| Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()));
+        let mut notes = Vec::new();
+        let suspects = self.suspects(names, probability);
+        let gone: Vec<&InventoryItem> =
+            items.iter().filter(|i| matches!(i.status, Status::Removed | Status::Replaced)).collect();
+        let left = 1.0 - explained(before, after);
+        if !names.is_empty() {
+            if left > UNEXPLAINED && after.sqrt() > QUIET {
+                notes.push(Sentence::from(phrases::NOT_EXPLAINED).with("percent", percent(left)));
+            }
+            let name = |c: &&Component| {
+                let replaces = items.iter().find(|i| i.effect == c.effect).and_then(|i| i.replaces);
+                let said = Sentence::from(phrases::NAME_AND_SURE)
+                    .with("effect", c.effect)
+                    .with("percent", percent(probability(c.effect)));
+                let instead = replaces.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));
+                said.with_any("instead", instead)
+            };
+            let names = names.iter().map(name).collect();
+            let also: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
+            let also = (!also.is_empty()).then(|| Sentence::from(phrases::ALSO_CHANGED).with_list("changes", also, phrases::COMMA));
+            let summary = Sentence::from(if self.against.is_some() { phrases::NEW_EFFECT } else { phrases::HAS_EFFECT })
+                .with_list("names", names, phrases::COMMA)
+                .with("before", format!("{:.2}", before.sqrt()))
+                .with("after", format!("{:.2}", after.sqrt()))
+                .with_any("also", also);
+            return Judged { verdict: Verdict::Named, summary, suspects, notes };
+        }
+        if !changed.is_empty() {
+            let told: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
+            let more = changed.len().saturating_sub(TOLD);
+            let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
+            let nothing_else = more.is_none().then(|| phrases::NOTHING_ELSE.into());
+            let summary = Sentence::from(phrases::CHANGED)
+                .with_list("numbers", told, phrases::COMMA)
+                .with_any("more", more.or(nothing_else));
+            return Judged { verdict: Verdict::Changed, summary, suspects, notes };
+        }
+        let unnamed = self.search.unnamed.iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        let looks_like = unnamed.filter(|(_, log)| *log > self.search.best.log_posterior + UNNAMED);
+        if after.sqrt() <= QUIET && suspects.iter().all(|r| r.confidence < 0.5 * NAMED) && gone.is_empty() {
+            let mut loud: Vec<(&Test, f64)> = self
+                .fitted
+                .iter()
+                .zip(&self.best.evidence.mean_squares)
+                .filter(|(_, square)| **square > LOUD)
+                .map(|(test, square)| (test, square.sqrt()))
+                .collect();
+            loud.sort_by(|a, b| b.1.total_cmp(&a.1));
+            if !loud.is_empty() {
+                let told = |(t, times): &(&Test, f64)| {
+                    Sentence::from(phrases::TEST_AND_TIMES)
+                        .with("test", &t.segment.name)
+                        .with("times", format!("{times:.1}"))
+                };
+                let tests = loud.iter().take(LISTED).map(told).collect();
+                notes.push(Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA));
+            }
+            let none = 1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>().min(0.99);
+            let summary = Sentence::from(phrases::NOTHING_MISSING)
+                .with("percent", percent(none))
+                .with_said("times", times(after));
+            return Judged { verdict: Verdict::NothingMissing, summary, suspects: Vec::new(), notes };
+        }
+        let open: f64 = suspects.iter().map(|r| r.confidence).sum();
+        if open >= NAMED && looks_like.is_none() {
+            let effects: Vec<&str> = suspects.iter().map(|s| s.effect).collect();
+            let why = match effects[..] {
+                [one] => Sentence::from(phrases::TOO_FEW_TESTS).with("effect", one),
+                _ => Sentence::from(phrases::NOT_APART).with_names("effects", effects, phrases::AND),
+            };
+            let summary = Sentence::from(phrases::CANNOT_TELL).with_said("times", times(before)).with_said("why", why);
+            return Judged { verdict: Verdict::CannotTell, summary, suspects, notes };
+        }
+        if !gone.is_empty() && after.sqrt() <= QUIET {
+            let names = gone.iter().map(|i| i.effect);
+            let summary = Sentence::from(phrases::NEEDLESS).with_names("effects", names, phrases::COMMA);
+            return Judged { verdict: Verdict::NothingMissing, summary, suspects, notes };
+        }
+        let nearest = match (looks_like, suspects.first()) {
+            (Some((unnamed, _)), _) => Some(Sentence::from(phrases::LOOKS_LIKE).with_said("what", looks(*unnamed))),
+            (None, Some(first)) => Some(
+                Sentence::from(phrases::NEAREST)
+                    .with("effect", first.effect)
+                    .with("percent", percent(first.share)),
+            ),
+            (None, None) => None,
+        };
+        let summary =
+            Sentence::from(phrases::UNKNOWN_EFFECT).with_said("times", times(before)).with_any("nearest", nearest);
+        Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
+    }
+
+    /// All forms that were tried beside the best structure, most probable first.
+    fn tried(&self, probability: &dyn Fn(&str) -> f64) -> Vec<Tried> {
+        let before = &self.search.best.evidence;
+        let of = |t: &dashpot_estimation::structure::expansion::Trial| {
+            let after = &t.structure.evidence;
+            let better = before.mean_squares.iter().zip(&after.mean_squares).filter(|(b, a)| a < b).count();
+            Tried {
+                effect: t.form.0,
+                form: t.form.1,
+                confidence: probability(t.form.0),
+                evidence: Evidence {
+                    share: explained(before.mean(), after.mean()),
+                    mean_square_before: before.mean(),
+                    mean_square_after: after.mean(),
+                    log_odds: t.structure.log_posterior - self.search.best.log_posterior,
+                    numbers: after.numbers - before.numbers,
+                    implausibility: after.implausibility - before.implausibility,
+                    tests_better: better as f64 / before.mean_squares.len().max(1) as f64,
+                },
+            }
+        };
+        self.search.last.iter().map(of).collect()
+    }
+
+    fn findings(
+        &self,
+        names: &[&Component],
+        items: &[InventoryItem],
+        probability: &dyn Fn(&str) -> f64,
+        deviations: &[f64],
+    ) -> Vec<Finding> {
+        let (hypothesis, theta) = (&self.best.hypothesis, &self.best.refit.theta);
+        let (whole, before) = (self.best.evidence.mean(), self.given.evidence.mean());
+        let family_tree = tree::tree(&self.search, TEMPERATURE);
+        let one = |component: &&Component| {
+            let effect = component.effect;
+            let mut parameters = BTreeMap::new();
+            for (k, number) in hypothesis.numbers.iter().enumerate() {
+                let is_own = component.frees.contains(&number.free)
+                    || element_of(&number.free).is_some_and(|element| component.elements.contains(&element));
+                if !is_own {
+                    continue;
+                }
+                let at = |t: f64| physical(&number.free, t);
+                let (name, unit) = name_of(&number.free);
+                let value = at(theta[k]);
+                let (low, high) = (at(theta[k] - 1.96 * deviations[k]), at(theta[k] + 1.96 * deviations[k]));
+                parameters.insert(name, Value { value, low, high, unit, plausible: is_plausible(hypothesis, k, theta) });
+            }
+            let place = self.best.components.iter().position(|c| c.effect == effect);
+            let without = place
+                .and_then(|place| self.best.without(place, &self.fitted, Effort::COMPARE))
+                .map_or(before, |less| less.evidence.mean());
             let card = effects::card(effect);
-            let tried = self.tried(round);
+            let item = items.iter().find(|i| i.effect == effect);
+            let family = card.map_or("", |c| c.family);
+            let of_family = family_tree.iter().flat_map(|path| &path.branches).filter(|branch| branch.name == family);
+            let family_confidence = of_family.map(|branch| confidence(branch.probability, self.against.is_some())).sum::<f64>();
             Finding {
                 effect,
-                form: added.candidate.form,
+                form: component.form,
                 meaning: meaning(effect),
                 path: card.map_or("", |c| c.path),
-                family: card.map_or("", |c| c.family),
-                confidence: self.confidence[place],
-                rule: [found.probability(added, SUSPECTED), found.probability(added, SURE)],
-                family_confidence: {
-                    let of = |samples| tree::of_family(&tree::tree(round, samples), effect);
-                    calibration::confidence(of(SUSPECTED), of(SURE), self.reference.is_some())
-                        .max(self.confidence[place])
-                },
+                family,
+                confidence: probability(effect),
+                family_confidence: family_confidence.max(probability(effect)).min(1.0),
                 share: ((without - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
-                of_the_rig: added.candidate.is_artefact(),
+                force_n_rms: item.map_or(0.0, |i| i.force_n_rms),
+                of_the_rig: component.is_of_measurement(),
                 parameters,
-                gap_closed: self.gap_of(added),
-                evidence: tried.iter().find(|t| t.effect == effect).map_or_else(Evidence::default, |t| t.evidence),
-                rivals: rivals(round, Some(effect)),
+                gap_closed: None,
+                evidence: Evidence {
+                    share: explained(without, whole),
+                    mean_square_before: without,
+                    mean_square_after: whole,
+                    log_odds: 0.0,
+                    numbers: component.numbers,
+                    implausibility: 0.0,
+                    tests_better: 0.0,
+                },
+                rivals: self.suspects(names, probability),
             }
         };
-        found.found.added.iter().enumerate().map(one).collect()
-    }
-
-    /// Share of the gap that opens again without one effect.
-    fn gap_of(&self, added: &search::Added) -> Option<f64> {
-        let (last, end) = &self.found.found.last;
-        let (base, first) = &self.found.base;
-        let tests = if self.left.is_empty() { self.fitted } else { self.left };
-        let without = search::without(last, &end.theta, added);
-        let refitted = refit::refit(&without, self.fitted, &without.start(), None, refit::Effort::COMPARE)?;
-        let noise = noise_alone(tests);
-        let of = |h: &Hypothesis, theta: &[f64]| {
-            errors(self.accuracy(), h, theta, self.records, tests).map(|e| in_noise(tests, &e))
-        };
-        let before = of(base, &first.theta)?;
-        let (with, less) = (of(last, &end.theta)?, of(&without, &refitted.theta)?);
-        (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
+        names.iter().map(one).collect()
     }
 
     /// How exactly errors are found: as the model's own steps give them, or as what the reference leaves was found.
     fn accuracy(&self) -> Accuracy {
-        if self.reference.is_some() { Accuracy::Single } else { Accuracy::Full }
+        if self.against.is_some() { Accuracy::Single } else { Accuracy::Full }
     }
 
     fn corrections(&self) -> BTreeMap<&'static str, f64> {
-        let (last, end) = &self.found.found.last;
-        last.numbers
-            .iter()
-            .zip(&end.theta)
+        let numbers = self.best.hypothesis.numbers.iter().zip(&self.best.refit.theta);
+        numbers
             .filter_map(|(n, value)| match n.free {
                 Free::Rig(artefact) => Some((artefact.name(), *value)),
                 _ => None,
@@ -283,40 +491,36 @@ impl Composed<'_> {
     }
 
     /// What there is to say of how the comparison was made.
-    fn about_the_reference(&self) -> Option<Sentence> {
-        let Some(reference) = &self.reference else {
-            return (!self.found.found.added.is_empty()).then(|| phrases::WITHOUT_REFERENCE.into());
+    fn about_the_reference(&self, names: &[&Component]) -> Option<Sentence> {
+        let Some(against) = &self.against else {
+            return (!names.is_empty()).then(|| phrases::WITHOUT_REFERENCE.into());
         };
-        let missing = &reference.missing;
-        let aside = (!missing.is_empty())
-            .then(|| Sentence::from(phrases::WITHOUT_COUNTERPART).with_names("tests", missing, phrases::COMMA));
-        Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside))
+        let list = |said: Template, tests: &[String]| {
+            (!tests.is_empty()).then(|| Sentence::from(said).with_names("tests", tests, phrases::COMMA))
+        };
+        let aside = list(phrases::WITHOUT_COUNTERPART, &against.missing);
+        let nearest = list(phrases::BY_NEAREST_MOTION, &against.shifted);
+        Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside).with_any("nearest", nearest))
     }
 
-    /// What is another on the reference damper.
-    fn changed(&self) -> Changes {
-        let Some(Against { base: (reference, there), .. }) = &self.reference else { return Changes::default() };
-        let (last, end) = &self.found.found.last;
-        changes::changes((reference, there), (last, end), self.fitted)
-    }
-
-    /// Scalars of the base that moved by more than three of their deviations.
+    /// Scalars of the given model that moved by more than three of their deviations.
     fn shifts(&self) -> Vec<Shift> {
-        let (base, first) = &self.found.base;
-        let (last, end) = &self.found.found.last;
-        if self.found.found.added.is_empty() {
+        let (given, best) = (&self.given, &self.best);
+        if given.key() == best.key() || self.against.is_some() {
             return Vec::new();
         }
-        let deviations = deviations(base, first);
-        base.numbers
+        let Some((covariance, _)) = sandwich(&given.hypothesis, &given.refit, &self.fitted) else { return Vec::new() };
+        given
+            .hypothesis
+            .numbers
             .iter()
             .enumerate()
             .filter_map(|(k, n)| {
                 let Free::Model(Unknown::Log(number) | Unknown::Linear(number)) = n.free else { return None };
-                let after = end.theta[last.place_of(&n.free)?];
-                ((after - first.theta[k]).abs() > 3.0 * deviations[k]).then(|| Shift {
+                let (before, after) = (given.refit.theta[k], best.refit.theta[best.hypothesis.place_of(&n.free)?]);
+                ((after - before).abs() > 3.0 * covariance[(k, k)].max(0.0).sqrt()).then(|| Shift {
                     parameter: number.name(),
-                    before: physical(&n.free, first.theta[k]),
+                    before: physical(&n.free, before),
                     after: physical(&n.free, after),
                     unit: number.parameter().unit,
                 })
@@ -325,62 +529,59 @@ impl Composed<'_> {
     }
 
     /// Tests that would tell apart what is undecided; none where nothing is.
-    fn next_tests(&self, judged: &answer::Judged) -> Vec<NextTest> {
-        let found = self.found;
-        let unsure = found.found.added.iter().find(|added| found.probability(added, SURE) < DECIDED);
-        let round = match (judged.verdict, unsure) {
-            (Verdict::NothingMissing, _) => return Vec::new(),
-            (_, Some(added)) => &found.rounds[added.look],
-            (Verdict::Named, None) if judged.suspects.is_empty() => return Vec::new(),
-            (Verdict::Named, None) => match found.last_look {
-                Some(place) => &found.rounds[place],
-                None => return Vec::new(),
-            },
-            _ => &found.rounds[0],
-        };
-        let odds = round.odds(SUSPECTED);
-        let rivals: Vec<next_test::Rival> = round
-            .named()
-            .into_iter()
-            .take(UNDECIDED)
-            .map(|t| next_test::Rival {
-                effect: t.candidate.effect,
-                hypothesis: &t.hypothesis,
-                theta: &t.refit.theta,
-                confidence: odds.effects.get(t.candidate.effect).copied().unwrap_or(0.0),
-            })
-            .collect();
-        next_test::propose(&rivals, &next_test::Rig::of(self.fitted))
+    fn next_tests(&self, judged: &Judged, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<NextTest> {
+        let is_sure = names.iter().all(|c| probability(c.effect) >= DECIDED);
+        if judged.verdict.nothing_is_missing() || judged.verdict == Verdict::Named && is_sure && judged.suspects.is_empty() {
+            return Vec::new();
+        }
+        let mut rivals: Vec<next_test::Rival> = Vec::new();
+        if let Some(first) = names.first() {
+            let structure = &self.search.best;
+            rivals.push(next_test::Rival {
+                effect: first.effect,
+                hypothesis: &structure.hypothesis,
+                theta: &structure.refit.theta,
+                confidence: probability(first.effect),
+            });
+        }
+        for trial in self.search.rivals.iter().chain(&self.search.last) {
+            let effect = trial.form.0;
+            if rivals.len() < UNDECIDED && trial.unnamed.is_none() && rivals.iter().all(|r| r.effect != effect) {
+                rivals.push(next_test::Rival {
+                    effect,
+                    hypothesis: &trial.structure.hypothesis,
+                    theta: &trial.structure.refit.theta,
+                    confidence: probability(effect),
+                });
+            }
+        }
+        next_test::propose(&rivals, &next_test::Rig::of(&self.fitted))
     }
 }
 
-/// Most numbers that the answer names.
+/// Most changes that the answer names.
 const TOLD: usize = 3;
 
-/// No effect is missing, but what there is has other numbers than on the reference: that is the answer then.
-fn changed_instead(nothing: Sentence, changed: &Changes) -> (Verdict, Sentence) {
-    match with_the_numbers(phrases::CHANGED, changed) {
-        Some(summary) => (Verdict::Changed, summary.with_said("besides", nothing)),
-        None => (Verdict::NothingMissing, nothing),
+fn looks(unnamed: Unnamed) -> Template {
+    match unnamed {
+        Unnamed::Guides => phrases::LIKE_GUIDES,
+        Unnamed::LoadCell => phrases::LIKE_LOAD_CELL,
+        Unnamed::Resonance => phrases::LIKE_RESONANCE,
     }
 }
 
-/// The same beside another answer: gas or a valve may be worn while something has no name.
-fn changed_besides(answer: Sentence, changed: &Changes) -> Sentence {
-    match with_the_numbers(phrases::BESIDES_CHANGED, changed) {
-        Some(summary) => summary.with_said("answer", answer),
-        None => answer,
-    }
+/// Standard deviations off its prior from which a value is said to be rare.
+const RARE: f64 = 2.5;
+
+/// Whether dampers show such a value.
+fn is_plausible(hypothesis: &Hypothesis, k: usize, theta: &[f64]) -> bool {
+    hypothesis.numbers[k].prior.is_none_or(|(mean, sd)| ((theta[k] - mean) / sd).abs() < RARE)
 }
 
-/// A sentence about the numbers that stand in the answer; nothing where none does.
-fn with_the_numbers(said: Template, changed: &Changes) -> Option<Sentence> {
-    let material = changes::told(changed);
-    let more = material.len().saturating_sub(TOLD);
-    let told: Vec<Sentence> = material.into_iter().take(TOLD).collect();
-    (!told.is_empty()).then(|| {
-        Sentence::from(said)
-            .with_list("numbers", told, phrases::COMMA)
-            .with_any("more", (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more)))
-    })
+/// A number in the unit that people use.
+pub fn physical(free: &Free, value: f64) -> f64 {
+    match free {
+        Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => libm::exp(value),
+        _ => value,
+    }
 }

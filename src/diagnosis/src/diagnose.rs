@@ -1,18 +1,41 @@
 //! A diagnosis from end to end.
 
 use super::composed::Composed;
-use super::decisions::{SURE, SUSPECTED};
 use super::effects::{self, EFFECTS};
 use super::options::{DiagnosisError, Options};
 use super::outcome::Diagnosis;
 use super::prepared::{Prepared, prepare};
-use super::search::{Limits, search};
-use super::{calibration, opposite, phrases, warmer};
+use super::{opposite, phrases, warmer};
 use dashpot_core::Params;
+use dashpot_estimation::refit::{Effort, refit};
+use dashpot_estimation::samples::{Test, Thin};
+use dashpot_estimation::situation::Situation;
+use dashpot_estimation::structure::search::{SearchContext, Structure, StructureSearch};
+use dashpot_estimation::structure::starts;
+use dashpot_estimation::vocabulary::{Candidate, changes};
 use dashpot_records::Record;
 use dashpot_records::sentence::Template;
 
-/// Diagnoses a model against records; `held_out` marks those that neither refit nor choice may see.
+/// Whether a diagnosis may use a candidate: it must be asked for and the records must be able to show it. A mass on the load cell is
+/// named as a moving mass, and a gain drift belongs to a fit.
+fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -> bool {
+    if candidate.unnamed.is_some() {
+        return true;
+    }
+    let effect = candidate.effect;
+    let is_of_fit = candidate.is_artefact() && ["moving_mass", "gain_drift"].contains(&effect);
+    !is_of_fit
+        && options.candidates.as_ref().is_none_or(|list| list.iter().any(|name| name == effect))
+        && effects::can_be_shown(effect, situation)
+}
+
+/// A structure refitted to all samples.
+fn refined(structure: &Structure, tests: &[Test]) -> Option<Structure> {
+    let end = refit(&structure.hypothesis, tests, &structure.refit.theta, None, Effort::FINE)?;
+    Some(Structure::new(structure.hypothesis.clone(), end, structure.components.clone(), tests))
+}
+
+/// Diagnoses a model against records; `held_out` marks those that neither refit nor search may see.
 ///
 /// # Errors
 /// No test to look at, an unknown name, a model without finite forces.
@@ -27,41 +50,85 @@ pub fn diagnose(
         return Err(DiagnosisError::UnknownEffect { name: name.clone() });
     }
     progress(0.0, phrases::PREPARING);
-    let mut prepared = prepare(records, held_out, params);
+    let prepared = prepare(records, held_out, params);
     if prepared.fitted.is_empty() {
         return Err(DiagnosisError::NoTests);
     }
-    let reference = if options.reference.is_empty() {
-        None
-    } else {
-        progress(0.02, phrases::FITTING_REFERENCE);
-        Some(prepared.against(records, &options.reference, params)?)
-    };
-    let Prepared { fitted, left, base, situation } = prepared;
-    let may = |effect: &str| {
-        options.candidates.as_ref().is_none_or(|list| list.iter().any(|n| n == effect))
-            && effects::can_be_shown(effect, &situation)
-    };
-    let limits = Limits { effects: options.max_effects, allowed: &may };
-    let found = search(base, records, &fitted, &limits, progress).ok_or(DiagnosisError::NotFinite)?;
-    progress(0.95, phrases::WHAT_IS_LEFT);
-    let confidence = found.found.added.iter().map(|a| {
-        let of = |samples| found.probability(a, samples);
-        calibration::confidence(of(SUSPECTED), of(SURE), reference.is_some())
-    });
-    let confidence = confidence.collect();
     let beside = [opposite::opposite(records, &options.reference), warmer::warmer(records, &options.reference)];
-    let composed = Composed {
-        beside,
-        records,
-        fitted: &fitted,
-        left: &left,
-        found: &found,
-        situation: &situation,
-        confidence,
-        reference,
+    let composed = if options.reference.is_empty() {
+        alone(records, prepared, params, options, progress)?
+    } else {
+        against_reference(records, prepared, params, options, progress)?
     };
-    let diagnosis = composed.diagnosis();
+    progress(0.95, phrases::WHAT_IS_LEFT);
+    let diagnosis = Composed { beside, ..composed }.diagnosis();
     progress(1.0, phrases::DONE);
     Ok(diagnosis)
+}
+
+/// The most probable structure of these records, beside the given model.
+fn alone<'a>(
+    records: &'a [&'a Record],
+    prepared: Prepared,
+    params: &Params,
+    options: &Options,
+    progress: &(dyn Fn(f64, Template) + Sync),
+) -> Result<Composed<'a>, DiagnosisError> {
+    progress(0.05, phrases::REFITTING);
+    let Prepared { fitted, left, heating, situation } = prepared;
+    let thin = Thin::new(&fitted).tests;
+    let may = |candidate: &Candidate, situation: &Situation| is_allowed(candidate, situation, options);
+    let context = SearchContext {
+        records,
+        tests: &thin,
+        is_allowed: &may,
+        changes: &[],
+        most: options.max_effects,
+        progress: &|done| progress(0.1 + 0.8 * done, phrases::EACH_EFFECT),
+    };
+    let given = starts::given(params, &heating);
+    let mut all = vec![given.clone()];
+    all.extend(starts::plain(&thin, &heating, &|_| true));
+    let search = StructureSearch::run(&context, all).ok_or(DiagnosisError::NotFinite)?;
+    progress(0.9, phrases::WEIGHING);
+    let start = search.starts.iter().find(|s| s.components == given.1).unwrap_or(&search.best);
+    let given = refined(start, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let best = refined(&search.best, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    Ok(Composed { beside: [None, None], records, fitted, left, search, given, best, situation, against: None })
+}
+
+/// The sparse set of changes against a reference.
+fn against_reference<'a>(
+    records: &'a [&'a Record],
+    mut prepared: Prepared,
+    params: &Params,
+    options: &Options,
+    progress: &(dyn Fn(f64, Template) + Sync),
+) -> Result<Composed<'a>, DiagnosisError> {
+    progress(0.02, phrases::FITTING_REFERENCE);
+    let against = prepared.against(records, &options.reference, params)?;
+    let Prepared { fitted, left, situation, .. } = prepared;
+    let thin = Thin::new(&fitted).tests;
+    let reference = &against.structure;
+    let candidates = changes(&reference.hypothesis);
+    let may = |candidate: &Candidate, situation: &Situation| {
+        candidate.form == "changed" && options.candidates.is_none() || is_allowed(candidate, situation, options)
+    };
+    let context = SearchContext {
+        records,
+        tests: &thin,
+        is_allowed: &may,
+        changes: &candidates,
+        most: options.max_effects,
+        progress: &|done| progress(0.2 + 0.7 * done, phrases::EACH_EFFECT),
+    };
+    let mut same = reference.hypothesis.clone();
+    same.base = reference.hypothesis.params(&reference.refit.theta);
+    same.numbers.clear();
+    same.heating = Some(prepared.heating.clone());
+    let search = StructureSearch::run(&context, vec![(same, Vec::new())]).ok_or(DiagnosisError::NotFinite)?;
+    let given = refined(&search.starts[0], &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let best = refined(&search.best, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let against = Some(against);
+    Ok(Composed { beside: [None, None], records, fitted, left, search, given, best, situation, against })
 }

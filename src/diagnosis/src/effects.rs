@@ -1,7 +1,7 @@
 //! One card an effect: where it acts, what it is, what records must show of it, and the test that shows it best.
 
 use super::phrases;
-use super::situation::Situation;
+use dashpot_estimation::situation::Situation;
 use dashpot_core::element;
 use dashpot_core::parameter::GROUPS;
 use dashpot_records::sentence::{Sentence, Template};

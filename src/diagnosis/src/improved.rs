@@ -1,12 +1,12 @@
 //! The improved model as a fit, so that it is written, read and reported like any other.
 
-use super::answer::percent;
+use super::composed::{percent, physical};
 use super::name_of::name_of;
 use super::outcome::Diagnosis;
 use super::phrases;
-use super::search::{Search, physical};
 use dashpot_estimation::campaign_clock::clock_from;
 use dashpot_estimation::hypothesis::Free;
+use dashpot_estimation::structure::search::Structure;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::literature::{fv_curve, observation::of_records};
 use dashpot_identification::model_file::ModelFile;
@@ -15,8 +15,8 @@ use dashpot_records::taken_out::Off;
 use dashpot_records::{Record, Sentence};
 
 /// Intervals of all scalars of the last explanation, whose numbers have these standard deviations.
-pub(super) fn estimates(found: &Search, deviations: &[f64]) -> Vec<Estimate> {
-    let (last, end) = &found.found.last;
+pub(super) fn estimates(found: &Structure, deviations: &[f64]) -> Vec<Estimate> {
+    let (last, end) = (&found.hypothesis, &found.refit);
     last.numbers
         .iter()
         .enumerate()
@@ -41,8 +41,8 @@ pub(super) fn estimates(found: &Search, deviations: &[f64]) -> Vec<Estimate> {
 }
 
 /// What the last explanation finds the measurement to be off by, of what the reader of records can take out.
-pub(super) fn measured(found: &Search, deviations: &[f64]) -> Vec<Measured> {
-    let (last, end) = &found.found.last;
+pub(super) fn measured(found: &Structure, deviations: &[f64]) -> Vec<Measured> {
+    let (last, end) = (&found.hypothesis, &found.refit);
     let numbers = last.numbers.iter().enumerate();
     numbers
         .filter_map(|(k, number)| {
@@ -84,7 +84,7 @@ impl Diagnosis {
         Fit {
             params: self.improved,
             estimates: self.estimates.clone(),
-            choices: Vec::new(),
+            inventory: self.inventory.clone(),
             measured: of_both(
                 if used.iter().any(|r| r.as_read.is_some()) { model.identification.measured() } else { Vec::new() },
                 &Off::given(records),

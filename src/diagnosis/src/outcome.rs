@@ -1,8 +1,9 @@
 //! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
 
-use super::changes::{Change, CurveMoved};
+use super::changes::Change;
 use super::tree::Branch;
 use dashpot_core::Params;
+use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_records::sentence::Sentence;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -15,7 +16,7 @@ pub enum Verdict {
     Named,
     /// What is left is noise, or no larger than the form of the curves allows.
     NothingMissing,
-    /// The same against a reference, whose damper has other numbers than this one: see [`Diagnosis::changed`].
+    /// The same against a reference, whose damper has other numbers than this one: see [`Diagnosis::changes`].
     Changed,
     /// Something is missing, and more than one effect explains it as well.
     CannotTell,
@@ -39,6 +40,10 @@ pub struct Diagnosis {
     pub summary: Sentence,
     /// Effects in the order in which they were added.
     pub findings: Vec<Finding>,
+    /// Every effect of the given and of the most probable model, with the force it carries and its probability.
+    pub inventory: Vec<InventoryItem>,
+    /// Against a reference: the sparse set of changes that explains the difference, the largest force first.
+    pub changes: Vec<Change>,
     /// What explains about as well as each other a disagreement, or the rest of one, that got no name; likeliest first.
     pub suspects: Vec<Rival>,
     /// Where model and records disagree before anything is added, worst first.
@@ -60,10 +65,6 @@ pub struct Diagnosis {
     pub could_not_test: Vec<CouldNotTest>,
     /// Numbers of the base model that moved far when an effect was added.
     pub shifts: Vec<Shift>,
-    /// Against a reference: numbers of the model that are others on this damper.
-    pub changed: Vec<Change>,
-    /// Against a reference: how the FV curve moved as a whole, where all of its points moved alike.
-    pub curve_moved: Vec<CurveMoved>,
     /// Remarks.
     pub notes: Vec<Sentence>,
     /// The remark among them that says what a name without a reference may stand for, or how the reference was compared with.
@@ -107,13 +108,12 @@ pub struct Finding {
     pub family: &'static str,
     /// Probability that the name is right: of names given so, that many are.
     pub confidence: f64,
-    /// What the rule of evidence says before it is calibrated: its probability with each test counted as two independent samples, and as
-    /// one.
-    pub rule: [f64; 2],
     /// Probability that the family is right.
     pub family_confidence: f64,
     /// Share of the disagreement that it explains, in mean squares beyond the noise: what opens again without it.
     pub share: f64,
+    /// Force that it carries, N rms.
+    pub force_n_rms: f64,
     /// Whether it is of the rig: then it is corrected in the comparison and not put into the model.
     pub of_the_rig: bool,
     /// Its numbers.

@@ -8,7 +8,6 @@ dashpot_records::phrases! {
     FITTING_REFERENCE: "fitting the model to the reference";
     REFITTING: "refitting the model as it is";
     EACH_EFFECT: "refitting everything with each effect";
-    TWO_EFFECTS: "looking for two effects at once";
     WEIGHING: "weighing each name with the others in";
     WHAT_IS_LEFT: "looking at what is left";
     DONE: "done";
@@ -24,36 +23,38 @@ dashpot_records::phrases! {
     AND: " and ";
     // The answer.
     TIMES: "{times} times the error that noise and the form of curves leave";
-    NAME_AND_SURE: "{effect} ({percent} sure)";
-    MISSING: "missing: {names}; what is left falls from {before} to {after} times";
+    NAME_AND_SURE: "{effect} ({percent} sure{instead})";
+    INSTEAD_OF: ", instead of {effect}";
+    HAS_EFFECT: "this damper shows {names}; the residual falls from {before} to {after} times noise and curve error{also}";
+    NEW_EFFECT: "new on this damper: {names}; the residual falls from {before} to {after} times noise and curve error{also}";
+    ALSO_CHANGED: "; also changed: {changes}";
+    NEEDLESS: "nothing is missing; these records do not need {effects}";
     NOT_EXPLAINED: "{percent} of the disagreement is not explained by what was named: another form of it, or something else";
     TEST_AND_TIMES: "{test} ({times} times)";
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
-    BESIDES_CHANGED: "{answer}; besides, other than on the reference damper: {numbers}{more}";
     WARMER: "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin and oil damps less when warm, so part of what differs may be the temperature, a drift of the force zero above all; compare campaigns of like temperature";
     WARMER_SENSE: "warmer";
     COLDER_SENSE: "colder";
-    CHANGED: "other than on the reference damper: {numbers}{more}; {besides}";
+    CHANGED: "{numbers}{more}";
+    NOTHING_ELSE: "; nothing else changed";
+    CHANGED_REBOUND: "rebound force {percent} % at all speeds ({reference} -> {value} N at {velocity} m/s)";
+    CHANGED_COMPRESSION: "compression force {percent} % at all speeds ({reference} -> {value} N at {velocity} m/s)";
+    CHANGED_REBOUND_LOW: "rebound force at low speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
+    CHANGED_COMPRESSION_LOW: "compression force at low speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
+    CHANGED_REBOUND_HIGH: "rebound force at high speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
+    CHANGED_COMPRESSION_HIGH: "compression force at high speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
     OTHER_NUMBER: "{name} {reference} -> {value}";
-    OTHER_REBOUND: "rebound force at {velocity} m/s {reference} -> {value} N{everywhere}";
-    OTHER_COMPRESSION: "compression force at {velocity} m/s {reference} -> {value} N{everywhere}";
-    MORE_EVERYWHERE: " ({percent} % more at every speed)";
-    LESS_EVERYWHERE: " ({percent} % less at every speed)";
-    MORE_DRY_FORCE: "{force} N more force against the motion at every speed from {slow} to {fast} m/s, in rebound and compression alike, as more dry friction makes";
-    LESS_DRY_FORCE: "{force} N less force against the motion at every speed from {slow} to {fast} m/s, in rebound and compression alike, as less dry friction makes";
     MORE_NUMBERS: " and {count} more";
     CANNOT_SHOW: "; they cannot show {effects}";
     NOT_CONFIRMED: "; no test was left out to confirm it";
-    CANNOT_TELL: "something is missing: the model is off by {times}, and {why}{place}";
+    CANNOT_TELL: "something is missing: the model is off by {times}, and {why}";
     TOO_FEW_TESTS: "{effect} is the likeliest name, but too few tests speak for it to give it";
     NOT_APART: "these records cannot tell {effects} apart";
-    IN_PATH: "; it acts in the path \"{path}\" ({percent})";
     UNKNOWN_EFFECT: "the model is off by {times}, and none of the known effects is likely enough to explain that{nearest}";
-    LOOKS_LIKE: "; it looks like {what}, which explains {percent}";
+    LOOKS_LIKE: "; it looks like {what}";
     NEAREST: "; the nearest, {effect}, explains {percent}";
     EXPLAINS: "explains {percent} of the disagreement";
-    EXPLAINS_STRANGELY: "explains {percent} of the disagreement, with numbers that dampers hardly show";
     // What a disagreement without a name looks like.
     LIKE_GUIDES: "friction that grows with the force, as a tilted cross-head or eye makes in the guides";
     LIKE_LOAD_CELL: "a loop over force whatever the speed, as a load cell with hysteresis draws";
@@ -118,13 +119,10 @@ dashpot_records::phrases! {
     ALL_FITTED_TESTS: "all fitted tests";
     // How the comparison was made.
     WITHOUT_REFERENCE: "without a reference campaign a name may stand for what is always wrong in the form of the model; where a good damper was measured on the same rig, --reference asks what changed";
-    AGAINST_REFERENCE: "compared with the reference campaign: what the model leaves of the same tests there is taken out{aside}";
-    WITHOUT_COUNTERPART: "; only tests of whole cycles that both campaigns have are compared, and left aside: {tests}";
+    AGAINST_REFERENCE: "compared with the reference campaign: what the model leaves of the same tests there is taken out{nearest}{aside}";
+    BY_NEAREST_MOTION: "; tests without a counterpart of the same motion were compared by the form error of the nearest one: {tests}";
+    WITHOUT_COUNTERPART: "; the reference has no motion like these, so that the form error of the model is in them: {tests}";
 }
-
-/// Paths of a tree that are no effects'.
-pub(super) const NOTHING: &str = "nothing";
-pub(super) const SOMETHING_ELSE: &str = "something else";
 
 /// Forms of effects.
 pub(super) const FORMS: &[&str] = &[
@@ -150,6 +148,9 @@ pub(super) const FORMS: &[&str] = &[
     "measured temperature",
     "oil warmer than measured",
     "heated by its own work",
+    "rebound chamber is not refilled",
+    "rebound begins with a lost stroke",
+    "compression begins with a lost stroke",
     "isothermal",
     "takes time to cool",
     "both strokes",
@@ -164,9 +165,14 @@ pub(super) const FORMS: &[&str] = &[
     "a valve with play",
     "a valve with mass",
     "opens and closes at different forces",
+    "linear",
+    "quadratic",
+    "cubic",
+    "quartic",
     "rubber",
     "hydraulic, gap",
     "hydraulic, orifice",
+    "on the load cell",
     "at the load cell",
     "inside, like oil in a long passage",
     "low-pass filter of the force channel",

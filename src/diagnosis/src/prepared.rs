@@ -1,52 +1,54 @@
-//! Records and model made ready to be looked at, and the same against a reference.
+//! Records made ready for a diagnosis, and the same against a reference.
 
 use super::options::DiagnosisError;
-use super::situation::Situation;
-use super::{opposite, reference, vocabulary};
+use super::{opposite, reference};
 use dashpot_core::Params;
+use dashpot_core::parameter::Element;
 use dashpot_estimation::gap::errors;
 use dashpot_estimation::heating::Heating;
-use dashpot_estimation::hypothesis::Hypothesis;
-use dashpot_estimation::refit;
+use dashpot_estimation::refit::{Effort, refit};
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_estimation::situation::Situation;
+use dashpot_estimation::structure::search::Structure;
+use dashpot_estimation::structure::starts;
 use dashpot_records::Record;
 use std::sync::Arc;
 
-/// What a diagnosis looks at.
+/// What a diagnosis works on.
 pub(super) struct Prepared {
     /// Tests that refits see.
     pub fitted: Vec<Test>,
     /// Those left out.
     pub left: Vec<Test>,
-    /// The model as it came.
-    pub base: Hypothesis,
+    /// Heat that went into the damper, test by test.
+    pub heating: Arc<Heating>,
     /// What the tests show.
     pub situation: Situation,
 }
 
-/// Tests, model and situation of records.
+/// Tests and situation of records.
 pub(super) fn prepare(records: &[&Record], held_out: &[bool], params: &Params) -> Prepared {
     let all = samples::as_long_as_remembered(samples::tests(records), params);
     let out = |test: &Test| held_out.get(test.record).copied().unwrap_or(false);
     let (left, fitted): (Vec<Test>, Vec<Test>) = all.into_iter().partition(out);
-    let heating = Heating::new(records, &fitted);
+    let heating = Arc::new(Heating::new(records, &fitted));
     let situation = Situation::new(params, records, &fitted);
-    let base =
-        Hypothesis { base: *params, numbers: vocabulary::base_numbers(params), heating: Some(Arc::new(heating)) };
-    Prepared { fitted, left, base, situation }
+    Prepared { fitted, left, heating, situation }
 }
 
-/// The model as the reference damper has it.
+/// The reference damper.
 pub(super) struct Against {
-    /// Explanation and refit.
-    pub base: (Hypothesis, refit::Refit),
+    /// The model as the reference damper has it.
+    pub structure: Structure,
     /// Tests that the reference campaign does not have.
     pub missing: Vec<String>,
+    /// Tests that it has at another speed or stroke alone.
+    pub shifted: Vec<String>,
 }
 
 impl Prepared {
-    /// Takes what the model leaves of the same tests on the reference out of the comparison, and starts from the model fitted to it.
+    /// Fits the model to the reference, takes the form error that both dampers share out of the tests, and keeps the reference's numbers.
     pub fn against(
         &mut self,
         records: &[&Record],
@@ -54,32 +56,49 @@ impl Prepared {
         params: &Params,
     ) -> Result<Against, DiagnosisError> {
         let good: Vec<&Record> = reference.iter().collect();
-        let mut own = prepare(&good, &[], params);
-        own.base.heating = None;
-        let start = own.base.start();
-        let fine = refit::refit(&own.base, &own.fitted, &start, None, refit::Effort::FINE);
-        let fine = fine.ok_or(DiagnosisError::NotFinite)?;
-        // By the integration of the refits: where it is not exact, it is off by the same on both dampers, and with another one the numbers
-        // of a damper would move against themselves.
-        let residual = errors(Accuracy::Single, &own.base, &fine.theta, &good, &own.fitted);
-        let residual = residual.ok_or(DiagnosisError::NotFinite)?;
-        let correct = |tests: &mut Vec<Test>| {
-            let (kept, missing) = reference::without_shared_error(std::mem::take(tests), &own.fitted, &residual);
-            *tests = kept;
-            missing
+        let own = prepare(&good, &[], params);
+        if own.fitted.is_empty() {
+            let turned = opposite::opposite(records, reference);
+            return Err(DiagnosisError::NothingToCompare { turned });
+        }
+        // The given model, and what a plain model would be: a reference without friction in its model could not say that friction changed.
+        let no_heat = |(mut hypothesis, components): (dashpot_estimation::hypothesis::Hypothesis, _)| {
+            hypothesis.heating = None;
+            (hypothesis, components)
         };
-        let mut missing = correct(&mut self.fitted);
-        missing.extend(correct(&mut self.left));
+        let has = |element: Element| params.is_on(element);
+        let mut all = vec![no_heat(starts::given(params, &own.heating))];
+        let lacks_friction = ["presliding_friction", "coulomb_friction", "stribeck_friction"]
+            .iter()
+            .all(|name| Element::find(name).is_ok_and(|element| !has(element)));
+        if lacks_friction {
+            all.extend(starts::plain(&own.fitted, &own.heating, &|_| true).into_iter().map(no_heat));
+        }
+        let fit = |(hypothesis, components): (dashpot_estimation::hypothesis::Hypothesis, Vec<_>)| {
+            let end = refit(&hypothesis, &own.fitted, &hypothesis.start(), None, Effort::FINE)?;
+            Some(Structure::new(hypothesis, end, components, &own.fitted))
+        };
+        let structure = all
+            .into_iter()
+            .filter_map(fit)
+            .max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
+            .ok_or(DiagnosisError::NotFinite)?;
+        // By the integration of the refits: its error is the same on both dampers.
+        let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
+        let residual = residual.ok_or(DiagnosisError::NotFinite)?;
+        let (mut missing, mut shifted) = (Vec::new(), Vec::new());
+        for tests in [&mut self.fitted, &mut self.left] {
+            let found = reference::without_shared_error(std::mem::take(tests), &own.fitted, &residual);
+            *tests = found.tests;
+            missing.extend(found.missing);
+            shifted.extend(found.shifted);
+        }
         if self.fitted.is_empty() {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // What a test was heated by is counted by its place among the tests.
-        if let Some(heating) = &mut self.base.heating {
-            *heating = Arc::new(heating.of_tests(&self.fitted));
-        }
-        self.base = self.base.clone().starting_at(&fine.theta);
-        let base = (own.base.starting_at(&fine.theta), fine);
-        Ok(Against { base, missing })
+        // Heat is counted by the index of the test.
+        self.heating = Arc::new(self.heating.of_tests(&self.fitted));
+        Ok(Against { structure, missing, shifted })
     }
 }

@@ -71,46 +71,85 @@ impl Left {
     }
 }
 
-/// Tests with what the model leaves of the same tests on the reference taken out of their forces, and its noise added; and the names of
-/// those that the reference campaign does not have. `residual` is measured less computed force of every reference test, N.
-pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Vec<f64>]) -> (Vec<Test>, Vec<String>) {
-    let known: Vec<(At, Left, f64)> = reference
+/// Tests whose forces are freed of the form error that the reference shows.
+pub struct Freed {
+    /// The tests.
+    pub tests: Vec<Test>,
+    /// Names of those that are compared without a counterpart of like motion.
+    pub missing: Vec<String>,
+    /// Names of those whose nearest counterpart has another speed or stroke.
+    pub shifted: Vec<String>,
+}
+
+/// Logarithmic distance of two motions, in speed and amplitude, up to which their form errors are taken as alike: a factor of two in each.
+const ALIKE: f64 = 0.98;
+
+/// Distance of two motions; `None` where one has no cycles or another mean displacement or side force.
+fn distance(a: &At, b: &At) -> Option<f64> {
+    let speed = |at: &At| at.amplitude * at.frequency;
+    let is_comparable = a.frequency > 0.0
+        && b.frequency > 0.0
+        && (a.mean - b.mean).abs() <= 5.0 * SAME_PLACE * a.amplitude.max(b.amplitude)
+        && (a.side - b.side).abs() <= SAME_SIDE;
+    is_comparable.then(|| libm::hypot(libm::log(speed(a) / speed(b)), libm::log(a.amplitude / b.amplitude)))
+}
+
+/// Takes what the model leaves of the same test on the reference out of each test, and adds its noise. Where the reference has no such
+/// test, the form error of the nearest motion is taken, scaled with the force, and counts as uncertain by half of itself; a test without a
+/// near one keeps its forces. `residual` is measured less computed force of every reference test, N.
+pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Vec<f64>]) -> Freed {
+    let known: Vec<(At, Left, f64, f64)> = reference
         .iter()
         .zip(residual)
         .filter(|(test, _)| test.frequency > 0.0)
         .map(|(test, residual)| {
             let at = at(test);
             let left = Left::new(test, &at, residual);
-            (at, left, test.mean_noise)
+            (at, left, test.mean_noise, test.segment.top)
         })
         .collect();
-    let (mut kept, mut missing) = (Vec::new(), Vec::new());
+    let mut freed = Freed { tests: Vec::new(), missing: Vec::new(), shifted: Vec::new() };
     for mut test in tests {
         let own = at(&test);
-        let same: Vec<&(At, Left, f64)> = known.iter().filter(|(at, ..)| is_same(&own, at)).collect();
-        if same.is_empty() {
-            missing.push(test.segment.name);
-            continue;
+        let mut same: Vec<&(At, Left, f64, f64)> = known.iter().filter(|(at, ..)| is_same(&own, at)).collect();
+        let is_same = !same.is_empty();
+        if !is_same {
+            let near = known.iter().filter_map(|row| Some((distance(&own, &row.0)?, row)));
+            let nearest = near.filter(|(d, _)| *d < ALIKE).min_by(|a, b| a.0.total_cmp(&b.0));
+            match nearest {
+                Some((_, row)) => {
+                    freed.shifted.push(test.segment.name.clone());
+                    same.push(row);
+                }
+                None => {
+                    freed.missing.push(test.segment.name.clone());
+                    freed.tests.push(test);
+                    continue;
+                }
+            }
         }
         // A test that the reference has several times is known better.
         let count = same.len() as f64;
-        let noise = same.iter().map(|(.., noise)| noise * noise).sum::<f64>().sqrt() / count;
+        let noise = same.iter().map(|(_, _, noise, _)| noise * noise).sum::<f64>().sqrt() / count;
         let from = test.segment.from;
         let inputs: Vec<Input> = test.segment.input.clone();
         for (k, input) in inputs.iter().enumerate() {
             let phase = phase(input, &own);
-            let left = same.iter().map(|(_, left, _)| left.at(phase)).sum::<f64>() / count;
+            let scale = |top: f64| if is_same { 1.0 } else { test.segment.top / top.max(1e-9) };
+            let left = same.iter().map(|(_, left, _, top)| scale(*top) * left.at(phase)).sum::<f64>() / count;
+            let uncertain = if is_same { 0.0 } else { 0.5 * left };
             test.segment.force[k] -= left;
             if let Some(allowed) = k.checked_sub(from).and_then(|k| test.allowed.get_mut(k)) {
-                *allowed = (*allowed * *allowed + noise * noise / test.independence.max(1e-3)).sqrt();
+                let independent = noise * noise / test.independence.max(1e-3);
+                *allowed = (*allowed * *allowed + independent + uncertain * uncertain).sqrt();
             }
         }
         test.mean_noise = libm::hypot(test.mean_noise, noise);
-        kept.push(test);
+        freed.tests.push(test);
     }
-    missing.sort();
-    missing.dedup();
-    (kept, missing)
+    freed.missing.sort();
+    freed.missing.dedup();
+    freed
 }
 
 #[cfg(test)]
@@ -154,11 +193,12 @@ mod tests {
         let residual = vec![good.segment.force.clone()];
         let worn = sine(0.01, 2.0, 4.1, |angle| shared(angle) + 7.0);
         let other = sine(0.02, 2.0, 0.0, shared);
-        let (kept, missing) = without_shared_error(vec![worn, other], &[good], &residual);
-        assert_eq!((kept.len(), missing), (1, vec!["0.02 2".to_owned()]));
-        for force in &kept[0].segment.force {
+        let far = sine(0.05, 2.0, 0.0, shared);
+        let freed = without_shared_error(vec![worn, other, far], &[good], &residual);
+        assert_eq!((freed.tests.len(), freed.missing, freed.shifted), (3, vec!["0.05 2".to_owned(), "0.02 2".to_owned()], vec![]));
+        for force in &freed.tests[0].segment.force {
             assert!((force - 7.0).abs() < 0.05, "{force}");
         }
-        assert!((kept[0].mean_noise - 2f64.sqrt()).abs() < 1e-12);
+        assert!((freed.tests[0].mean_noise - 2f64.sqrt()).abs() < 1e-12);
     }
 }

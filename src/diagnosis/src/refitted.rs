@@ -1,10 +1,10 @@
 //! A model refitted as a diagnosis does it, and the samples that it looks at: for whoever hides an effect at a stated severity.
 
-use super::vocabulary;
 use dashpot_core::Params;
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::refit;
 use dashpot_estimation::samples;
+use dashpot_estimation::vocabulary::base_numbers;
 use dashpot_records::Record;
 
 /// A model refitted to noise-free records, and what it leaves of every sample in units of the noise stated for each record.
@@ -15,7 +15,7 @@ pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(
         let noise = noise[test.record];
         test.allowed.iter_mut().for_each(|a| *a = noise);
     }
-    let base = Hypothesis { base: *params, numbers: vocabulary::base_numbers(params), heating: None };
+    let base = Hypothesis { base: *params, numbers: base_numbers(params), heating: None };
     let found = refit::refit(&base, &tests, &base.start(), None, refit::Effort::FINE)?;
     Some((base.params(&found.theta), found.residual.as_slice().to_vec()))
 }

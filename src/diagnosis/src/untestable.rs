@@ -3,7 +3,7 @@
 use super::effects::{CARDS, remedy};
 use super::outcome::CouldNotTest;
 use super::phrases;
-use super::situation::Situation;
+use dashpot_estimation::situation::Situation;
 use dashpot_core::parameter::Element;
 use dashpot_records::sentence::Sentence;
 

@@ -8,6 +8,7 @@ use crate::priors::in_search;
 use crate::scale::Scale;
 use crate::segment::Segment;
 use crate::sensitivity::{Accuracy, Run, forces};
+use crate::curve_part::CurvePart;
 use crate::unknowns::{Unknown, Unknowns};
 use dashpot_core::number;
 use dashpot_core::{Model, Parameter, Params};
@@ -23,6 +24,10 @@ const PARTS: usize = 3;
 pub enum Free {
     /// A number of the model.
     Model(Unknown),
+    /// How far a number of the model lies from its value in the base, in the unknown's own measure.
+    Shift(Unknown),
+    /// Relative change of a part of the FV curve of the base.
+    Curve(CurvePart),
     /// A number of the rig.
     Rig(Artefact),
     /// Logarithm of the heat transfer to the surroundings over the heat capacity, 1/s: how fast the damper cools.
@@ -82,19 +87,30 @@ impl Hypothesis {
     fn unknowns(&self, theta: &[f64]) -> (Unknowns, Vec<f64>, Vec<usize>) {
         let (mut list, mut values, mut places) = (Vec::new(), Vec::new(), Vec::new());
         for (place, (number, value)) in self.numbers.iter().zip(theta).enumerate() {
-            if let Free::Model(unknown) = &number.free {
-                list.push(*unknown);
-                values.push(*value);
-                places.push(place);
+            match &number.free {
+                Free::Model(_) => values.push(*value),
+                Free::Shift(unknown) => {
+                    let own = Unknowns { base: self.base, list: vec![*unknown] };
+                    values.push(own.start()[0] + value);
+                }
+                _ => continue,
             }
+            let (Free::Model(unknown) | Free::Shift(unknown)) = &number.free else { continue };
+            list.push(*unknown);
+            places.push(place);
         }
-        (Unknowns { base: self.base, list, rig: Vec::new() }, values, places)
+        (Unknowns { base: self.base, list }, values, places)
     }
 
     /// The parameter set that a vector stands for; what the rig added is not in it.
     pub fn params(&self, theta: &[f64]) -> Params {
         let (unknowns, values, _) = self.unknowns(theta);
         let mut params = unknowns.params(&values);
+        for (number, value) in self.numbers.iter().zip(theta) {
+            if let Free::Curve(part) = number.free {
+                part.scale(&mut params, *value);
+            }
+        }
         if let Some(capacity) = self.exponential(&Free::HeatCapacity, theta) {
             let _ = params.set(number!("heat_capacity"), capacity);
         }
@@ -293,7 +309,7 @@ impl Hypothesis {
 
 /// A free number of the model, starting from a parameter set, with what dampers show of it.
 pub fn number(base: &Params, unknown: Unknown) -> Number {
-    let one = Unknowns { base: *base, list: vec![unknown], rig: Vec::new() };
+    let one = Unknowns { base: *base, list: vec![unknown] };
     let start = one.start()[0];
     let (low, high) = one.bounds();
     let scale = Scale::of(base);

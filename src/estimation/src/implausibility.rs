@@ -17,7 +17,8 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
             Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
-            Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
+            // A change from a reference is as probable as its prior in the refit says.
+            Free::Shift(_) | Free::Curve(_) | Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
         if let Some(usual) = of(number, scale) {
             all.push((number, usual.off(value)));

@@ -21,28 +21,29 @@
 //! | [`cancel`] | how long work is told to stop |
 //! | [`gap`] | errors, and how much of the gap between model and noise is closed |
 
-pub mod as_read;
 pub mod campaign_clock;
 pub mod cancel;
+pub mod curve_part;
 pub mod curve_weights;
 pub mod deviations;
+pub mod first_guess;
 pub mod gap;
 pub mod gram;
 pub mod heating;
 pub mod hypothesis;
 pub mod implausibility;
-pub mod least_squares;
 pub mod measurement;
 pub mod priors;
 pub mod refit;
-pub mod rig_number;
 pub mod samples;
 pub mod scale;
 pub mod segment;
 pub mod sensitivity;
-pub mod smooth_curve;
+pub mod situation;
 pub mod solve;
 pub mod spring_end;
+pub mod structure;
 pub mod unknowns;
 pub mod usual;
+pub mod vocabulary;
 pub mod warmth;

@@ -130,6 +130,11 @@ pub fn refit_by(
     effort: Effort,
     residual_at: &(dyn Fn(&[f64]) -> Option<Residual> + Sync),
 ) -> Option<Refit> {
+    if hypothesis.numbers.is_empty() {
+        let residual = residual_at(&[])?;
+        let jacobian = DMatrix::zeros(residual.len(), 0);
+        return Some(Refit::at(hypothesis, Vec::new(), residual, jacobian));
+    }
     let problem = Problem { hypothesis, tests, derivatives: effort.derivatives, residual_at };
     let (low, high) = hypothesis.numbers.iter().map(|n| n.bounds).unzip();
     let options = Options {

@@ -614,7 +614,7 @@ mod tests {
                 assert!(!series);
                 continue;
             }
-            let unknowns = Unknowns { base, list, rig: Vec::new() };
+            let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
             // The instant at which a void closes, or a lag changes its table, jumps from sample to sample; that with gas in
             // it also where it opens.
@@ -671,7 +671,7 @@ mod tests {
             }
             let mut base = base;
             base.set(number!("spring_linear"), 500.0).unwrap();
-            let unknowns = Unknowns { base, list, rig: Vec::new() };
+            let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
             for test in [segment(0.03, 3.0), segment(0.002, 20.0)] {
                 off(&unknowns, &theta, &test, 0, |unknown, off, size| {

@@ -1,6 +1,5 @@
 //! What a fit may change, and how a vector of unknowns becomes a parameter set.
 
-use crate::rig_number::RigNumber;
 use crate::scale::Scale;
 use dashpot_core::Params;
 use dashpot_core::parameter::{List, Number};
@@ -13,8 +12,6 @@ pub struct Unknowns {
     pub base: Params,
     /// One entry per component of the vector.
     pub list: Vec<Unknown>,
-    /// What the rig added: components behind those of the list.
-    pub rig: Vec<RigNumber>,
 }
 
 /// One component of the vector of unknowns.
@@ -106,7 +103,6 @@ impl Unknowns {
                     (f[*point] - f[inner]).abs()
                 }
             })
-            .chain(self.rig.iter().map(|number| number.start))
             .collect()
     }
 
@@ -128,20 +124,10 @@ impl Unknowns {
                 // A curve of as many rises as the table allows points stays inside the bounds of its forces.
                 Unknown::Rise { .. } => (0.0, 3e4 * scale.force()),
             })
-            .chain(self.rig.iter().map(RigNumber::bounds))
             .unzip()
     }
 
-    /// The same unknowns, started from where a vector stands.
-    pub fn starting_at(mut self, theta: &[f64]) -> Unknowns {
-        self.base = self.params(theta);
-        for (number, value) in self.rig.iter_mut().zip(&theta[self.list.len()..]) {
-            number.start = *value;
-        }
-        self
-    }
-
-    /// The parameter set that a vector stands for; what the rig added is not in it.
+    /// The parameter set that a vector stands for.
     pub fn params(&self, theta: &[f64]) -> Params {
         let mut params = self.base;
         for curve in [CurveName::Fv, CurveName::Spring] {
@@ -206,7 +192,7 @@ mod tests {
         let base = Params::new();
         let mut list = Unknowns::rises(&base, CurveName::Fv);
         list.extend([Unknown::Log(number!("series_stiffness")), Unknown::Linear(number!("gas_force"))]);
-        let unknowns = Unknowns { base, list, rig: Vec::new() };
+        let unknowns = Unknowns { base, list };
         let back = unknowns.params(&unknowns.start());
         for (a, b) in back.list(list!("fv_force")).iter().zip(base.list(list!("fv_force"))) {
             assert!((a - b).abs() < 1e-9);

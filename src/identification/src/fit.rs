@@ -1,32 +1,33 @@
 //! The whole way from records to an identified model.
 
-use super::first_guess::{self, SLOW};
 use super::intervals::{Estimate, Standing, estimates};
-use super::knees::with_points_at_knees;
 use super::literature::piecewise_linear::SLOPES_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
-use super::of_the_rig::{self, Measured, OfTheRig};
+use super::of_the_rig::{self, Measured};
 use super::phrases;
 use super::short::in_words;
-use super::variants::{
-    Candidate, Choice, FEWEST_TESTS, FRICTION, Keep, PHYSICAL_SPRING, SPRING, Structure, Variant, choose, identified,
-    physical_springs, with_slow_points,
-};
-use dashpot_core::parameter::{Element, Number, names};
+use dashpot_core::parameter::{Element, names};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::campaign_clock::{clock_from, clock_runs_on};
-use dashpot_estimation::least_squares::{Effort, solve};
-use dashpot_estimation::samples::segments;
-use dashpot_estimation::scale::Scale;
+use dashpot_estimation::first_guess::SLOW;
+use dashpot_estimation::heating::Heating;
+use dashpot_estimation::hypothesis::{Hypothesis, number as free_number};
+use dashpot_estimation::refit::{self, Refit, refit};
+use dashpot_estimation::samples::{self, Test, Thin, segments};
 use dashpot_estimation::segment::Segment;
-use dashpot_estimation::sensitivity::{self, Accuracy, Run};
+use dashpot_estimation::sensitivity::{self, Accuracy};
+use dashpot_estimation::situation::Situation;
+use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
+use dashpot_estimation::structure::search::{SearchContext, Structure, StructureSearch};
+use dashpot_estimation::structure::starts;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_records::Record;
 use dashpot_records::sentence::{Sentence, Template};
 use dashpot_records::taken_out::Off;
-use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Which kind of model is fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -50,7 +51,7 @@ const LAG: Element = element!("lagged_polynomial");
 pub struct FitOptions {
     /// Kind of model.
     pub family: Family,
-    /// Elements that may be used; all of the family's where `None`.
+    /// Elements that may be used; all that dampers usually have where `None`.
     pub elements: Option<Vec<String>>,
     /// How late the force channel is by a first look at the records, s, where that stood out.
     pub late: Option<f64>,
@@ -123,8 +124,8 @@ pub struct Fit {
     pub params: Params,
     /// What is known of every fitted number.
     pub estimates: Vec<Estimate>,
-    /// How friction and spring were chosen.
-    pub choices: Vec<Choice>,
+    /// Every effect of the model and the likeliest that are not in it, with force and probability.
+    pub inventory: Vec<InventoryItem>,
     /// What the records are off by, taken out of the comparison and never part of the model.
     pub measured: Vec<Measured>,
     /// When the clock by which gain and zero drift was nought, s since 1970; where the records bear their date and time.
@@ -145,38 +146,11 @@ pub struct Fit {
 struct Found {
     params: Params,
     estimates: Vec<Estimate>,
-    choices: Vec<Choice>,
+    inventory: Vec<InventoryItem>,
     measured: Vec<Measured>,
     notes: Vec<Sentence>,
     misfit: f64,
 }
-
-impl Found {
-    /// Names a parameter that this data cannot determine, and whose element therefore stays off.
-    fn leave_out(&mut self, number: Number, why: Template) {
-        self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_said("why", why));
-        let (name, unit) = (number.name(), number.parameter().unit);
-        let standing = Standing::NotIdentified;
-        let from = why.into();
-        self.estimates.push(Estimate { name, index: None, value: 0.0, low: None, high: None, unit, from, standing });
-    }
-}
-
-/// Widens the intervals until they hold what another fit of the same numbers, which the records do not rule out, makes of them.
-fn hold_too(estimates: &mut [Estimate], others: &[Estimate]) {
-    for estimate in estimates {
-        let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
-        let Some(other) = others.iter().find(same) else { continue };
-        if let (Some(low), Some(high), Some(from), Some(to)) = (estimate.low, estimate.high, other.low, other.high) {
-            (estimate.low, estimate.high) = (Some(low.min(from)), Some(high.max(to)));
-        }
-    }
-}
-
-/// Span of side forces, N, from which friction under them is looked for in a damper of a car.
-const VARIED_SIDE_FORCE: f64 = 20.0;
-/// Starting values of the series stiffness of a car's damper, N/m: soft mount, oil column, stiff oil column.
-const STIFFNESS_STARTS: [f64; 3] = [6e5, 2.5e6, 1e7];
 
 /// Fits a model to records.
 ///
@@ -213,16 +187,16 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         return Err(FitError::NotFinite { test: s.name.clone() });
     }
     let about = About::of(records);
-    let guess = first_guess::guess(&segments);
+    let tests = samples::tests(records);
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
     let fv_only = fv_curve::fit(&observations(&segments)).params();
     let mut found = match options.family {
-        Family::Thesis => fit_thesis(&guess, &segments, options, &about, &progress),
-        Family::Fv => as_found(&segments, fv_unknowns(&fv_only)),
-        Family::Piecewise => fit_piecewise(&segments, &progress)?,
-        Family::Lag => fit_lag(&segments, &progress)?,
+        Family::Thesis => fit_thesis(records, &tests, options, &about, &progress)?,
+        Family::Fv => as_found(&tests, fv_unknowns(&fv_only)),
+        Family::Piecewise => fit_piecewise((&segments, &tests), &progress)?,
+        Family::Lag => fit_lag((&segments, &tests), &progress)?,
     };
-    let plain = misfit(&segments, &fv_only);
+    let plain = misfit(&tests, &fv_only);
     if found.misfit > 1.02 * plain {
         let (error, plain) = (format!("{:.2}", found.misfit), format!("{plain:.2}"));
         found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
@@ -232,7 +206,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         found.notes.extend(zero_moves(&segments, &found.params));
     }
     progress(Stage { done: 1.0, text: phrases::DONE });
-    let Found { params, estimates, choices, measured, mut notes, misfit } = found;
+    let Found { params, estimates, inventory, measured, mut notes, misfit } = found;
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&about.given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
     if params.is_on(element!("gas_warming")) {
@@ -245,7 +219,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     Ok(Fit {
         params,
         estimates,
-        choices,
+        inventory,
         measured,
         clock_from: clock_from(records),
         notes,
@@ -256,14 +230,14 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     })
 }
 
-fn fv_unknowns(from: &Params) -> Unknowns {
+fn fv_unknowns(from: &Params) -> (Params, Vec<Unknown>) {
     let mut base = *from;
     base.disable_all();
     base.enable(element!("fv_curve"), true);
     base.enable(element!("gas_preload"), true);
     let mut list = Unknowns::rises(&base, CurveName::Fv);
     list.push(Unknown::Linear(number!("gas_force")));
-    Unknowns { base, list, rig: Vec::new() }
+    (base, list)
 }
 
 /// What the records say beside motion and force.
@@ -283,331 +257,139 @@ impl About {
     }
 }
 
+/// Effects that a fit looks for: what dampers usually have, and what a rig usually adds. All others are found by a diagnosis.
+const USUAL: [&str; 15] = [
+    "series_compliance",
+    "gas_preload",
+    "gas_warming",
+    "gas_spring",
+    "parallel_spring",
+    "bump_stop",
+    "rebound_stop",
+    "coulomb_friction",
+    "stribeck_friction",
+    "presliding_friction",
+    "side_force_friction",
+    "channel_delay",
+    "moving_mass",
+    "gain_drift",
+    "force_drift",
+];
+
+/// Elements that a fit can identify.
+pub fn identified() -> Vec<Element> {
+    let mut all = vec![element!("fv_curve")];
+    all.extend(USUAL.iter().filter(|name| **name != "moving_mass").filter_map(|name| Element::find(name).ok()));
+    all
+}
+
+/// Fewest tests from which a drift shows apart from the tests' own differences, and its shortest span, s: a load cell does not move by
+/// more than noise in less than a minute.
+const FEWEST: usize = 6;
+const SHORTEST: f64 = 60.0;
+
+/// Whether a fit of these records may use a candidate.
+fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options: &FitOptions, tests: &[Test]) -> bool {
+    let effect = candidate.effect;
+    let is_fault = candidate.is_artefact();
+    if !USUAL.contains(&effect) || candidate.unnamed.is_some() || candidate.form.starts_with("hydraulic") {
+        return false;
+    }
+    if is_fault {
+        return match effect {
+            "channel_delay" => candidate.form.is_empty() && of_the_rig::tells_delay(tests),
+            "moving_mass" => of_the_rig::tells_delay(tests),
+            "gain_drift" | "force_drift" => {
+                candidate.form.is_empty()
+                    && about.clock_runs_on
+                    && tests.len() >= FEWEST
+                    && situation.clock_span > SHORTEST
+            }
+            _ => false,
+        };
+    }
+    // A mass of the damper is named by a diagnosis; a fit takes one on the load cell out of the records.
+    effect != "moving_mass"
+        && effects_can_be_shown(effect, situation, about)
+        && options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == effect))
+}
+
+/// Span of side forces, N, from which friction under them is looked for in a damper of a car.
+const VARIED_SIDE_FORCE: f64 = 20.0;
+
+fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> bool {
+    match effect {
+        "side_force_friction" => situation.side_force_span > VARIED_SIDE_FORCE * situation.scale.force(),
+        "gas_warming" => about.temperature.is_some(),
+        _ => true,
+    }
+}
+
+/// Temperature by which log posteriors are divided before they become probabilities: the table holds the best structures alone, and the
+/// form error is correlated between tests.
+pub const TEMPERATURE: f64 = 2.0;
+
 fn fit_thesis(
-    guess: &Params,
-    segments: &[Segment],
+    records: &[&Record],
+    tests: &[Test],
     options: &FitOptions,
     about: &About,
     progress: &impl Fn(Stage),
-) -> Found {
-    let allowed =
-        |element: Element| options.elements.as_ref().is_none_or(|names| names.iter().any(|n| n == element.name()));
-    let variants = |all: &[Variant]| -> Vec<_> {
-        all.iter().copied().filter(|v| v.elements.iter().all(|e| allowed(*e))).collect()
+) -> Result<Found, FitError> {
+    let allowed = |element: Element| {
+        options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element.name()))
     };
-    let (frictions, springs, physical) = (variants(FRICTION), variants(SPRING), variants(PHYSICAL_SPRING));
-    let refs: Vec<&Segment> = segments.iter().collect();
-    let size = first_guess::size(segments);
-    let varied_side_force = {
-        let side = || segments.iter().flat_map(|s| s.input.iter().map(|i| i.side_force.abs()));
-        side().fold(0.0, f64::max) - side().fold(f64::INFINITY, f64::min) > VARIED_SIDE_FORCE * size.force()
-    };
-    let find_variant = |list: &[Variant], name: &str| list.iter().copied().find(|v| v.name == name).unwrap_or(list[0]);
-    let start = Structure {
-        friction: find_variant(&frictions, "Coulomb"),
-        spring: find_variant(&springs, "linear"),
-        series: allowed(element!("series_compliance")),
-        gas: allowed(element!("gas_preload")),
-        warming: None,
-        side_force: varied_side_force && allowed(element!("side_force_friction")),
-        rig: OfTheRig::NONE,
-    };
-    // Several starts: a soft and a stiff series spring are separated by a hill.
     progress(Stage { done: 0.1, text: phrases::FIRST_FIT });
-    let starts = if start.series { &STIFFNESS_STARTS[..] } else { &STIFFNESS_STARTS[..1] };
-    let fits: Vec<(f64, Params)> = starts
-        .par_iter()
-        .map(|stiffness| {
-            let mut from = *guess;
-            let _ = from.set(number!("series_stiffness"), *stiffness * size.force());
-            let unknowns = start.unknowns(&from, segments);
-            let found = solve(&refs, &unknowns, &unknowns.start(), Effort { steps: 12, ..Effort::ROUGH });
-            (found.cost, unknowns.params(&found.theta))
-        })
-        .collect();
-    let best = fits.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-    let mut from = best.map_or(*guess, |(_, params)| params);
-    let mut choices = Vec::new();
-    let mut structure = start;
-    let few = segments.len() < FEWEST_TESTS;
-    if few {
-        // Nothing can be left out to judge by: the simplest that still has friction.
-        structure.spring = find_variant(&springs, "none");
-    } else {
-        let variants = (&frictions[..], &springs[..], &physical[..]);
-        (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
-        let before = structure;
-        let ways = OfTheRig::ways(segments, options.late, about.clock_runs_on, Scale::of(&from));
-        let warms = about.temperature.filter(|_| structure.gas && allowed(element!("gas_warming")));
-        (structure, from) = look_at_the_measurement(structure, from, segments, ways, warms, &mut choices, progress);
-        if structure.rig != before.rig || structure.warming.is_some() {
-            // What the measurement or the gas did was taken for friction or a spring until now.
-            choices.retain(|choice| choice.of == MEASUREMENT);
-            (structure, from) = choose_structure(structure, variants, from, segments, &mut choices, progress);
-        }
-    }
+    let heating = Arc::new(Heating::new(records, tests));
+    let thin = Thin::new(tests).tests;
+    let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
+    let context = SearchContext {
+        records,
+        tests: &thin,
+        is_allowed: &may,
+        changes: &[],
+        most: usize::MAX,
+        progress: &|_| (),
+    };
+    progress(Stage { done: 0.3, text: phrases::CHOOSING_STRUCTURE });
+    let not_finite = || FitError::NotFinite { test: tests.first().map_or(String::new(), |t| t.segment.name.clone()) };
+    let search = StructureSearch::run(&context, starts::plain(&thin, &heating, &allowed)).ok_or_else(not_finite)?;
     progress(Stage { done: 0.85, text: phrases::REFINING });
-    let unknowns = structure.unknowns(&from, segments);
-    let mut found = finish(segments, unknowns, choices, &about.given);
-    if few {
-        let few = Sentence::from(phrases::TOO_FEW_TESTS).with("fewest", FEWEST_TESTS);
-        found.notes.push(few.with_word("friction", structure.friction.name));
-    }
-    if structure.series && !of_the_rig::tells_delay(segments) {
+    let best = refined(&search.best, tests).ok_or_else(not_finite)?;
+    let probabilities = search.probabilities(TEMPERATURE);
+    let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
+    let inventory = inventory(&search, &best, None, tests, &probability);
+    let mut found = finish(&best, tests);
+    found.inventory = inventory;
+    if best.hypothesis.base.is_on(element!("series_compliance")) && !of_the_rig::tells_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
     }
-    if !varied_side_force && allowed(element!("side_force_friction")) {
-        found.leave_out(number!("side_force_coefficient"), phrases::NEEDS_SIDE_FORCES);
-    }
-    if !structure.friction.elements.contains(&element!("viscous_friction")) && allowed(element!("viscous_friction")) {
-        found.leave_out(number!("viscous_coefficient"), phrases::TAKEN_UP);
-    }
-    found
+    Ok(found)
 }
 
-/// What is chosen: among them a spring, and what a curved one is.
-const FRICTIONS: &str = "friction";
-const SPRINGS: &str = "spring";
-const CURVED: &str = "curved spring";
-const POINTS: &str = "FV points";
-const KNEES: &str = "knees of the FV curve";
-const MEASUREMENT: &str = "measurement";
-/// Whether the FV curve has points where only slow tests are, and whether the records are what they seem.
-const WITHOUT_SLOW: &str = "without slow tests";
-const WITH_SLOW: &str = "with slow tests";
-/// Whether it has more points where it bends.
-const AS_SPREAD: &str = "as they are";
-const AT_KNEES: &str = "more points there";
-const FINER_AT_KNEES: &str = "twice as many more";
-const GAS_WARMS: &str = "gas that warms";
-const AS_RECORDED: &str = "as recorded";
-/// What a choice is of and what is chosen, beside the variants and what may be off in the measurement.
-pub(super) const WORDS: [&str; 13] = [
-    FRICTIONS,
-    SPRINGS,
-    CURVED,
-    POINTS,
-    KNEES,
-    MEASUREMENT,
-    WITHOUT_SLOW,
-    WITH_SLOW,
-    AS_SPREAD,
-    AT_KNEES,
-    FINER_AT_KNEES,
-    GAS_WARMS,
-    AS_RECORDED,
-];
-/// How often the intervals of the FV curve that show a knee are parted: from a ratio of 1.65 between two points to one that is narrower than
-/// what is parted. It ends sooner where left-out tests do not gain by it.
-const HALVINGS: usize = 4;
-/// Passes through friction and spring. Each is judged with the other as it stands, and the wrong spring hides every friction behind what
-/// it leaves: so the friction is chosen again once the spring has changed, and the spring once the friction has. It settles after one
-/// or two passes; the bound is there for records in which each undoes the other.
-const PASSES: usize = 3;
-
-/// Chooses friction, spring and FV points, each with the others as they stand.
-fn choose_structure(
-    mut structure: Structure,
-    (frictions, springs, physical): (&[Variant], &[Variant], &[Variant]),
-    mut from: Params,
-    segments: &[Segment],
-    choices: &mut Vec<Choice>,
-    progress: &impl Fn(Stage),
-) -> (Structure, Params) {
-    let with =
-        |structure: Structure, name: &'static str, from: &Params| Candidate { name, structure, starts: vec![*from] };
-    // The last word on each is the one that is told.
-    let mut take = |of: &'static str, list: &[Candidate]| {
-        let chosen = choose(of, list, segments, Keep::Simplest);
-        // What a curved spring is was asked of the spring before.
-        choices.retain(|choice| of != SPRINGS || choice.of != CURVED);
-        match choices.iter_mut().find(|choice| choice.of == of) {
-            Some(old) => *old = chosen.choice,
-            None => choices.extend((list.len() > 1).then_some(chosen.choice)),
-        }
-        (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params)
-    };
-    let may_yield = structure.series;
-    for pass in 0..PASSES {
-        progress(Stage { done: 0.3, text: phrases::CHOOSING_FRICTION });
-        let before = structure;
-        let way = |v: &Variant, series| Structure { friction: *v, series, ..before };
-        let mut list: Vec<_> = frictions.iter().map(|v| with(way(v, may_yield), v.name, &from)).collect();
-        if may_yield {
-            list.extend(frictions.iter().map(|v| with(way(v, false), v.rigid, &from)));
-        }
-        (structure, from) = take(FRICTIONS, &list);
-        if pass > 0 && (structure.friction, structure.series) == (before.friction, before.series) {
-            break;
-        }
-        progress(Stage { done: 0.55, text: phrases::CHOOSING_SPRING });
-        let list: Vec<_> = springs.iter().map(|v| with(Structure { spring: *v, ..structure }, v.name, &from)).collect();
-        (structure, from) = take(SPRINGS, &list);
-        // What is straight or nothing hides no stop and no gas column.
-        if structure.spring.is_curved() {
-            progress(Stage { done: 0.7, text: phrases::STOP_OR_GAS });
-            let mut list = vec![with(structure, structure.spring.name, &from)];
-            list.extend(physical_springs(structure, &from, physical, segments));
-            (structure, from) = take(CURVED, &list);
-        }
-        if structure.spring == before.spring {
-            break;
-        }
-    }
-    let slow_peak = segments.iter().map(|s| s.peak_velocity).filter(|v| *v < SLOW).fold(0.0, f64::max);
-    if let Some(denser) = with_slow_points(&from, slow_peak) {
-        progress(Stage { done: 0.8, text: phrases::CHOOSING_POINTS });
-        let list = [with(structure, WITHOUT_SLOW, &from), with(structure, WITH_SLOW, &denser)];
-        (structure, from) = take(POINTS, &list);
-    }
-    let mut knees = None;
-    for _ in 0..HALVINGS {
-        let parted = |parts| with_points_at_knees(structure, &from, segments, parts);
-        let Some(finer) = parted(2) else { break };
-        progress(Stage { done: 0.81, text: phrases::CHOOSING_POINTS });
-        let mut list = vec![with(structure, AS_SPREAD, &from), with(structure, AT_KNEES, &finer)];
-        list.extend(parted(3).map(|finest| with(structure, FINER_AT_KNEES, &finest)));
-        let chosen = choose(KNEES, &list, segments, Keep::Simplest);
-        // The first time tells what points there are worth.
-        knees.get_or_insert(chosen.choice);
-        if chosen.place == 0 {
-            break;
-        }
-        (structure, from) = (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params);
-    }
-    choices.extend(knees);
-    (structure, from)
+/// A structure refitted to all samples.
+fn refined(structure: &Structure, tests: &[Test]) -> Option<Structure> {
+    let end = refit(&structure.hypothesis, tests, &structure.refit.theta, None, refit::Effort::FINE)?;
+    Some(Structure::new(structure.hypothesis.clone(), end, structure.components.clone(), tests))
 }
 
-/// Whether the measurement is off, and by what. Of several faults at once each alone may be worth little beside the others, so that
-/// they are tried together too; what an interval then leaves at zero is taken out by [`finish`].
-fn look_at_the_measurement(
-    structure: Structure,
-    from: Params,
-    segments: &[Segment],
-    ways: Vec<(&'static str, OfTheRig)>,
-    warms: Option<f64>,
-    choices: &mut Vec<Choice>,
-    progress: &impl Fn(Stage),
-) -> (Structure, Params) {
-    progress(Stage { done: 0.82, text: phrases::MEASUREMENT });
-    let with = |name, structure, from| Candidate { name, structure, starts: vec![from] };
-    let beside = |structure: Structure, from: Params| {
-        ways.iter().map(move |(name, rig)| with(*name, Structure { rig: *rig, ..structure }, from))
-    };
-    let mut list = vec![with(AS_RECORDED, structure, from)];
-    list.extend(beside(structure, from));
-    // Gas that warms moves the force at rest as a zero that drifts does, but with the temperature instead of the clock.
-    list.extend(warms.map(|_| with(GAS_WARMS, Structure { warming: warms, ..structure }, from)));
-    if list.len() == 1 {
-        return (structure, from);
-    }
-    let chosen = choose(MEASUREMENT, &list, segments, Keep::First);
-    choices.push(chosen.choice);
-    if chosen.place == 0 {
-        return (structure, from);
-    }
-    let found = Structure { rig: chosen.rig, ..list[chosen.place].structure };
-    if warms.is_none() {
-        return (found, chosen.params);
-    }
-    // What hid behind the one may show beside it: a late channel beside gas that warms, and the gas beside a late channel.
-    let mut list = vec![with(list[chosen.place].name, found, chosen.params)];
-    if found.warming.is_some() {
-        list.extend(beside(found, chosen.params));
-    } else {
-        let warming = Structure { warming: warms, rig: found.rig.without_drift(), ..found };
-        list.push(with(GAS_WARMS, warming, chosen.params));
-    }
-    let chosen = choose(MEASUREMENT, &list, segments, Keep::First);
-    choices.push(chosen.choice);
-    (Structure { rig: chosen.rig, ..list[chosen.place].structure }, chosen.params)
-}
-
-/// The final fit: refine, take out what the data does not determine, refine the rest, give intervals.
-fn finish(segments: &[Segment], mut unknowns: Unknowns, choices: Vec<Choice>, given: &Off) -> Found {
+/// Intervals, and what the records leave open.
+fn finish(structure: &Structure, tests: &[Test]) -> Found {
+    let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
-    let refs: Vec<&Segment> = segments.iter().collect();
-    // What the data does not determine shows as clearly at the lower accuracy; the last fit is done at the full one.
-    let mut effort = Effort { tolerance: 1e-6, accuracy: Accuracy::Cheap, ..Effort::FINE };
-    let mut theta = solve(&refs, &unknowns, &unknowns.start(), effort).theta;
-    let mut left_out: Vec<Estimate> = Vec::new();
-    let estimates = loop {
-        let (list, loose) = estimates(segments, &unknowns, &theta, effort.accuracy);
-        // One at a time, the loosest first: the others may be determined once it is held.
-        let Some(worst) = loose.iter().copied().max_by(|a, b| width(&list[*a]).total_cmp(&width(&list[*b]))) else {
-            if effort.accuracy == Accuracy::Full {
-                break list;
-            }
-            effort = Effort::FINE;
-            theta = solve(&refs, &unknowns, &theta, effort).theta;
-            continue;
-        };
-        let mut estimate = list[worst].clone();
-        unknowns = unknowns.starting_at(&theta);
-        let left = unknowns.list.remove(worst);
-        // Held where the fit left it, or at its default if that is as good. A force that the records do not tell is none: any other one
-        // stands in the FV curve with the other sign.
-        let mut held = solve(&refs, &unknowns, &unknowns.start(), effort);
-        if let Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) = left {
-            let mut by_default = unknowns.clone();
-            let is_force = matches!(left, Unknown::Linear(_)) && number.parameter().unit == "N";
-            let _ = by_default.base.set(number, if is_force { 0.0 } else { number.default() });
-            let found = solve(&refs, &by_default, &by_default.start(), effort);
-            if found.cost <= AS_GOOD * held.cost {
-                (held, unknowns) = (found, by_default);
-            }
-            estimate.value = unknowns.base.number(number);
+    let estimates = estimates(hypothesis, refit, tests);
+    for estimate in &estimates {
+        match estimate.standing {
+            Standing::NotIdentified if estimate.index.is_none() => notes.push(of_number(phrases::HELD, estimate)),
+            Standing::AtBound => notes.push(of_number(phrases::AT_BOUND, estimate)),
+            _ => {}
         }
-        theta = held.theta;
-        (estimate.low, estimate.high) = (None, None);
-        left_out.push(estimate);
-    };
-    for estimate in &left_out {
-        notes.push(of_number(phrases::HELD, estimate));
     }
-    let mut estimates = estimates;
-    if unknowns.base.is_on(element!("series_compliance")) {
-        hold_too(&mut estimates, &with_the_rest_of_the_measurement(segments, &unknowns, &theta, given));
-    }
-    let mut measured = of_the_rig::measured(segments, &unknowns, &theta, Accuracy::Full);
-    if let Some(nothing) = measured.iter().position(|m| !m.is_there()) {
-        // Chance chose it: the model is what it is without.
-        unknowns = unknowns.starting_at(&theta);
-        unknowns.rig.remove(nothing);
-        let mut again = finish(segments, unknowns, choices, given);
-        again.estimates.extend(left_out);
-        return again;
-    }
-    let params = unknowns.params(&theta);
-    let misfit = misfit_as_read(segments, &unknowns, &theta);
+    let mut measured = of_the_rig::measured(hypothesis, refit, tests);
     measured.sort_by_key(|m| m.name);
-    for estimate in estimates.iter().filter(|e| e.standing == Standing::AtBound) {
-        notes.push(of_number(phrases::AT_BOUND, estimate));
-    }
-    estimates.extend(left_out);
-    notes.extend(choices.iter().filter_map(|choice| choice.open.clone()));
-    Found { params, estimates, choices, measured, notes, misfit }
-}
-
-/// The estimates where what was not looked for in the measurement, or not believed, is free too. A late force channel, or a mass on the load
-/// cell, is believed only where the records make it nine times likelier; below that both are possible, and a series path that is soft under
-/// the one is stiff under the other.
-fn with_the_rest_of_the_measurement(
-    segments: &[Segment],
-    unknowns: &Unknowns,
-    theta: &[f64],
-    given: &Off,
-) -> Vec<Estimate> {
-    let mut freed = unknowns.clone().starting_at(theta);
-    let open = OfTheRig::left_open(&freed.rig, given, Scale::of(&freed.base));
-    if open.is_empty() {
-        return Vec::new();
-    }
-    freed.rig.extend(open);
-    let refs: Vec<&Segment> = segments.iter().collect();
-    let theta = solve(&refs, &freed, &freed.start(), Effort::FINE).theta;
-    estimates(segments, &freed, &theta, Accuracy::Full).0
+    let params = hypothesis.params(&refit.theta);
+    let misfit = misfit_of(refit, tests);
+    Found { params, estimates, inventory: Vec::new(), measured, notes, misfit }
 }
 
 /// What is said of a number of the model.
@@ -617,59 +399,50 @@ fn of_number(template: Template, estimate: &Estimate) -> Sentence {
     Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
 }
 
-/// Rise of the cost at which a default is no worse than a fitted value.
-const AS_GOOD: f64 = 1.003;
-
-/// Relative width of an interval.
-fn width(estimate: &Estimate) -> f64 {
-    match (estimate.low, estimate.high) {
-        (Some(low), Some(high)) => (high - low) / estimate.value.abs().max(1e-12),
-        _ => 0.0,
-    }
+/// Root mean square of the weighted residual.
+fn misfit_of(refit: &Refit, tests: &[Test]) -> f64 {
+    let scored: usize = tests.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
+    (refit.residual.norm_squared() / scored.max(1) as f64).sqrt()
 }
 
-fn misfit(segments: &[Segment], params: &Params) -> f64 {
-    misfit_as_read(segments, &Unknowns { base: *params, list: Vec::new(), rig: Vec::new() }, &[])
-}
-
-/// The same of a model and what the rig added.
-fn misfit_as_read(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> f64 {
-    let Some(run) = Run::new(unknowns, theta, Accuracy::Full) else { return f64::NAN };
-    let (mut sum, mut count) = (0.0, 0usize);
-    for s in segments {
-        let f = unknowns.forces(&run, theta, s);
-        for (f, measured) in f.iter().zip(&s.force).skip(s.from) {
-            sum += ((f - measured) / s.scale).powi(2);
-            count += 1;
-        }
-    }
-    (sum / count.max(1) as f64).sqrt()
+fn misfit(tests: &[Test], params: &Params) -> f64 {
+    let hypothesis = Hypothesis { base: *params, numbers: Vec::new(), heating: None };
+    let residual = hypothesis.residual_by(Accuracy::Full, tests, &[]);
+    let scored: usize = tests.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
+    residual.map_or(f64::NAN, |r| (r.norm_squared() / scored.max(1) as f64).sqrt())
 }
 
 /// A model of the literature as its own least squares left it, with intervals.
-fn as_found(segments: &[Segment], unknowns: Unknowns) -> Found {
-    let (estimates, _) = estimates(segments, &unknowns, &unknowns.start(), Accuracy::Full);
-    let misfit = misfit(segments, &unknowns.base);
-    Found { params: unknowns.base, estimates, choices: Vec::new(), measured: Vec::new(), notes: Vec::new(), misfit }
+fn as_found(tests: &[Test], (base, list): (Params, Vec<Unknown>)) -> Found {
+    let numbers = list.into_iter().map(|unknown| free_number(&base, unknown)).collect();
+    let hypothesis = Hypothesis { base, numbers, heating: None };
+    let theta = hypothesis.start();
+    let misfit = misfit(tests, &base);
+    let at = hypothesis
+        .residual(tests, &theta)
+        .zip(hypothesis.jacobian(Accuracy::Single, tests, &theta))
+        .map(|(residual, jacobian)| Refit::at(&hypothesis, theta, residual, jacobian));
+    let estimates = at.map_or_else(Vec::new, |refit| estimates(&hypothesis, &refit, tests));
+    Found { params: base, estimates, inventory: Vec::new(), measured: Vec::new(), notes: Vec::new(), misfit }
 }
 
 /// The piecewise-linear curve of the literature, with intervals.
-fn fit_piecewise(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, FitError> {
+fn fit_piecewise((segments, tests): (&[Segment], &[Test]), progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: phrases::PIECEWISE });
     let base = kernel_model("piecewise", segments)?;
     let mut list: Vec<Unknown> = SLOPES_AND_KNEES.map(Unknown::Log).to_vec();
     list.push(Unknown::Linear(number!("gas_force")));
-    Ok(as_found(segments, Unknowns { base, list, rig: Vec::new() }))
+    Ok(as_found(tests, (base, list)))
 }
 
 /// The polynomial with lag of the literature, with intervals.
-fn fit_lag(segments: &[Segment], progress: &impl Fn(Stage)) -> Result<Found, FitError> {
+fn fit_lag((segments, tests): (&[Segment], &[Test]), progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: phrases::WITH_LAG });
     let base = kernel_model("lag", segments)?;
     let terms = base.list(list!("polynomial")).len();
     let mut list: Vec<Unknown> = (0..terms).map(|k| Unknown::Entry(list!("polynomial"), k)).collect();
     list.extend([Unknown::Log(number!("lag_slow")), Unknown::Log(number!("lag_fast"))]);
-    Ok(as_found(segments, Unknowns { base, list, rig: Vec::new() }))
+    Ok(as_found(tests, (base, list)))
 }
 
 /// A model of the literature that the kernel has elements for.

@@ -1,14 +1,15 @@
 //! 95 % intervals, where each parameter was identified from, and which were not.
 
-use super::first_guess::SLOW;
 use super::phrases;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
-use dashpot_estimation::least_squares::covariance;
+use dashpot_estimation::deviations::sandwich;
+use dashpot_estimation::first_guess::SLOW;
+use dashpot_estimation::hypothesis::{Free, Hypothesis};
+use dashpot_estimation::refit::Refit;
+use dashpot_estimation::samples::Test;
 use dashpot_estimation::scale::Scale;
-use dashpot_estimation::segment::Segment;
-use dashpot_estimation::sensitivity::{Accuracy, Run};
-use dashpot_estimation::unknowns::{Unknown, Unknowns, anchor};
+use dashpot_estimation::unknowns::{Unknown, anchor};
 use dashpot_records::Sentence;
 use serde::Serialize;
 
@@ -56,28 +57,26 @@ pub enum Standing {
     AtBound,
 }
 
-/// Estimates of all unknowns at a solution, and the places of those that are not identified.
-pub fn estimates(
-    segments: &[Segment],
-    unknowns: &Unknowns,
-    theta: &[f64],
-    accuracy: Accuracy,
-) -> (Vec<Estimate>, Vec<usize>) {
-    let refs: Vec<&Segment> = segments.iter().collect();
-    let params = unknowns.params(theta);
-    let Some((cov, determined)) = covariance(&refs, unknowns, theta, accuracy) else { return (Vec::new(), Vec::new()) };
-    let top = segments.iter().fold(0.0f64, |m, s| m.max(s.top));
-    let stroke = segments.iter().fold(0.0f64, |m, s| m.max(s.amplitude));
-    let speed = segments.iter().fold(0.0f64, |m, s| m.max(s.peak_velocity));
-    let sources = sources(segments, unknowns, theta);
-    let (low, high) = unknowns.bounds();
-    let scale = Scale::of(&unknowns.base);
-    let mut loose = Vec::new();
+/// Estimates of all numbers of the model at a refit.
+pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Estimate> {
+    let theta = &refit.theta;
+    let params = hypothesis.params(theta);
+    let Some((cov, determined)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
+    let top = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.top));
+    let stroke = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.amplitude));
+    let speed = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.peak_velocity));
+    let sources = sources(hypothesis, refit, tests);
+    let scale = Scale::of(&hypothesis.base);
+    let model = |number: &dashpot_estimation::hypothesis::Number| match &number.free {
+        Free::Model(unknown) => Some(*unknown),
+        _ => None,
+    };
+    let unknowns: Vec<Option<Unknown>> = hypothesis.numbers.iter().map(model).collect();
     let mut list = Vec::new();
-    for (i, unknown) in unknowns.list.iter().enumerate() {
+    for (i, unknown) in unknowns.iter().enumerate().filter_map(|(i, unknown)| Some((i, unknown.as_ref()?))) {
         let sd = cov[(i, i)].max(0.0).sqrt();
-        let at_bound =
-            theta[i] <= low[i] + 1e-9 * (1.0 + low[i].abs()) || theta[i] >= high[i] - 1e-9 * (1.0 + high[i].abs());
+        let (low, high) = hypothesis.numbers[i].bounds;
+        let at_bound = theta[i] <= low + 1e-9 * (1.0 + low.abs()) || theta[i] >= high - 1e-9 * (1.0 + high.abs());
         match unknown {
             Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => {
                 let value = params.number(*number);
@@ -86,7 +85,7 @@ pub fn estimates(
                     Unknown::Above(_, below) => {
                         // level (1 + share): both are uncertain.
                         let level = params.number(*below);
-                        let k = unknowns.list.iter().position(|u| *u == Unknown::Linear(*below));
+                        let k = unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
                         let factor = 1.0 + theta[i];
                         let more =
                             k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
@@ -99,16 +98,13 @@ pub fn estimates(
                 // A parameter may be known to be nearly nothing: judge it by the force it makes, too.
                 let force = half * per_unit(*number, stroke, speed);
                 let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
-                if !identified {
-                    loose.push(i);
-                }
                 let (bound_low, bound_high) = scale.reach(*number);
                 list.push(Estimate {
                     name: number.name(),
                     index: None,
                     value,
-                    low: Some(a.max(bound_low)),
-                    high: Some(b.min(bound_high)),
+                    low: identified.then(|| a.max(bound_low)),
+                    high: identified.then(|| b.min(bound_high)),
                     unit: number.parameter().unit,
                     from: sources[i].clone(),
                     standing: match (identified, at_bound) {
@@ -123,11 +119,10 @@ pub fn estimates(
                 let zero = anchor(u);
                 // The force at a point is the sum of the rises up to it.
                 let path: Vec<usize> = unknowns
-                    .list
                     .iter()
                     .enumerate()
                     .filter(|(_, other)| match other {
-                        Unknown::Rise { curve: c, point: p } if c == curve => {
+                        Some(Unknown::Rise { curve: c, point: p }) if c == curve => {
                             if *point > zero {
                                 *p > zero && p <= point
                             } else {
@@ -168,7 +163,7 @@ pub fn estimates(
             }
         }
     }
-    (list, loose)
+    list
 }
 
 /// Force that a unit of a number makes at most; without end where that is not known.
@@ -188,22 +183,21 @@ fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     }
 }
 
-/// For every unknown, which kind of test carries its information.
-fn sources(segments: &[Segment], unknowns: &Unknowns, theta: &[f64]) -> Vec<Sentence> {
-    let n = unknowns.list.len();
-    let Some(run) = Run::new(unknowns, theta, Accuracy::Cheap) else { return vec![Sentence::default(); n] };
-    let mut information = vec![[0.0; 3]; n];
-    for segment in segments {
-        let kind = match segment {
+/// For every number, which kind of test carries its information.
+fn sources(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Sentence> {
+    let mut information = vec![[0.0; 3]; hypothesis.numbers.len()];
+    let mut first = 0;
+    for test in tests {
+        let kind = match &test.segment {
             s if s.peak_velocity < SLOW => 0,
             s if s.amplitude < SMALL_STROKE => 1,
             _ => 2,
         };
-        let (_, rows) = run.jacobian(segment, unknowns, theta);
-        for (i, slot) in information.iter_mut().enumerate() {
-            let row = rows.row(i);
-            slot[kind] += row.iter().skip(segment.from).map(|d| d * d).sum::<f64>() / segment.scale.powi(2);
+        let rows = refit.jacobian.rows(first, test.count());
+        for (slot, column) in information.iter_mut().zip(rows.column_iter()) {
+            slot[kind] += column.norm_squared();
         }
+        first += test.count();
     }
     information
         .iter()

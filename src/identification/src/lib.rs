@@ -5,15 +5,13 @@
 //! fit did not see.
 
 mod as_the_fit_saw;
-pub mod first_guess;
 mod fit;
 mod intervals;
+mod inventory_text;
 mod kind;
-mod knees;
 pub mod limits;
 pub mod literature;
 pub mod model_file;
-mod more_points;
 pub mod of_peaks;
 mod of_the_rig;
 pub mod peaks;
@@ -21,13 +19,13 @@ mod phrases;
 mod short;
 mod texts;
 pub mod validation;
-mod variants;
 
 pub use as_the_fit_saw::AS_THE_FIT_SAW;
-pub use fit::{Family, Fit, FitError, FitOptions, Stage, fit};
+pub use fit::{TEMPERATURE, Family, Fit, FitError, FitOptions, Stage, fit};
 pub use intervals::{Estimate, Standing};
+pub use dashpot_estimation::structure::inventory::InventoryItem;
+pub use inventory_text::describe_item;
 pub use kind::{KINDS, Kind};
 pub use of_the_rig::{Measured, off};
 pub use phrases::templates;
 pub use texts::texts;
-pub use variants::Choice;

@@ -5,7 +5,7 @@
 
 use super::short::short;
 use crate::phrases;
-use crate::{Choice, Estimate, Fit, Measured, Standing, off};
+use crate::{Estimate, Fit, Measured, Standing, describe_item, off};
 use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Model, Params, model_file};
@@ -501,8 +501,8 @@ pub fn write(fit: &Fit) -> String {
         .collect();
     not.dedup();
     let _ = writeln!(out, "not_identified = {}", list(&not));
-    let choices = fit.choices.iter().map(Choice::in_words);
-    let notes: Vec<String> = choices.chain(fit.notes.iter().cloned()).map(|said| said.to_string()).collect();
+    let inventory = fit.inventory.iter().map(describe_item);
+    let notes: Vec<String> = inventory.chain(fit.notes.iter().cloned()).map(|said| said.to_string()).collect();
     let _ = writeln!(out, "notes = {}", list(&notes));
     let off = off(&fit.measured);
     let drifts = off.gain_per_s != 0.0 || off.zero_n_per_s != 0.0;

@@ -7,154 +7,17 @@
 
 use super::intervals::Z;
 use super::phrases;
-use dashpot_estimation::least_squares::covariance;
+use dashpot_estimation::deviations::sandwich;
+use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::measurement::Artefact;
-use dashpot_estimation::rig_number::RigNumber;
-use dashpot_estimation::scale::Scale;
-use dashpot_estimation::segment::Segment;
-use dashpot_estimation::sensitivity::Accuracy;
-use dashpot_estimation::unknowns::Unknowns;
+use dashpot_estimation::refit::Refit;
+use dashpot_estimation::samples::Test;
 use dashpot_records::Sentence;
 use dashpot_records::taken_out::Off;
 use serde::Serialize;
 
-/// A number of the measurement that is looked for: what is usual of it and where its fit starts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sought {
-    usual: (f64, f64),
-    start: f64,
-}
-
-/// The numbers of the measurement in a fit.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct OfTheRig {
-    delay: Option<Sought>,
-    mass: Option<Sought>,
-    gain_drift: Option<Sought>,
-    force_drift: Option<Sought>,
-}
-
-/// How late the force channel of a rig usually comes, s: a filter of 200 Hz makes 1 ms.
-const DELAY: f64 = 1e-3;
-/// Mass, kg, that usually hangs between load cell and damper, as the table of priors has it: eye, clamp and joint have some tenths of a
-/// kilogram to five, and a rig that makes up for it takes as much too little or too much.
-const MASS: f64 = 2.0;
-/// How much a load cell's gain (as a share) usually moves in a campaign. A guess on the wide side, since it pulls what is found towards
-/// nothing: with half of it a true drift of 3.6 % came out 6 % too low.
-const GAIN: f64 = 0.02;
-/// How much its zero usually moves, N: a tenth of a percent of a cell of 20 kN. It pulls as that of the gain does.
-const ZERO: f64 = 20.0;
-
-/// What each is called, alone and all together.
-const LATE: &str = "a late force channel";
-const WITH_MASS: &str = "a mass on the load cell";
-const GAIN_DRIFTS: &str = "a gain that drifts";
-const ZERO_DRIFTS: &str = "a zero that drifts";
-const ALL: &str = "all of these";
-pub(super) const WORDS: [&str; 5] = [LATE, WITH_MASS, GAIN_DRIFTS, ZERO_DRIFTS, ALL];
-
 /// All that is looked for, in the order in which the load cell makes it.
 const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::GainDrift, Artefact::Drift];
-
-impl OfTheRig {
-    /// None of them.
-    pub const NONE: OfTheRig = OfTheRig { delay: None, mass: None, gain_drift: None, force_drift: None };
-
-    /// Each of them that these tests can show, alone, and all together, with names for the report. `late` is the delay that a first look at
-    /// the records found, `scale` how strong the damper is, `clock_runs_on` whether their clocks run through the campaign: what drifts is not looked for by clocks that start anew.
-    pub fn ways(
-        segments: &[Segment],
-        late: Option<f64>,
-        clock_runs_on: bool,
-        scale: Scale,
-    ) -> Vec<(&'static str, OfTheRig)> {
-        let around = |mean: f64, spread: f64| Some(Sought { usual: (mean, spread), start: mean });
-        let mut all = OfTheRig::NONE;
-        let mut ways = Vec::new();
-        if tells_delay(segments) {
-            all.delay = around(late.unwrap_or(0.0), DELAY);
-            all.mass = around(0.0, MASS * scale.force());
-            ways.push((LATE, OfTheRig { delay: all.delay, ..OfTheRig::NONE }));
-            ways.push((WITH_MASS, OfTheRig { mass: all.mass, ..OfTheRig::NONE }));
-        }
-        let clocks = segments.iter().map(|s| s.clock);
-        let last = clocks.clone().fold(0.0, f64::max);
-        let span = last - clocks.fold(f64::INFINITY, f64::min);
-        if clock_runs_on && segments.len() >= FEWEST && span > 0.5 * last && span > SHORTEST {
-            (all.gain_drift, all.force_drift) = (around(0.0, GAIN / last), around(0.0, ZERO * scale.force() / last));
-            ways.push((GAIN_DRIFTS, OfTheRig { gain_drift: all.gain_drift, ..OfTheRig::NONE }));
-            ways.push((ZERO_DRIFTS, OfTheRig { force_drift: all.force_drift, ..OfTheRig::NONE }));
-        }
-        if ways.len() > 1 {
-            ways.push((ALL, all));
-        }
-        ways
-    }
-
-    /// What the measurement may still be off by where it was not looked for, or not believed, and nobody gave it: how late the force channel of
-    /// a rig usually is, and what usually hangs on its load cell. A soft series path looks like either.
-    pub fn left_open(looked_for: &[RigNumber], given: &Off, scale: Scale) -> Vec<RigNumber> {
-        let open = [(Artefact::Delay, DELAY, given.delay_s), (Artefact::Mass, MASS * scale.force(), given.mass_kg)];
-        let is_open = |artefact: Artefact| looked_for.iter().all(|number| number.artefact != artefact);
-        let open = open.into_iter().filter(|(artefact, _, given)| *given == 0.0 && is_open(*artefact));
-        open.map(|(artefact, spread, _)| RigNumber { artefact, start: 0.0, usual: (0.0, spread) }).collect()
-    }
-
-    /// Whether it ended at a mass below nothing.
-    pub fn has_less_than_no_mass(self) -> bool {
-        self.mass.is_some_and(|mass| mass.start < 0.0)
-    }
-
-    /// The delay at which it ended, s.
-    pub fn delay_found(self) -> f64 {
-        self.delay.map_or(0.0, |delay| delay.start)
-    }
-
-    /// The same without what moves the zero.
-    pub fn without_drift(self) -> OfTheRig {
-        OfTheRig { force_drift: None, ..self }
-    }
-
-    /// Whether a late force channel is all that is looked for.
-    pub fn is_delay_alone(self) -> bool {
-        self.delay.is_some() && self.all().count() == 1
-    }
-
-    fn all(self) -> impl Iterator<Item = (Artefact, Sought)> {
-        LOOKED_FOR
-            .into_iter()
-            .zip([self.delay, self.mass, self.gain_drift, self.force_drift])
-            .filter_map(|(artefact, sought)| Some((artefact, sought?)))
-    }
-
-    /// As numbers of a fit.
-    pub fn numbers(self) -> Vec<RigNumber> {
-        self.all().map(|(artefact, s)| RigNumber { artefact, start: s.start, usual: s.usual }).collect()
-    }
-
-    /// The same from where another fit of them ended.
-    pub fn starting_at(mut self, ended: &[RigNumber]) -> OfTheRig {
-        for number in ended {
-            let sought = match number.artefact {
-                Artefact::Delay => &mut self.delay,
-                Artefact::Mass => &mut self.mass,
-                Artefact::GainDrift => &mut self.gain_drift,
-                Artefact::Drift => &mut self.force_drift,
-                _ => continue,
-            };
-            if let Some(sought) = sought {
-                sought.start = number.start;
-            }
-        }
-        self
-    }
-}
-
-/// Fewest tests from which a drift through a campaign shows apart from the tests' own differences: two numbers need twice as many tests,
-/// and as many again for what the model itself takes from each.
-const FEWEST: usize = 6;
-/// Its shortest span, s: a load cell does not move by more than noise in less than a minute.
-const SHORTEST: f64 = 60.0;
 
 /// How much faster the fastest test must turn than the slowest for a delay to be told from compliance: the phase of both grows with
 /// frequency, but along other curves. At one frequency they are the same; half as much again is a choice. A mass and a spring are told apart
@@ -162,11 +25,11 @@ const SHORTEST: f64 = 60.0;
 const APART: f64 = 1.5;
 
 /// Whether the frequencies of the tests tell a delay from a soft series path.
-pub fn tells_delay(segments: &[Segment]) -> bool {
-    let turns = |s: &Segment| s.peak_velocity / s.amplitude;
-    let (low, high) = segments
+pub fn tells_delay(tests: &[Test]) -> bool {
+    let turns = |t: &Test| t.segment.peak_velocity / t.segment.amplitude;
+    let (low, high) = tests
         .iter()
-        .filter(|s| s.amplitude > 0.0)
+        .filter(|t| t.segment.amplitude > 0.0)
         .map(turns)
         .fold((f64::INFINITY, 0.0f64), |(l, h), w| (l.min(w), h.max(w)));
     high > APART * low
@@ -282,18 +145,18 @@ pub fn off(measured: &[Measured]) -> Off {
 }
 
 /// What a fit found of the measurement.
-pub fn measured(segments: &[Segment], unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> Vec<Measured> {
-    if unknowns.rig.is_empty() {
+pub fn measured(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Measured> {
+    let is_rig = |free: &Free| matches!(free, Free::Rig(_));
+    if !hypothesis.numbers.iter().any(|n| is_rig(&n.free)) {
         return Vec::new();
     }
-    let refs: Vec<&Segment> = segments.iter().collect();
-    let Some((covariance, _)) = covariance(&refs, unknowns, theta, accuracy) else { return Vec::new() };
-    let numbers = unknowns.rig.iter().enumerate();
+    let Some((covariance, _)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
+    let numbers = hypothesis.numbers.iter().enumerate();
     numbers
-        .map(|(k, number)| {
-            let place = unknowns.list.len() + k;
-            let (value, half) = (theta[place], Z * covariance[(place, place)].max(0.0).sqrt());
-            Measured::new(number.artefact, [value, value - half, value + half])
+        .filter_map(|(k, number)| {
+            let Free::Rig(artefact) = number.free else { return None };
+            let (value, half) = (refit.theta[k], Z * covariance[(k, k)].max(0.0).sqrt());
+            Measured::of(artefact, [value, value - half, value + half])
         })
         .collect()
 }

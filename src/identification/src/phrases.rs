@@ -12,24 +12,14 @@ dashpot_records::phrases! {
     // Which tests a number was identified from.
     SHARE_OF: "{tests} {percent} %";
     NO_TEST: "no test shows it";
-    // How a variant was chosen.
-    CHOICE: "{of}: {chosen} — {why}";
-    WHY: "error on left-out tests {error} of the allowed error{others}; {reason}";
-    OTHERS: " ({others})";
-    OTHER: "{name} {error}";
-    NO_OTHER_IS_BETTER: "no other is better by what its parameters cost";
-    NO_OTHER_IS_LIKELIER: "no other is so much likelier that it is not as well an error of the model's form";
-    PERHAPS_LATE: "these records do not decide whether the force channel is late: a delay of {delay} ms is {odds} times as likely as none, where nine times are asked for; with it series_stiffness is {with} instead of {without} N/m, and the intervals hold both. Give --delay where the delay is known, or add small strokes at high frequency";
-    SIMPLEST: "the simplest within one standard error of the best, friction that a host with 1 ms can run before steeper";
+    // The inventory.
+    CARRIES: "{effect}: {force} N rms, {share} of the force; probability {probability}";
+    CARRIES_IN_FORM: "{effect} ({form}): {force} N rms, {share} of the force; probability {probability}";
     // What the data does not determine.
-    NOT_IDENTIFIED: "{name} could not be identified from this data ({why}); its element is off";
     HELD: "{name} could not be identified from this data; it is held at {value} {unit}";
     AT_BOUND: "{name} ran into the bound of its range at {value} {unit}: the data asks for something this element cannot do";
-    NEEDS_SIDE_FORCES: "it needs slow tests at two or more side forces, with a side-force channel";
-    TAKEN_UP: "a free FV curve takes a v² term up";
     // What the campaign cannot show.
     WORSE_THAN_FV: "this model fits worse than the plain FV curve ({error} against {plain} of the allowed error)";
-    TOO_FEW_TESTS: "with fewer than {fewest} tests no variant can be judged by leaving tests out: {friction} friction and no parallel spring were taken";
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
     NO_SLOW_TEST: "there is no slow test (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
@@ -53,11 +43,7 @@ dashpot_records::phrases! {
     PREPARING: "preparing records";
     PLAIN_CURVE: "plain FV curve";
     FIRST_FIT: "first fit from several starts";
-    CHOOSING_FRICTION: "choosing the friction";
-    CHOOSING_SPRING: "choosing the spring";
-    STOP_OR_GAS: "looking for a stop or a gas column behind the spring";
-    CHOOSING_POINTS: "choosing the FV points";
-    MEASUREMENT: "looking at the measurement";
+    CHOOSING_STRUCTURE: "comparing friction, springs, series path and measurement errors";
     REFINING: "refining everything together";
     PIECEWISE: "piecewise-linear curve";
     WITH_LAG: "polynomial with lag";

@@ -17,7 +17,6 @@
 //! | [`score`] | the table of figures and the confusion matrix |
 
 pub mod asked;
-pub mod calibrate;
 pub mod case;
 pub mod laboratory;
 pub mod measured;

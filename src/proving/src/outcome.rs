@@ -23,8 +23,6 @@ pub struct Outcome {
     pub verdict: Verdict,
     /// Names given, with their confidences, in order.
     pub named: Vec<(String, f64)>,
-    /// The probabilities of the rule of evidence behind each: each test counted as two independent samples, and as one.
-    pub rule: Vec<[f64; 2]>,
     /// Whether the fit has found all that is hidden, as an element of the model that was diagnosed or in the measurement: then no name is
     /// to be given.
     pub in_the_model: bool,
@@ -112,7 +110,6 @@ pub fn judged(
         forms: measured.truth.effects.iter().map(|e| e.form.clone()).collect(),
         verdict: found.verdict,
         named: found.findings.iter().map(|f| (f.effect.to_owned(), f.confidence)).collect(),
-        rule: found.findings.iter().map(|f| f.rule).collect(),
         in_the_model: hidden.iter().all(|(name, _)| {
             let name = plain(name);
             Element::find(name).is_ok_and(|element| measured.base.is_on(element)) || measured.taken_out.contains(&name)

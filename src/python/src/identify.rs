@@ -4,7 +4,7 @@ use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
 use crate::work;
 use dashpot_identification::validation::Deviation;
-use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, Kind, Measured, model_file};
+use dashpot_identification::{Estimate, Family, Fit, FitOptions, InventoryItem, Kind, Measured, model_file};
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Sentence, SignFinding, Unusable};
 use dashpot_simulation::whole_records;
@@ -16,7 +16,7 @@ use serde::Serialize;
 struct FitJson<'a> {
     tests: &'a [String],
     parameters: &'a [Estimate],
-    choices: &'a [Choice],
+    inventory: &'a [InventoryItem],
     measured: &'a [Measured],
     notes: &'a [Sentence],
     misfit: f64,
@@ -74,7 +74,7 @@ pub fn fit(
     let said = FitJson {
         tests: &found.tests,
         parameters: &found.estimates,
-        choices: &found.choices,
+        inventory: &found.inventory,
         measured: &found.measured,
         notes: &found.notes,
         misfit: found.misfit,

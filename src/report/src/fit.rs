@@ -7,7 +7,7 @@ use crate::parameters;
 use crate::whole_records::in_words;
 use crate::words::Words;
 use crate::workbook::Workbook;
-use dashpot_identification::Fit;
+use dashpot_identification::{Fit, InventoryItem};
 use dashpot_identification::validation::Deviation;
 use dashpot_records::Unusable;
 
@@ -35,15 +35,25 @@ fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], wo
     let mut sections = vec![Section::new("answer", words.answer, vec![Block::Lead(answer)])];
     sections.extend(parameters::section(&parameters::of_fit(fit, words), words));
     let table = |columns, rows| vec![Block::Table(Table { caption: String::new(), columns, rows, sortable: false })];
-    if !fit.choices.is_empty() {
-        let columns =
-            vec![Column::words(words.fit_choice_of), Column::words(words.fit_chosen), Column::words(words.col_why)];
-        let rows = fit
-            .choices
-            .iter()
-            .map(|c| vec![words.word(c.of).into(), words.word(c.chosen).into(), words.say(&c.why).into()])
-            .collect();
-        sections.push(Section::new("choices", words.fit_choices, table(columns, rows)));
+    if !fit.inventory.is_empty() {
+        let columns = vec![
+            Column::words(words.col_effect),
+            Column::words(words.col_form),
+            Column::figures(words.col_force_rms),
+            Column::figures(words.col_share_of_force),
+            Column::figures(words.col_probability),
+        ];
+        let row = |i: &InventoryItem| {
+            vec![
+                words.named(i.effect).into(),
+                words.word(i.form).into(),
+                Cell::measured(i.force_n_rms, "N"),
+                Cell::share(i.share),
+                Cell::share(i.probability),
+            ]
+        };
+        let rows = fit.inventory.iter().map(row).collect();
+        sections.push(Section::new("inventory", words.inventory_section, table(columns, rows)));
     }
     if !fit.measured.is_empty() {
         let columns =

@@ -76,15 +76,15 @@ fn of_groups(answers: &Answers, words: &Words) -> Table {
 /// Every number that changed in any group, of the reference and of all groups.
 fn numbers(answers: &Answers, words: &Words) -> Table {
     let mut numbers: BTreeMap<String, (f64, &str, String)> = BTreeMap::new();
-    for one in answers.groups.iter().flat_map(|a| &a.diagnosis.changed) {
-        numbers.entry(one.name()).or_insert_with(|| (one.reference, one.unit, changed_name(one, words)));
+    for one in answers.groups.iter().flat_map(|a| &a.diagnosis.changes) {
+        numbers.entry(one.label()).or_insert_with(|| (one.reference, one.unit, changed_name(one, words)));
     }
     let mut rows = Vec::new();
     for (name, (reference, unit, called)) in &numbers {
         let first = [answers.reference.as_str().into(), Cell::measured(*reference, unit), Cell::none()];
         rows.push([Cell::from(called.as_str())].into_iter().chain(first).collect());
         for answer in &answers.groups {
-            let there = answer.diagnosis.changed.iter().find(|c| c.name() == *name);
+            let there = answer.diagnosis.changes.iter().find(|c| c.label() == *name);
             let [value, interval] = there.map_or_else(
                 || [words.no_change.into(), Cell::none()],
                 |c| Cell::with_interval(c.value, c.low, c.high, c.unit, words),

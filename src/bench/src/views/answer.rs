@@ -8,7 +8,7 @@ use crate::views::View;
 use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::validation::{Errors, Validation};
-use dashpot_identification::{Fit, Standing};
+use dashpot_identification::{Fit, Standing, describe_item};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::numbers::{share, with_interval};
@@ -76,8 +76,8 @@ fn wrapped(ui: &mut Ui, text: RichText) {
 fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     let (w, said) = (texts(language), language.words());
     wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
-    for choice in &found.choices {
-        wrapped(ui, RichText::new(said.say(&choice.in_words())));
+    for item in &found.inventory {
+        wrapped(ui, RichText::new(said.say(&describe_item(item))));
     }
     egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
         for e in found.estimates.iter().filter(|e| e.index.is_none()) {
@@ -189,10 +189,10 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
             }
         });
     }
-    if !found.changed.is_empty() {
+    if !found.changes.is_empty() {
         ui.strong(w.changed);
     }
-    for change in &found.changed {
+    for change in &found.changes {
         let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, said);
         let before = dashpot_report::numbers::with_unit(change.reference, change.unit);
         let figures = said.number(&format!("{before} → {value}  ({interval})"));

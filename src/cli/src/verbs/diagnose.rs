@@ -6,7 +6,7 @@ use crate::page::PageArgs;
 use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_diagnosis::groups::{Good, diagnose_groups};
-use dashpot_diagnosis::{Diagnosis, Figures, Finding, Options, choose_held_out, diagnose};
+use dashpot_diagnosis::{Diagnosis, Figures, Finding, InventoryItem, Options, Status, choose_held_out, diagnose};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
@@ -316,6 +316,10 @@ const NEXT: usize = 3;
 /// The findings in lines.
 pub fn told(found: &Diagnosis) -> Vec<String> {
     let mut lines = vec![headline(found, &TERMINAL)];
+    if !found.inventory.is_empty() {
+        lines.push(format!("  {:<28} {:>10} {:>6} {:>12}  {}", "inventory", "N rms", "force", "probability", "status"));
+    }
+    lines.extend(found.inventory.iter().map(inventory_line));
     if !found.regions.is_empty() {
         lines.push("Where the model disagrees, refitted to these tests:".to_owned());
         lines.extend(found.regions.iter().take(REGIONS).map(|region| format!("  {}", region.text)));
@@ -335,13 +339,13 @@ pub fn told(found: &Diagnosis) -> Vec<String> {
         let (before, after) = (with_unit(shift.before, shift.unit), with_unit(shift.after, shift.unit));
         lines.push(format!("  {:<30} {before:>16} -> {after}", shift.parameter));
     }
-    if !found.changed.is_empty() {
+    if !found.changes.is_empty() {
         lines.push("Numbers that are others than on the reference damper:".to_owned());
     }
-    for change in &found.changed {
+    for change in &found.changes {
         let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &TERMINAL);
         let before = with_unit(change.reference, change.unit);
-        lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.name()));
+        lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.label()));
     }
     lines.extend(found.notes.iter().map(|note| format!("note: {note}")));
     lines.extend(found.next_tests.iter().take(NEXT).map(|test| format!("next test: {}", test.text)));
@@ -397,4 +401,18 @@ fn errors(found: &Diagnosis) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// One effect of the inventory: force, fraction of the measured force, probability, and what became of it.
+fn inventory_line(item: &InventoryItem) -> String {
+    let status = match (item.status, item.replaces) {
+        (_, Some(old)) => format!("added, in place of {old}"),
+        (Status::Kept, None) => "kept".to_owned(),
+        (Status::Added, None) => "added".to_owned(),
+        (Status::Replaced, None) => "replaced".to_owned(),
+        (Status::Removed, None) => "removed".to_owned(),
+    };
+    let form = if item.form.is_empty() { String::new() } else { format!(" ({})", item.form) };
+    let (force, part, probability) = (digits(item.force_n_rms, 3), share(item.share), share(item.probability));
+    format!("  {:<28} {force:>10} {part:>6} {probability:>12}  {status}{form}", item.effect)
 }

@@ -8,7 +8,9 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use dashpot_identification::literature::{Literature, file, observation};
 use dashpot_identification::model_file;
 use dashpot_identification::validation::Deviation;
-use dashpot_identification::{Choice, Estimate, Family, Fit, FitOptions, KINDS, Kind, Measured, Standing, fit};
+use dashpot_identification::{
+    Estimate, Family, Fit, FitOptions, InventoryItem, KINDS, Kind, Measured, Standing, describe_item, fit,
+};
 use dashpot_output as output;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
@@ -34,7 +36,7 @@ pub struct Args {
     /// Model file to write
     #[arg(short, long, value_name = "MODEL")]
     output: PathBuf,
-    /// Estimates, choices and notes as JSON; - for standard output
+    /// Inventory, estimates and notes as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
     /// Every table as a sheet of one Excel workbook, numbers as numbers
@@ -75,7 +77,7 @@ struct Json<'a> {
     model: &'a Path,
     tests: &'a [String],
     parameters: &'a [Estimate],
-    choices: &'a [Choice],
+    inventory: &'a [InventoryItem],
     /// What the records are off by; taken out before the errors below.
     measured: &'a [Measured],
     notes: &'a [Sentence],
@@ -211,8 +213,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let found = identify(&records, &options, &args.output)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     tell_of_records(&campaign, &say)?;
-    for choice in &found.choices {
-        say(&choice.in_words().to_string())?;
+    for item in &found.inventory {
+        say(&format!("  {}", describe_item(item)))?;
     }
     for e in found.estimates.iter().filter(|e| e.index.is_none()) {
         say(&match (&e.standing, e.low, e.high) {
@@ -237,7 +239,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 model: &args.output,
                 tests: &found.tests,
                 parameters: &found.estimates,
-                choices: &found.choices,
+                inventory: &found.inventory,
                 measured: &found.measured,
                 notes: &found.notes,
                 misfit: found.misfit,

@@ -18,9 +18,9 @@ pub fn told(answers: &Answers) -> Vec<String> {
             answer.diagnosis.findings.iter().map(|f| format!("{} ({} sure)", f.effect, share(f.confidence))).collect();
         let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
         lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
-        for one in &answer.diagnosis.changed {
+        for one in &answer.diagnosis.changes {
             let before = with_unit(one.reference, one.unit);
-            lines.push(format!("    {:<30} {before:>16} -> {}", one.name(), change(one)));
+            lines.push(format!("    {:<30} {before:>16} -> {}", one.label(), change(one)));
         }
     }
     lines.extend(answers.as_the_fit_saw.iter().map(|text| format!("note: {text}")));

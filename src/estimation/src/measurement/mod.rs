@@ -105,7 +105,7 @@ impl Artefact {
             Artefact::Guide(_) | Artefact::Loop(_) | Artefact::Ring(_) | Artefact::RingAcross(_) => 0.5,
             Artefact::GuideAlong(_) => 10.0,
         };
-        (if self == Artefact::LowPass { 0.0 } else { -most }, most)
+        (if matches!(self, Artefact::LowPass | Artefact::Mass) { 0.0 } else { -most }, most)
     }
 
     /// What the force at the samples of a test becomes; late by a time it is that of an earlier motion

@@ -3,7 +3,7 @@
 
 use super::Value;
 use super::table::{Limit, Quantity};
-use crate::first_guess::{self, SLOW};
+use dashpot_estimation::first_guess::{self, SLOW};
 use crate::peaks::{AtPeak, Peak};
 use crate::validation::{Compared, Hysteresis};
 use dashpot_estimation::samples::segments;

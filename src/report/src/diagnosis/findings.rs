@@ -32,8 +32,8 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
         blocks.push(Block::Warning(words.fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
     // Alone they give the section its heading.
-    let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changed.is_empty();
-    if !found.changed.is_empty() {
+    let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changes.is_empty();
+    if !found.changes.is_empty() {
         blocks.extend((!changed_alone).then(|| Block::Heading(words.changed_section.into())));
         blocks.extend(both_curves::figure(found, words).map(Block::Wide));
         blocks.push(Block::Table(changed(found, words)));
@@ -133,7 +133,7 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
 
 /// A changed number in words; of a point of the FV curve with its velocity.
 pub fn changed_name(change: &Change, words: &Words) -> String {
-    let name = words.named(change.parameter);
+    let name = words.named(change.name);
     match change.velocity_m_s {
         Some(velocity) => format!("{name}, {} m/s", words.number(&format!("{velocity:.3}"))),
         None => name,
@@ -151,7 +151,7 @@ fn changed(found: &Diagnosis, words: &Words) -> Table {
         Column::figures(words.col_this_damper),
         Column::figures(words.col_interval),
     ];
-    let rows = found.changed.iter().map(row).collect();
+    let rows = found.changes.iter().map(row).collect();
     Table { caption: words.changed_caption.to_owned(), columns, rows, sortable: false }
 }
 

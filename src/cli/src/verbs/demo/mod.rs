@@ -6,7 +6,7 @@ use super::data::{DataArgs, name_of};
 use super::{fit, validate};
 use crate::page::PageArgs;
 use crate::progress::Progress;
-use dashpot_identification::FitOptions;
+use dashpot_identification::{FitOptions, describe_item};
 use dashpot_identification::{model_file, validation};
 use dashpot_output::FolderLock;
 use dashpot_records::hold_out;
@@ -50,8 +50,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let model_path = args.output.join("damper.toml");
     let held_out: Vec<String> = HELD_OUT.map(String::from).to_vec();
     let found = fit::identify(&hold_out::kept(&campaign, &held_out)?, &FitOptions::default(), &model_path)?;
-    for choice in &found.choices {
-        say(&format!("   {}: {}", choice.of, choice.chosen))?;
+    for item in &found.inventory {
+        say(&format!("   {}", describe_item(item)))?;
     }
     say(&format!("   model file: {}", model_path.display()))?;
     say("3. The model is compared with all records, beside the plain FV curve.\n")?;

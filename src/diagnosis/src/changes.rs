@@ -1,0 +1,161 @@
+//! Against a reference: the sparse set of changes that explains the difference.
+
+use super::phrases;
+use dashpot_core::{Params, list};
+use dashpot_estimation::curve_part::{CurvePart, Speeds};
+use dashpot_estimation::deviations::sandwich;
+use dashpot_estimation::hypothesis::Free;
+use dashpot_estimation::samples::Test;
+use dashpot_estimation::structure::search::Structure;
+use dashpot_estimation::unknowns::Unknown;
+use dashpot_records::{Sentence, reading_unit};
+use serde::Serialize;
+
+/// One change against the reference damper.
+#[derive(Debug, Clone, Serialize)]
+pub struct Change {
+    /// A parameter of the model, or a part of its FV curve.
+    pub name: &'static str,
+    /// Value on the reference damper; of a part of the FV curve, its force at [`Change::velocity_m_s`].
+    pub reference: f64,
+    /// Value on this damper.
+    pub value: f64,
+    /// Lower end of the 95 % interval of the value.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// Unit.
+    pub unit: &'static str,
+    /// Of a part of the FV curve: velocity at which its forces are given, m/s, rebound positive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity_m_s: Option<f64>,
+    /// Probability that this changed.
+    pub probability: f64,
+    /// Force that the change makes, N rms.
+    pub force_n_rms: f64,
+}
+
+/// Half-width of a 95 % interval in standard deviations.
+const Z: f64 = 1.96;
+
+/// Where the forces of a part of the FV curve are given: the middle of its speeds, by ratio, and the fastest.
+fn velocity_of(part: CurvePart, base: &Params) -> f64 {
+    let velocity = base.list(list!("fv_velocity"));
+    let side = |v: &&f64| if part.rebound { **v > 0.0 } else { **v < 0.0 };
+    let speeds: Vec<f64> = velocity.iter().filter(side).map(|v| v.abs()).collect();
+    let wanted = match part.speeds {
+        Speeds::Low => 0.05,
+        Speeds::All => 0.3,
+        Speeds::High => 1.0,
+    };
+    let nearest = speeds.iter().copied().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted);
+    if part.rebound { nearest } else { -nearest }
+}
+
+fn force_at(params: &Params, velocity: f64) -> f64 {
+    let (v, f) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
+    let near = (0..v.len()).min_by(|a, b| (v[*a] - velocity).abs().total_cmp(&(v[*b] - velocity).abs()));
+    near.map_or(0.0, |k| f[k])
+}
+
+/// The changes of a structure against its base; `probability` and `force` of an effect by its name.
+pub fn changes(
+    structure: &Structure,
+    tests: &[Test],
+    probability: &dyn Fn(&str) -> f64,
+    force: &dyn Fn(&str) -> f64,
+) -> Vec<Change> {
+    let Structure { hypothesis, refit, .. } = structure;
+    let Some((covariance, _)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
+    let (before, after) = (&hypothesis.base, hypothesis.params(&refit.theta));
+    let mut all: Vec<Change> = hypothesis
+        .numbers
+        .iter()
+        .enumerate()
+        .filter_map(|(k, number)| {
+            let half = Z * covariance[(k, k)].max(0.0).sqrt();
+            let delta = refit.theta[k];
+            let change = match number.free {
+                Free::Shift(unknown) => {
+                    let (Unknown::Log(own) | Unknown::Linear(own) | Unknown::Above(own, _)) = unknown else { return None };
+                    let (reference, value) = (before.number(own), after.number(own));
+                    let end = |d: f64| match unknown {
+                        Unknown::Log(_) => reference * libm::exp(d),
+                        Unknown::Linear(_) => reference + d,
+                        _ => value + (d - delta) * reference,
+                    };
+                    Change {
+                        name: own.name(),
+                        reference,
+                        value,
+                        low: end(delta - half),
+                        high: end(delta + half),
+                        unit: own.parameter().unit,
+                        velocity_m_s: None,
+                        probability: probability(own.name()),
+                        force_n_rms: force(own.name()),
+                    }
+                }
+                Free::Curve(part) => {
+                    let velocity = velocity_of(part, before);
+                    let (reference, value) = (force_at(before, velocity), force_at(&after, velocity));
+                    let per = if delta == 0.0 { 0.0 } else { (value - reference) / delta };
+                    let ends = [value - half * per, value + half * per];
+                    Change {
+                        name: part.name(),
+                        reference,
+                        value,
+                        low: ends[0].min(ends[1]),
+                        high: ends[0].max(ends[1]),
+                        unit: "N",
+                        velocity_m_s: Some(velocity),
+                        probability: probability(part.name()),
+                        force_n_rms: force(part.name()),
+                    }
+                }
+                _ => return None,
+            };
+            Some(change)
+        })
+        .collect();
+    all.sort_by(|a, b| b.force_n_rms.total_cmp(&a.force_n_rms));
+    all
+}
+
+impl Change {
+    /// What it is called in a table.
+    pub fn label(&self) -> String {
+        match self.velocity_m_s {
+            Some(velocity) => format!("{}, {velocity:.3} m/s", self.name),
+            None => self.name.to_owned(),
+        }
+    }
+
+    /// In words: "gas_force -14.7 -> 24.0 N".
+    pub fn sentence(&self) -> Sentence {
+        let (factor, unit) = reading_unit(self.value.abs().max(self.reference.abs()), self.unit);
+        let digits = |value: f64| match factor * value {
+            0.0 => "0".to_owned(),
+            value => format!("{value:.*}", (3 - libm::log10(value.abs()).floor() as i32).clamp(0, 12) as usize),
+        };
+        let (reference, value) = (digits(self.reference), digits(self.value));
+        if let Some(velocity) = self.velocity_m_s {
+            let said = match self.name {
+                "rebound_curve" => phrases::CHANGED_REBOUND,
+                "compression_curve" => phrases::CHANGED_COMPRESSION,
+                "rebound_low_speed" => phrases::CHANGED_REBOUND_LOW,
+                "compression_low_speed" => phrases::CHANGED_COMPRESSION_LOW,
+                "rebound_high_speed" => phrases::CHANGED_REBOUND_HIGH,
+                _ => phrases::CHANGED_COMPRESSION_HIGH,
+            };
+            let percent = if self.reference == 0.0 { 0.0 } else { 100.0 * (self.value / self.reference - 1.0) };
+            return Sentence::from(said)
+                .with("percent", format!("{percent:+.0}"))
+                .with("velocity", format!("{:.2}", velocity.abs()))
+                .with("reference", reference)
+                .with("value", value);
+        }
+        let value = if unit.is_empty() { value } else { format!("{value} {unit}") };
+        Sentence::from(phrases::OTHER_NUMBER).with("name", self.name).with("reference", reference).with("value", value)
+    }
+}

@@ -1,0 +1,202 @@
+//! A first guess that an engineer would make: FV points at peak velocity, friction and gas force from slow tests.
+
+use dashpot_core::Params;
+use dashpot_core::parameter::Number;
+use dashpot_core::{element, list, number};
+use crate::scale::Scale;
+use crate::segment::Segment;
+use crate::unknowns::anchor;
+use serde::{Deserialize, Serialize};
+
+/// Tests slower than this show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).
+pub const SLOW: f64 = 0.006;
+/// Ratio of one velocity of the FV table to the next: knees are that wide, and closer points would follow noise.
+const RATIO: f64 = 1.65;
+/// Smallest velocity of an FV point: below, friction and damper cannot be told apart.
+const SMALLEST: f64 = 0.010;
+/// Friction, N, from which a fit begins with a damper of a passenger car that shows less: from nothing, no step would lead to it.
+const LEAST_FRICTION: f64 = 1.0;
+/// Samples that an FV point needs on its side of its neighbours.
+const ENOUGH: usize = 12;
+
+/// Force at steady sliding in both directions.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Dry {
+    /// Half the difference: friction, N.
+    pub friction: f64,
+    /// Mean, with the sign turned: what pushes the rod out, N.
+    pub gas: f64,
+}
+
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    let middle = values.len().checked_sub(1)? / 2;
+    Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// Median force of both strokes of the segments, where their velocity is between two shares of the peak velocity.
+fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, high: f64) -> Option<Dry> {
+    let side = |sign: f64| {
+        let forces = segments
+            .clone()
+            .flat_map(|s| {
+                s.input.iter().zip(&s.force).filter_map(move |(i, f)| {
+                    let part = sign * i.velocity / s.peak_velocity;
+                    (part > low && part < high).then_some(*f)
+                })
+            })
+            .collect();
+        median(forces)
+    };
+    let (up, down) = (side(1.0)?, side(-1.0)?);
+    Some(Dry { friction: 0.5 * (up - down), gas: -0.5 * (up + down) })
+}
+
+/// Friction and gas force of tests that are all slow, as measured.
+pub fn sliding(slow: &[Segment]) -> Option<Dry> {
+    strokes(slow.iter(), 0.5, f64::INFINITY)
+}
+
+/// How strong the damper is by the largest force of its tests, before there is a curve.
+pub fn size(segments: &[Segment]) -> Scale {
+    Scale::of_force(segments.iter().fold(0.0f64, |most, segment| most.max(segment.top)))
+}
+
+/// Friction and gas force from the slowest tests; from the slow parts of all tests where there is none.
+pub fn dry(segments: &[Segment]) -> Dry {
+    let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
+    let limit = SLOW.max(1.5 * slowest);
+    let slow = segments.iter().filter(|s| s.peak_velocity <= limit);
+    // At full speed where the test is slow; near reversal where even the slowest test is fast.
+    let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
+    let least = LEAST_FRICTION * size(segments).force();
+    match strokes(slow, low, high) {
+        Some(dry) => Dry { friction: dry.friction.max(least), ..dry },
+        None => Dry { friction: least, gas: 0.0 },
+    }
+}
+
+/// Velocities for the FV table: zero, and on each side points in geometric progression up to the fastest test, denser
+/// where curves bend. Points that the records do not reach are left out.
+pub fn velocities(segments: &[Segment]) -> Vec<f64> {
+    let all: Vec<f64> = segments.iter().flat_map(|s| s.input[s.from..].iter().map(|i| i.velocity)).collect();
+    let side = |sign: f64| {
+        let mut speeds: Vec<f64> = all.iter().map(|v| sign * v).filter(|v| *v > 0.0).collect();
+        speeds.sort_by(f64::total_cmp);
+        let mut points = Vec::new();
+        // The last point lies where samples still are, not on a single noisy peak.
+        let Some(top) = speeds.get(speeds.len().saturating_sub(4)).copied() else { return points };
+        // Tests that creep throughout show friction; a straight line is all the FV curve they can carry.
+        let first = SMALLEST.min(top);
+        let steps = (libm::log(top / first) / libm::log(RATIO)).round() as usize;
+        for k in 0..=steps {
+            points.push(if k == steps { top } else { first * libm::pow(top / first, k as f64 / steps as f64) });
+        }
+        let mut kept: Vec<f64> = Vec::new();
+        for (k, v) in points.iter().enumerate() {
+            let below = kept.last().copied().unwrap_or(0.0);
+            let count = speeds.partition_point(|s| s <= v) - speeds.partition_point(|s| *s <= below);
+            if count >= ENOUGH || k == 0 {
+                kept.push(*v);
+            } else if k + 1 == points.len() {
+                // Too little between the last two: the end of the data matters more.
+                if kept.len() > 1 {
+                    kept.pop();
+                }
+                kept.push(*v);
+            }
+        }
+        kept
+    };
+    let mut v: Vec<f64> = side(-1.0).into_iter().rev().map(|v| -v).collect();
+    v.push(0.0);
+    v.extend(side(1.0));
+    v
+}
+
+/// Forces of the FV table at `velocities`: at each speed the mean of both strokes over the tests, less friction and
+/// gas force, made non-decreasing.
+pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
+    forces_where(segments, velocities, dry, |_, _| true)
+}
+
+/// Forces of the FV table from samples at which the damper slows down alone: voids and lost strokes begin at a turn and are closed before
+/// the next.
+pub fn slowing_forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
+    forces_where(segments, velocities, dry, |s, k| {
+        s.input.get(k + 1).is_some_and(|next| next.velocity.abs() < s.input[k].velocity.abs())
+    })
+}
+
+fn forces_where(
+    segments: &[Segment],
+    velocities: &[f64],
+    dry: Dry,
+    is_taken: impl Fn(&Segment, usize) -> bool,
+) -> Vec<f64> {
+    let zero = anchor(velocities);
+    let mut sums = vec![(0.0, 0.0); velocities.len()];
+    for s in segments.iter().filter(|s| s.peak_velocity > SLOW) {
+        for (place, (input, f)) in s.input.iter().zip(&s.force).enumerate().skip(s.from) {
+            if !is_taken(s, place) {
+                continue;
+            }
+            let v = input.velocity;
+            // Shares fall off linearly to the neighbouring points.
+            let right = velocities.partition_point(|p| *p <= v);
+            let (a, b) = (right.saturating_sub(1), right.min(velocities.len() - 1));
+            let share = if b > a { (v - velocities[a]) / (velocities[b] - velocities[a]) } else { 0.0 };
+            for (k, w) in [(a, 1.0 - share), (b, share)] {
+                let w = w.clamp(0.0, 1.0).powi(4) * if v.abs() > 0.9 * s.peak_velocity { 20.0 } else { 1.0 };
+                sums[k].0 += w * f;
+                sums[k].1 += w;
+            }
+        }
+    }
+    let mut f: Vec<f64> = velocities
+        .iter()
+        .zip(&sums)
+        .map(|(v, (sum, weight))| {
+            let mean = if *weight > 0.0 { sum / weight } else { 0.0 };
+            mean + dry.gas - dry.friction * v.signum()
+        })
+        .collect();
+    f[zero] = 0.0;
+    let least = 1e-3 * f.iter().fold(size(segments).force(), |m, f| m.max(f.abs()));
+    for k in zero + 1..f.len() {
+        f[k] = f[k].max(f[k - 1] + least);
+    }
+    for k in (0..zero).rev() {
+        f[k] = f[k].min(f[k + 1] - least);
+    }
+    f
+}
+
+/// A parameter set with the first guess for all elements of the thesis's model, and nothing on but the FV curve.
+pub fn guess(segments: &[Segment]) -> Params {
+    let dry = dry(segments);
+    let v = velocities(segments);
+    let f = forces(segments, &v, dry);
+    let mut p = Params::new();
+    p.disable_all();
+    let set = |p: &mut Params, number: Number, value: f64| {
+        let _ = p.set(number, number.inside(value));
+    };
+    let _ = p.set_list(list!("fv_velocity"), &v);
+    let _ = p.set_list(list!("fv_force"), &f);
+    p.enable(element!("fv_curve"), true);
+    for number in [number!("coulomb_force"), number!("stribeck_coulomb_force"), number!("presliding_force")] {
+        set(&mut p, number, dry.friction);
+    }
+    set(&mut p, number!("stribeck_breakaway_force"), 1.15 * dry.friction);
+    set(&mut p, number!("gas_force"), dry.gas);
+    for number in [
+        number!("spring_linear"),
+        number!("spring_quadratic"),
+        number!("spring_cubic"),
+        number!("spring_quartic"),
+        number!("viscous_coefficient"),
+    ] {
+        set(&mut p, number, 0.0);
+    }
+    p
+}

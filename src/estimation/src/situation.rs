@@ -1,0 +1,189 @@
+//! What a base model and its tests look like from far: figures from which searches start.
+
+use dashpot_core::Params;
+use dashpot_core::{element, list, number};
+use crate::first_guess::{dry, slowing_forces};
+use crate::heating::Heating;
+use crate::samples::Test;
+use crate::scale::Scale;
+use crate::segment::Segment;
+use crate::warmth::temperatures;
+use dashpot_records::Record;
+
+/// Sizes that matter.
+#[derive(Debug, Clone)]
+pub struct Situation {
+    /// The base model.
+    pub base: Params,
+    /// How strong it is beside the damper of a car.
+    pub scale: Scale,
+    /// Friction level, N.
+    pub friction: f64,
+    /// Friction that may stand as a step at standstill in an FV curve without friction beside it, N.
+    pub friction_in_curve: f64,
+    /// Hydraulic forces at the highest speeds, N, positive.
+    pub top_rebound: f64,
+    /// In compression.
+    pub top_compression: f64,
+    /// Typical force at the knee of the FV curve, N.
+    pub knee_force: f64,
+    /// Displacements that the tests reach, m.
+    pub reach: (f64, f64),
+    /// Widest span of the places that tests of about the same speed pass at that speed, m.
+    pub places_span: f64,
+    /// Span of the heat that tests bring in, J, without cooling.
+    pub heat_span: f64,
+    /// Highest over lowest frequency.
+    pub frequency_ratio: f64,
+    /// Whether a temperature channel varies.
+    pub temperature_measured: bool,
+    /// The middle of its range, °C; 20 where none varies.
+    pub temperature: f64,
+    /// Span of the tests' clocks, s.
+    pub clock_span: f64,
+    /// Times between tests at which a load cell may have been zeroed, s; empty without a campaign clock.
+    pub pauses: Vec<u32>,
+    /// Span of the side forces, N.
+    pub side_force_span: f64,
+    /// Highest speeds in rebound and compression, m/s, positive.
+    pub fastest: [f64; 2],
+    /// Forces at the points of the FV curve, N, from samples at which the damper slows down alone.
+    pub slowing: Vec<f64>,
+}
+
+/// Speeds, m/s, between which a curve without friction is straight enough to be drawn back to standstill.
+const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
+
+/// What an FV curve has at a speed; beyond its ends what it has there.
+fn at(v: &[f64], f: &[f64], speed: f64) -> f64 {
+    let right = v.partition_point(|x| *x < speed).clamp(1, v.len() - 1);
+    let share = ((speed - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
+    f[right - 1] + share * (f[right] - f[right - 1])
+}
+
+/// Half the step that an FV curve makes about standstill: the force at creeping speed less what the slope beyond makes.
+fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
+    if v.len() < 3 {
+        return 0.0;
+    }
+    let (slow, fast) = DRAWN_BACK;
+    let half = |speed: f64| 0.5 * (at(v, f, speed) - at(v, f, -speed));
+    (half(slow) - slow * (half(fast) - half(slow)) / (fast - slow)).max(0.0)
+}
+
+/// Speeds, m/s, whose places are compared, and how far from each a sample counts as of that speed.
+const SPEEDS: [f64; 6] = [0.05, 0.1, 0.2, 0.4, 0.8, 1.6];
+const OF_SPEED: f64 = 0.3;
+
+/// Widest span of the places that tests pass at one speed and stroke: where it is nothing, a place is one with a speed.
+fn places_span(tests: &[Test]) -> f64 {
+    let at = |speed: f64| {
+        let of = tests.iter().flat_map(|t| t.inputs()).filter(|i| (i.velocity / speed - 1.0).abs() < OF_SPEED);
+        let (low, high) = of
+            .filter_map(|i| i.displacement)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        (high - low).max(0.0)
+    };
+    SPEEDS.iter().flat_map(|speed| [at(*speed), at(-speed)]).fold(0.0, f64::max)
+}
+
+/// The FV curve of a damper that slows down; empty without tests.
+fn slowing(tests: &[Test], velocities: &[f64]) -> Vec<f64> {
+    let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
+    if segments.is_empty() || velocities.len() < 3 {
+        return Vec::new();
+    }
+    slowing_forces(&segments, velocities, dry(&segments))
+}
+
+impl Situation {
+    /// From a model and tests.
+    pub fn new(base: &Params, records: &[&Record], tests: &[Test]) -> Situation {
+        let inputs = || tests.iter().flat_map(|t| t.inputs());
+        let span = |values: &mut dyn Iterator<Item = f64>| {
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+            if low <= high { (low, high) } else { (0.0, 0.0) }
+        };
+        let reach = span(&mut inputs().filter_map(|i| i.displacement));
+        let temperatures = temperatures(records);
+        let side = span(&mut inputs().map(|i| i.side_force.abs()));
+        let clock = span(&mut tests.iter().map(|t| t.segment.clock));
+        let frequencies = span(&mut tests.iter().map(|t| t.frequency));
+        let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
+        let fastest = span(&mut inputs().map(|i| i.velocity));
+        let scale = Scale::of(base);
+        let mut friction = 0.0;
+        if base.is_on(element!("coulomb_friction")) {
+            friction += base.number(number!("coulomb_force"));
+        }
+        if base.is_on(element!("stribeck_friction")) {
+            friction += base.number(number!("stribeck_coulomb_force"));
+        }
+        let (v, f) = (base.list(list!("fv_velocity")), base.list(list!("fv_force")));
+        // The knee: where the slope has fallen to half its largest, counted from standstill.
+        let slopes: Vec<f64> = v.windows(2).zip(f.windows(2)).map(|(v, f)| (f[1] - f[0]) / (v[1] - v[0])).collect();
+        let steepest = slopes.iter().fold(0.0f64, |m, s| m.max(*s));
+        let knee = v
+            .windows(2)
+            .zip(f.windows(2))
+            .zip(&slopes)
+            .filter(|((v, _), s)| v[0] >= 0.0 && **s < 0.5 * steepest)
+            .map(|((_, f), _)| f[0])
+            .next();
+        let mut clocks: Vec<f64> = tests.iter().map(|t| t.segment.clock).collect();
+        clocks.sort_by(f64::total_cmp);
+        let pauses = clocks
+            .windows(2)
+            .skip(1)
+            .take(clocks.len().saturating_sub(3))
+            .filter(|w| w[1] - w[0] > 1.0)
+            .map(|w| (0.5 * (w[0] + w[1])) as u32)
+            .collect();
+        // Without an element for it, friction stands as a step in the FV curve.
+        let in_curve = if friction > 0.0 { 0.0 } else { step_at_standstill(v, f) };
+        Situation {
+            base: *base,
+            scale,
+            friction_in_curve: in_curve,
+            places_span: places_span(tests),
+            heat_span: Heating::new(records, tests).span(),
+            frequency_ratio: if frequencies.0 > 0.0 { frequencies.1 / frequencies.0 } else { f64::INFINITY },
+            friction,
+            // Friction and gas act beside the valves.
+            top_rebound: at(v, f, fastest.1).max(scale.force()),
+            top_compression: (-at(v, f, fastest.0)).max(scale.force()),
+            knee_force: knee.unwrap_or(0.3 * forces.1).max(scale.force()),
+            reach,
+            temperature_measured: temperatures.is_some(),
+            temperature: temperatures.map_or(20.0, |(low, high)| 0.5 * (low + high)),
+            clock_span: clock.1 - clock.0,
+            pauses,
+            side_force_span: side.1 - side.0,
+            fastest: [fastest.1.max(0.0), (-fastest.0).max(0.0)],
+            slowing: slowing(tests, v),
+        }
+    }
+
+    /// The same of a damper of a car, of which the searches' starts and the sizes that a damper shows were learned.
+    pub fn as_car(&self) -> Situation {
+        let of_car = |force: f64| force / self.scale.force();
+        Situation {
+            base: self.scale.as_car(&self.base),
+            scale: Scale::CAR,
+            friction: of_car(self.friction),
+            friction_in_curve: of_car(self.friction_in_curve),
+            top_rebound: of_car(self.top_rebound),
+            top_compression: of_car(self.top_compression),
+            knee_force: of_car(self.knee_force),
+            heat_span: of_car(self.heat_span),
+            side_force_span: of_car(self.side_force_span),
+            slowing: self.slowing.iter().map(|force| of_car(*force)).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// What the FV curve has at a speed, N.
+    pub fn driven(&self, speed: f64) -> f64 {
+        at(self.base.list(list!("fv_velocity")), self.base.list(list!("fv_force")), speed)
+    }
+}

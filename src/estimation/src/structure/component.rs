@@ -1,0 +1,141 @@
+//! The parts of a structure: each an effect in one of its forms, with the elements it enables and the numbers it frees.
+
+use crate::hypothesis::{Free, Hypothesis};
+use crate::unknowns::{CurveName, Unknown};
+use crate::vocabulary::Candidate;
+use dashpot_core::parameter::{Element, Number};
+use dashpot_core::{element, number};
+
+/// One effect of a structure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Component {
+    /// Name of the effect.
+    pub effect: &'static str,
+    /// Its form; empty where there is one, or where the given model does not say.
+    pub form: &'static str,
+    /// Elements that it enables; none for a measurement error.
+    pub elements: Vec<Element>,
+    /// Parameters that it sets and does not free.
+    pub fixed: Vec<(Number, f64)>,
+    /// Numbers that it frees.
+    pub frees: Vec<Free>,
+    /// How many numbers that is; weakly informed ones count half.
+    pub numbers: f64,
+}
+
+/// Numbers that records leave open by nature: they stay near their prior and count half.
+const WEAK: [Number; 33] = [
+    number!("series_damping"),
+    number!("internal_mass"),
+    number!("coulomb_steepness"),
+    number!("stribeck_breakaway_velocity"),
+    number!("stribeck_fall"),
+    number!("presliding_length"),
+    number!("presliding_power"),
+    number!("presliding_creep"),
+    number!("gas_length"),
+    number!("gas_thermal_time"),
+    number!("free_play_force"),
+    number!("bushing_loss_time"),
+    number!("bushing_slip"),
+    number!("bushing_slow_time"),
+    number!("oil_shortening"),
+    number!("aeration_force"),
+    number!("aeration_compression"),
+    number!("cavitation_expansion"),
+    number!("cavitation_velocity"),
+    number!("bypass_half_width"),
+    number!("bypass_blend"),
+    number!("fade_laminar_force"),
+    number!("heat_capacity"),
+    number!("fsd_force"),
+    number!("fsd_laminar_force"),
+    number!("valve_width"),
+    number!("valve_play"),
+    number!("valve_damping"),
+    number!("bump_stop_progression"),
+    number!("rebound_stop_progression"),
+    number!("bump_stop_damping"),
+    number!("rebound_stop_damping"),
+    number!("moving_mass_time"),
+];
+
+/// Element that a free number belongs to; `None` for numbers of the measurement and of the FV curve.
+pub fn element_of(free: &Free) -> Option<Element> {
+    let element = match free {
+        Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => number.row().element(),
+        Free::Model(Unknown::Rise { curve: CurveName::Spring, .. }) => Some(element!("parallel_spring")),
+        Free::Model(Unknown::Entry(list, _)) => list.row().element(),
+        Free::Cooling | Free::HeatCapacity => Some(element!("temperature_fade")),
+        Free::Model(Unknown::Rise { .. }) | Free::Rig(_) | Free::Shift(_) | Free::Curve(_) => None,
+    };
+    element.filter(|element| *element != element!("fv_curve"))
+}
+
+fn weight(free: &Free) -> f64 {
+    match free {
+        Free::Model(Unknown::Log(number) | Unknown::Linear(number)) if WEAK.contains(number) => 0.5,
+        Free::Model(Unknown::Above(..)) | Free::Cooling | Free::HeatCapacity => 0.5,
+        _ => 1.0,
+    }
+}
+
+impl Component {
+    /// The component that a candidate adds.
+    pub fn of_candidate(candidate: &Candidate) -> Component {
+        Component {
+            effect: candidate.effect,
+            form: candidate.form,
+            elements: candidate.elements.to_vec(),
+            fixed: candidate.fixed.clone(),
+            frees: candidate.fresh.iter().map(|fresh| fresh.free.clone()).collect(),
+            numbers: candidate.fresh.iter().map(|fresh| weight(&fresh.free)).sum(),
+        }
+    }
+
+    /// The components of a given model: one for each element that it has beside the FV curve, one for each measurement error.
+    pub fn of_model(of: &Hypothesis) -> Vec<Component> {
+        let mut all: Vec<Component> = Element::all()
+            .filter(|element| of.base.is_on(*element) && *element != element!("fv_curve"))
+            .map(|element| {
+                let own = of.numbers.iter().filter(|n| element_of(&n.free) == Some(element));
+                let frees: Vec<Free> = own.map(|n| n.free.clone()).collect();
+                let numbers = frees.iter().map(weight).sum();
+                Component { effect: element.name(), form: "", elements: vec![element], fixed: Vec::new(), frees, numbers }
+            })
+            .collect();
+        all.extend(of.numbers.iter().filter_map(|n| match n.free {
+            Free::Rig(artefact) => Some(Component {
+                effect: artefact.name(),
+                form: "",
+                elements: Vec::new(),
+                fixed: Vec::new(),
+                frees: vec![n.free.clone()],
+                numbers: 1.0,
+            }),
+            _ => None,
+        }));
+        all
+    }
+
+    /// Whether it is an error of the measurement, not a part of the damper.
+    pub fn is_of_measurement(&self) -> bool {
+        self.elements.is_empty()
+    }
+
+    /// Removes it from a hypothesis that stands at `theta`.
+    pub fn remove(&self, from: &Hypothesis, theta: &[f64]) -> Hypothesis {
+        let mut to = from.clone().starting_at(theta);
+        to.base = from.params(theta);
+        for element in &self.elements {
+            to.base.enable(*element, false);
+        }
+        for (number, _) in &self.fixed {
+            let _ = to.base.set(*number, number.default());
+        }
+        to.numbers.retain(|n| {
+            !self.frees.contains(&n.free) && element_of(&n.free).is_none_or(|element| !self.elements.contains(&element))
+        });
+        to
+    }
+}

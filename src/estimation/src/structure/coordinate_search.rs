@@ -1,0 +1,77 @@
+//! The numbers of an effect that makes the force jump, moved one by one.
+//!
+//! Where the place of a jump is off, the force is wrong between the place computed and that measured, but its derivative is
+//! felt at the place computed alone: a step by derivatives moves a jump by a sample or two, and ends long before it is where
+//! it belongs. A search by pattern (Hooke & Jeeves, J. ACM 8, 1961) sees the whole.
+
+use crate::hypothesis::{Hypothesis, Residual};
+use crate::refit::{Refit, chi2, prior_cost};
+use std::ops::Range;
+
+/// Steps, in units of a number's typical one.
+const STEPS: [f64; 5] = [0.8, 0.4, 0.2, 0.1, 0.05];
+/// Most runs of the model.
+const RUNS: usize = 60;
+
+/// The numbers at which `residual` costs least, the numbers at `places` moved alone.
+pub fn settle(
+    hypothesis: &Hypothesis,
+    at: &Refit,
+    places: Range<usize>,
+    residual: &dyn Fn(&[f64]) -> Option<Residual>,
+) -> Vec<f64> {
+    let cost = |theta: &[f64]| residual(theta).map_or(f64::INFINITY, |r| chi2(&r) + prior_cost(hypothesis, theta));
+    let (mut theta, mut best) = (at.theta.clone(), at.cost);
+    let mut runs = 0;
+    for step in STEPS {
+        let mut moves = true;
+        while moves && runs < RUNS {
+            moves = false;
+            for place in places.clone() {
+                let number = &hypothesis.numbers[place];
+                for sign in [1.0, -1.0] {
+                    let mut tried = theta.clone();
+                    tried[place] = (tried[place] + sign * step * number.step).clamp(number.bounds.0, number.bounds.1);
+                    runs += 1;
+                    let there = cost(&tried);
+                    if there < best {
+                        (theta, best, moves) = (tried, there, true);
+                        break;
+                    }
+                }
+            }
+        }
+    }
+    theta
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::Params;
+    use dashpot_core::{element, number};
+    use crate::hypothesis::number;
+    use crate::unknowns::Unknown;
+    use nalgebra::{DMatrix, DVector};
+
+    #[test]
+    fn a_jump_is_found_where_no_derivative_tells_of_it() {
+        let mut base = Params::new();
+        base.enable(element!("free_play"), false);
+        base.set(number!("free_play_gap"), 1e-4).unwrap();
+        let number = number(&base, Unknown::Log(number!("free_play_gap")));
+        let hypothesis = Hypothesis { base, numbers: vec![number], heating: None };
+        // The force jumps at a sample that the gap says, and is the same on either side of it.
+        let jump = |theta: &[f64]| (4e5 * libm::exp(theta[0])) as usize;
+        let residual = |theta: &[f64]| {
+            let (from, to) = (jump(theta).min(90), jump(theta).max(90));
+            Some(DVector::from_fn(400, |k, _| if (from..to).contains(&k) { 30.0 } else { 0.1 }))
+        };
+        for gap in [0.4e-4f64, 1.5e-4, 2.2e-4, 6e-4] {
+            let start = vec![libm::log(gap)];
+            let at = Refit::at(&hypothesis, start.clone(), residual(&start).unwrap(), DMatrix::zeros(400, 1));
+            let found = settle(&hypothesis, &at, 0..1, &residual);
+            assert!(jump(&found).abs_diff(90) <= 1, "{gap}: {} of 90", jump(&found));
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! An FV curve with more points, where a dozen on each stroke are too few for the valves at hand: what a curve can hold is
+//! no missing effect.
+
+use super::screening::Projection;
+use dashpot_core::Model;
+use dashpot_core::curve::MAX_POINTS;
+use dashpot_core::list;
+use crate::hypothesis::{Free, Hypothesis, number};
+use crate::refit::{Effort, Refit, refit};
+use crate::samples::Test;
+use crate::sensitivity::Accuracy;
+use crate::unknowns::{CurveName, Unknown, Unknowns, anchor};
+use nalgebra::DVector;
+
+/// Fall of χ² that a further point must bring, and share of the excess that all of them must.
+const PER_POINT: f64 = 8.0;
+const BY_POINTS: f64 = 0.05;
+/// Times that points are put between points.
+const GENERATIONS: usize = 2;
+
+/// The explanation with more points on its FV curve where they are worth it; `floor` is the χ² of noise. The numbers of
+/// further points come right before those of the old ones.
+pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f64) -> (Hypothesis, Refit) {
+    let is_rise = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
+    if !now.0.numbers.iter().any(|n| is_rise(&n.free)) {
+        return now;
+    }
+    for _ in 0..GENERATIONS {
+        let (from, at) = &now;
+        let worth = |added: usize| (PER_POINT * added as f64).max(BY_POINTS * (at.chi2 - floor));
+        if at.chi2 - floor < PER_POINT {
+            break;
+        }
+        let Some((points, expected)) = worth_their_while(from, at, tests) else { break };
+        if points.is_empty() || expected < worth(points.len()) {
+            break;
+        }
+        let Some(finer) = with_points(from, &at.theta, &points) else { break };
+        match refit(&finer, tests, &finer.start(), None, Effort::JUDGE) {
+            Some(refitted) if at.chi2 - refitted.chi2 > worth(points.len()) => {
+                now = (finer.starting_at(&refitted.theta), refitted);
+            }
+            _ => break,
+        }
+    }
+    now
+}
+
+/// The middle of every interval of the FV curve, by ratio, as the points themselves are spread.
+fn middles(from: &Hypothesis) -> Vec<f64> {
+    let velocity = from.base.list(list!("fv_velocity"));
+    velocity
+        .windows(2)
+        .map(|pair| {
+            if pair[0] * pair[1] > 0.0 {
+                (pair[0] * pair[1]).sqrt().copysign(pair[0])
+            } else {
+                0.5 * (pair[0] + pair[1])
+            }
+        })
+        .collect()
+}
+
+/// The middles that promise a fall of χ² worth a point each, once everything else has given way to first order, and what
+/// they promise together: one after the other, the best first.
+fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(Vec<f64>, f64)> {
+    let room = MAX_POINTS - from.base.list(list!("fv_velocity")).len();
+    let middles = middles(from);
+    let all = with_points(from, &at.theta, &middles)?;
+    let jacobian = all.jacobian(Accuracy::Cheap, tests, &all.start())?;
+    let velocity = all.base.list(list!("fv_velocity")).to_vec();
+    let zero = anchor(&velocity);
+    let rise = |point: usize| {
+        let of = Free::Model(Unknown::Rise { curve: CurveName::Fv, point });
+        all.place_of(&of).map(|k| jacobian.column(k))
+    };
+    let here = Refit { jacobian: from.jacobian(Accuracy::Cheap, tests, &at.theta)?, ..at.clone() };
+    let projection = Projection::new(from, &here);
+    let mut left = projection.rest(&at.residual);
+    // A point that stands out from its interval rises more on its inner side and less on its outer.
+    let mut bumps: Vec<(f64, DVector<f64>)> = middles
+        .iter()
+        .filter_map(|middle| {
+            let point = velocity.iter().position(|v| v == middle)?;
+            let outer = if point > zero { point + 1 } else { point.checked_sub(1)? };
+            Some((*middle, projection.rest(&(rise(point)? - rise(outer)?))))
+        })
+        .collect();
+    let (mut points, mut promised) = (Vec::new(), 0.0);
+    while points.len() < room {
+        let gain = |bump: &DVector<f64>| bump.dot(&left).powi(2) / bump.norm_squared().max(1e-300);
+        let gains: Vec<f64> = bumps.iter().map(|(_, bump)| gain(bump)).collect();
+        let Some(best) = (0..gains.len()).max_by(|a, b| gains[*a].total_cmp(&gains[*b])) else { break };
+        if gains[best] < PER_POINT {
+            break;
+        }
+        promised += gains[best];
+        let (point, bump) = bumps.swap_remove(best);
+        points.push(point);
+        let way = bump.normalize();
+        left.axpy(-way.dot(&left), &way, 1.0);
+        for (_, other) in &mut bumps {
+            other.axpy(-way.dot(other), &way, 1.0);
+        }
+    }
+    Some((points, promised))
+}
+
+/// The same explanation with more points on its FV curve; `None` where that is full.
+fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
+    let mut params = from.params(theta);
+    let curve = Model::new(&params).ok()?.elements().paths.fv_curve;
+    let mut velocity = params.list(list!("fv_velocity")).to_vec();
+    velocity.extend_from_slice(points);
+    velocity.sort_by(f64::total_cmp);
+    let force: Vec<f64> = velocity.iter().map(|v| curve.at(*v).value).collect();
+    params.set_list(list!("fv_velocity"), &velocity).ok()?;
+    params.set_list(list!("fv_force"), &force).ok()?;
+    let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
+    let rises = Unknowns::rises(&params, CurveName::Fv).into_iter().map(|rise| number(&params, rise));
+    let kept = from.clone().starting_at(theta).numbers;
+    let first = kept.iter().position(|n| is_point(&n.free)).unwrap_or(kept.len());
+    let mut numbers = kept[..first].to_vec();
+    numbers.extend(rises);
+    numbers.extend(kept[first..].iter().filter(|n| !is_point(&n.free)).cloned());
+    Some(Hypothesis { base: params, numbers, heating: from.heating.clone() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vocabulary::base_numbers;
+    use dashpot_core::Params;
+
+    #[test]
+    fn more_points_are_the_same_curve_to_begin_with() {
+        let base = Params::new();
+        let from = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let theta = from.start();
+        let to = with_points(&from, &theta, &middles(&from)).unwrap();
+        assert_eq!(to.base.list(list!("fv_velocity")).len(), 2 * base.list(list!("fv_velocity")).len() - 1);
+        assert_eq!(to.numbers.len() - from.numbers.len(), base.list(list!("fv_velocity")).len() - 1);
+        let [a, b] = [from.params(&theta), to.params(&to.start())].map(|p| Model::new(&p).unwrap());
+        let top = a.elements().paths.fv_curve.at(1.0).value;
+        for i in -100..=100 {
+            let v = 0.01 * f64::from(i);
+            let (a, b) = (a.elements().paths.fv_curve.at(v).value, b.elements().paths.fv_curve.at(v).value);
+            assert!((a - b).abs() < 0.01 * top, "{v}: {a} {b}");
+        }
+    }
+}

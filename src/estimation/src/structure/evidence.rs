@@ -1,0 +1,160 @@
+//! Log evidence of a structure: how probable the records are under it, without prior odds.
+//!
+//! No model has the form of the damper, so every structure leaves a form error in every test. Its size differs from test to test by
+//! orders of magnitude, and within one test it is alike in all samples. The root mean square of a test's form error therefore counts as
+//! [`OBSERVATIONS`] observations, exponentially distributed with a scale that all tests share and that is estimated with the structure:
+//! the likelihood is that scale to the power of minus the number of observations. With squares the worst test would decide alone, with
+//! logarithms any test could be as wrong as it likes. Below [`FORM`] a smaller residual says nothing more. Numbers cost half the
+//! logarithm of the number of tests each (Schwarz, Ann. Stat. 6, 1978), and what dampers rarely show costs its negative log prior.
+
+use crate::hypothesis::Hypothesis;
+use crate::implausibility::implausibility;
+use crate::refit::HUBER;
+use crate::samples::Test;
+use nalgebra::DVector;
+
+/// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact. With a smaller value
+/// the discretization of the FV curve earns an effect a name; with a larger one effects below the noise are lost.
+const FORM: f64 = 0.15;
+/// Observations of the form error in a test. A mean cycle shows more than one feature of it, but they are correlated with those of
+/// neighboring tests. More of them give names to what an effect absorbs by a fraction, fewer lose effects that act in few tests.
+const OBSERVATIONS: f64 = 1.5;
+/// Tests that a record without cycles stands for: a road visits amplitudes and speeds of several sines.
+const ROAD: f64 = 4.0;
+
+/// Residual statistics of a structure.
+#[derive(Debug, Clone)]
+pub struct Evidence {
+    /// Mean square residual of each test, in units of noise and curve discretization.
+    pub mean_squares: Vec<f64>,
+    /// Tests that each test stands for.
+    pub weights: Vec<f64>,
+    /// Free numbers; weakly informed ones count half.
+    pub numbers: f64,
+    /// Negative log prior of the values.
+    pub implausibility: f64,
+}
+
+/// Mean square residual of each test, in units of noise and curve discretization; residuals beyond [`HUBER`] count linearly.
+pub fn mean_squares(tests: &[Test], residual: &DVector<f64>) -> Vec<f64> {
+    let mut row = 0;
+    tests
+        .iter()
+        .map(|test| {
+            let unit = test.unit();
+            let (mut sum, mut expected) = (0.0, 0.0);
+            for allowed in &test.allowed {
+                let size = residual[row].abs();
+                sum += if size <= HUBER { size * size } else { HUBER * (2.0 * size - HUBER) };
+                expected += (unit / allowed).powi(2);
+                row += 1;
+            }
+            sum / expected.max(1e-300)
+        })
+        .collect()
+}
+
+impl Evidence {
+    /// Of residuals at `theta`; `numbers` counts the free numbers.
+    pub fn new(hypothesis: &Hypothesis, theta: &[f64], residual: &DVector<f64>, tests: &[Test], numbers: f64) -> Evidence {
+        Evidence {
+            mean_squares: mean_squares(tests, residual),
+            weights: tests.iter().map(|t| if t.frequency > 0.0 { 1.0 } else { ROAD }).collect(),
+            numbers,
+            implausibility: implausibility(hypothesis, theta),
+        }
+    }
+
+    /// Mean over the tests of the mean square residual.
+    pub fn mean(&self) -> f64 {
+        self.mean_squares.iter().sum::<f64>() / self.mean_squares.len().max(1) as f64
+    }
+
+    /// Log likelihood, up to a constant that all structures share.
+    pub fn log_likelihood(&self) -> f64 {
+        let whole: f64 = self.weights.iter().sum();
+        let of = |(square, weight): (&f64, &f64)| weight * (FORM + (square - 1.0).max(0.0)).sqrt();
+        let scale = self.mean_squares.iter().zip(&self.weights).map(of).sum::<f64>() / whole.max(1.0);
+        -OBSERVATIONS * whole * libm::log(scale)
+    }
+
+    /// Cost of one free number.
+    pub fn per_number(&self) -> f64 {
+        0.5 * libm::log((self.mean_squares.len() as f64).max(1.0))
+    }
+
+    /// Log evidence.
+    pub fn log(&self) -> f64 {
+        self.log_likelihood() - self.numbers * self.per_number() - self.implausibility
+    }
+}
+
+/// Logarithm of the mean of exponentials.
+pub fn log_mean_exp(logs: &[f64]) -> f64 {
+    log_sum_exp(logs) - libm::log(logs.len().max(1) as f64)
+}
+
+/// Logarithm of the sum of exponentials.
+pub fn log_sum_exp(logs: &[f64]) -> f64 {
+    let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if most == f64::NEG_INFINITY {
+        return most;
+    }
+    most + libm::log(logs.iter().map(|l| libm::exp(l - most)).sum::<f64>())
+}
+
+/// χ² that noise adds to a test.
+fn noise_of(test: &Test) -> f64 {
+    test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
+}
+
+/// Expected χ² where only noise is left. A variance estimated from ν deviations makes its inverse too large by ν/(ν − 2) on average.
+pub fn noise_chi2(tests: &[Test]) -> f64 {
+    tests.iter().map(|t| noise_of(t) * (1.0 + 2.0 / (t.noise_freedom - 2.0).max(4.0))).sum()
+}
+
+/// Independent samples of all tests.
+pub fn effective_count(tests: &[Test]) -> f64 {
+    tests.iter().map(Test::independent_count).sum::<f64>().max(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn evidence(mean_squares: &[f64], numbers: f64) -> Evidence {
+        let weights = vec![1.0; mean_squares.len()];
+        Evidence { mean_squares: mean_squares.to_vec(), weights, numbers, implausibility: 0.0 }
+    }
+
+    #[test]
+    fn a_smaller_residual_is_more_evidence_and_numbers_cost() {
+        let (much, little) = (evidence(&[9.0; 30], 0.0), evidence(&[1.1; 30], 1.0));
+        assert!(little.log() > much.log() + 10.0);
+        assert!(evidence(&[1.1; 30], 4.0).log() < little.log() - 4.0);
+        let gain = |tests: usize| evidence(&vec![1.1; tests], 1.0).log() - evidence(&vec![9.0; tests], 0.0).log();
+        assert!(gain(30) > gain(10) + 5.0);
+    }
+
+    #[test]
+    fn a_residual_within_noise_cannot_be_improved() {
+        assert_eq!(evidence(&[1.0; 30], 0.0).log(), evidence(&[0.5; 30], 0.0).log());
+    }
+
+    #[test]
+    fn one_wild_test_does_not_decide() {
+        let mut wild = vec![1.2; 30];
+        wild[0] = 1e4;
+        let all_better = |squares: &[f64]| squares.iter().map(|s| 1.0 + 0.5 * (s - 1.0)).collect::<Vec<_>>();
+        let gain = evidence(&all_better(&wild), 0.0).log() - evidence(&wild, 0.0).log();
+        let mut wild_better = wild.clone();
+        wild_better[0] = 5e3;
+        assert!(gain > 3.0 * (evidence(&wild_better, 0.0).log() - evidence(&wild, 0.0).log()));
+    }
+
+    #[test]
+    fn a_mean_of_exponentials_is_dominated_by_the_largest() {
+        assert!((log_mean_exp(&[-1e4, 0.0]) + 2f64.ln()).abs() < 1e-12);
+        assert_eq!(log_mean_exp(&[f64::NEG_INFINITY; 2]), f64::NEG_INFINITY);
+    }
+}

@@ -1,0 +1,166 @@
+//! All structures that have one more effect than a given one.
+
+use super::component::Component;
+use super::evidence::Evidence;
+use super::halving::{Entrant, Field, halve};
+use super::nearby::Nearby;
+use super::screening::{Projection, Screened, screen};
+use super::search::{Form, SearchContext, Structure};
+use crate::cancel;
+use crate::refit::Refit;
+use crate::samples::Test;
+use crate::sensitivity::Accuracy;
+use crate::situation::Situation;
+use crate::vocabulary::{Candidate, Unnamed, candidates};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// How much an expansion may spend.
+#[derive(Debug, Clone, Copy)]
+pub struct Budget {
+    /// Starts of one form that are refitted, of those that leave the base where it is and of those that move it.
+    pub starts: [usize; 2],
+    /// Starts that are refitted in all.
+    pub entrants: usize,
+    /// Forms that are refitted in the second heat.
+    pub forms: usize,
+    /// Forms that are refitted with a Jacobian of their own.
+    pub finals: usize,
+}
+
+impl Budget {
+    /// Every form of every effect.
+    pub const WIDE: Budget = Budget { starts: [2, 4], entrants: 150, forms: 40, finals: 6 };
+    /// Few forms, known to be promising.
+    pub const NARROW: Budget = Budget { starts: [1, 1], entrants: 36, forms: 12, finals: 3 };
+    /// To compare rivals of one effect.
+    pub const RIVALS: Budget = Budget { starts: [1, 1], entrants: 20, forms: 8, finals: 2 };
+}
+
+/// A structure with one more effect, or what an error without a name would explain.
+#[derive(Clone)]
+pub struct Trial {
+    /// Effect and form.
+    pub form: Form,
+    /// For an error without a name: what it looks like.
+    pub unnamed: Option<Unnamed>,
+    /// The structure.
+    pub structure: Structure,
+}
+
+/// All structures with one more effect.
+pub struct Expansion {
+    /// Refitted structures, most probable first.
+    pub trials: Vec<Trial>,
+    /// Effects with the squared norm of their response that the rest of the model cannot reproduce, in σ².
+    pub visible: Vec<(&'static str, f64)>,
+}
+
+/// Expands a structure; `None` where it makes no finite force.
+pub fn expand(
+    context: &SearchContext,
+    from: &Structure,
+    is_tried: &(dyn Fn(&Candidate) -> bool + Sync),
+    budget: Budget,
+) -> Option<Expansion> {
+    let tests: &[Test] = context.tests;
+    let hypothesis = &from.hypothesis;
+    let at = match hypothesis.jacobian(Accuracy::Cheap, tests, &from.refit.theta) {
+        Some(jacobian) => Refit { jacobian, ..from.refit.clone() },
+        None => from.refit.clone(),
+    };
+    let nearby = Nearby::new(hypothesis, &at, tests)?;
+    let projection = Projection::new(hypothesis, &at);
+    let situation = Situation::new(&hypothesis.params(&at.theta), context.records, tests);
+    let list: Vec<Candidate> = candidates(&situation)
+        .into_iter()
+        .chain(context.changes.iter().cloned())
+        .filter(|c| from.components.iter().all(|own| own.effect != c.effect))
+        .filter(|c| (context.is_allowed)(c, &situation) && is_tried(c))
+        .collect();
+    let screened = screen(hypothesis, &at, &projection, &list, tests, &nearby);
+    let entrants: Vec<Entrant> = choose(&screened, &list, budget)
+        .par_iter()
+        .filter_map(|place| {
+            if cancel::asked() {
+                return None;
+            }
+            let s = &screened[*place];
+            let residual_at = |theta: &[f64]| nearby.residual(&s.hypothesis, tests, theta);
+            let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);
+            if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
+                // The first-order step of the base overshot: without it the start may be better.
+                let still = s.hypothesis.start();
+                let there = residual_at(&still)?;
+                if there.norm_squared() < residual.norm_squared() {
+                    (start, residual) = (still, there);
+                }
+            }
+            let jacobian = nearby.jacobian(&s.hypothesis, tests, &start, &residual)?;
+            Some(Entrant { screened: *place, start, jacobian })
+        })
+        .collect();
+    let structure_of = |place: usize, refit: Refit| {
+        let candidate = &list[screened[place].candidate];
+        let mut components = from.components.clone();
+        components.push(Component::of_candidate(candidate));
+        Structure::new(screened[place].hypothesis.clone(), refit, components, tests)
+    };
+    let field = Field { screened: &screened, list: &list, tests, nearby: &nearby, budget };
+    let posterior = |place: usize, refit: &Refit| {
+        let candidate = &list[screened[place].candidate];
+        let numbers = from.numbers() + Component::of_candidate(candidate).numbers;
+        let hypothesis = &screened[place].hypothesis;
+        Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers).log()
+            + super::prior_odds::log_prior_odds(candidate.effect, candidate.form, candidate.is_artefact())
+    };
+    let mut trials: Vec<Trial> = halve(entrants, &field, &posterior)
+        .into_iter()
+        .map(|(place, refit)| {
+            let candidate = &list[screened[place].candidate];
+            Trial {
+                form: (candidate.effect, candidate.form),
+                unnamed: candidate.unnamed,
+                structure: structure_of(place, refit),
+            }
+        })
+        .collect();
+    trials.sort_by(|a, b| b.structure.log_posterior.total_cmp(&a.structure.log_posterior));
+    let mut visible: Vec<(&'static str, f64)> = Vec::new();
+    for s in &screened {
+        let candidate = &list[s.candidate];
+        if candidate.unnamed.is_some() {
+            continue;
+        }
+        match visible.iter_mut().find(|(name, _)| *name == candidate.effect) {
+            Some((_, seen)) => *seen = seen.max(s.visible),
+            None => visible.push((candidate.effect, s.visible)),
+        }
+    }
+    Some(Expansion { trials, visible })
+}
+
+/// Starts worth a refit: the best of every form by first-order gain, the best of all forms up to the budget. The first start of every
+/// effect is kept, since first order understates effects that act only beyond a threshold.
+fn choose(screened: &[Screened], list: &[Candidate], budget: Budget) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..screened.len()).collect();
+    order.sort_by(|a, b| screened[*b].gain.total_cmp(&screened[*a].gain));
+    let mut counts: BTreeMap<(Form, bool), usize> = BTreeMap::new();
+    order.retain(|place| {
+        let s = &screened[*place];
+        let candidate = &list[s.candidate];
+        let count = counts.entry(((candidate.effect, candidate.form), s.moved)).or_default();
+        *count += 1;
+        *count <= budget.starts[usize::from(s.moved)]
+    });
+    let mut effects: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut taken = 0;
+    order.retain(|place| {
+        let count = effects.entry(list[screened[*place].candidate].effect).or_default();
+        *count += 1;
+        let is_kept = taken < budget.entrants || *count == 1;
+        taken += usize::from(is_kept);
+        is_kept
+    });
+    order
+}

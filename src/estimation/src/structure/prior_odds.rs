@@ -1,0 +1,56 @@
+//! Prior log odds of an effect: how often dampers and rigs have it, before any record is seen.
+
+/// An effect that nearly every damper has.
+const COMMON: f64 = 1.1;
+/// An effect that every second damper has.
+const EVEN: f64 = 0.0;
+/// An effect that a damper in twenty has, as a fault or by design.
+const RARE: f64 = -3.0;
+/// A fault of the measurement: rigs are checked more often than dampers.
+const FAULT: f64 = -3.5;
+
+/// Effects that are more frequent than [`RARE`], with their log odds. Friction, gas and a soft series path are in every damper; gas
+/// columns and springs in every monotube; the rest is a fault or a design of few.
+const FREQUENT: [(&str, f64); 10] = [
+    ("series_compliance", COMMON),
+    ("gas_preload", COMMON),
+    ("presliding_friction", COMMON),
+    ("coulomb_friction", EVEN),
+    ("stribeck_friction", -1.0),
+    ("parallel_spring", -1.5),
+    ("gas_spring", -1.5),
+    ("gas_warming", -1.5),
+    ("side_force_friction", -1.0),
+    ("viscous_friction", -2.0),
+];
+
+/// Changes against a reference that are frequent, with their log odds: what is adjusted, wears or leaks. Any other number changes rarely.
+const CHANGES: [(&str, f64); 12] = [
+    ("gas_force", -0.7),
+    ("coulomb_force", -0.7),
+    ("presliding_force", -0.7),
+    ("stribeck_coulomb_force", -0.7),
+    ("rebound_curve", -1.0),
+    ("compression_curve", -1.0),
+    ("rebound_low_speed", -1.5),
+    ("compression_low_speed", -1.5),
+    ("rebound_high_speed", -2.0),
+    ("compression_high_speed", -2.0),
+    ("series_stiffness", -1.5),
+    ("spring_linear", -1.5),
+];
+const CHANGE: f64 = -3.0;
+
+/// Prior log odds of a change against a reference.
+fn log_prior_odds_of_change(name: &str) -> f64 {
+    CHANGES.iter().find(|(known, _)| *known == name).map_or(CHANGE, |(_, odds)| *odds)
+}
+
+/// Prior log odds of an effect.
+pub fn log_prior_odds(effect: &str, form: &str, is_of_measurement: bool) -> f64 {
+    if form == "changed" {
+        return log_prior_odds_of_change(effect);
+    }
+    let frequent = FREQUENT.iter().find(|(name, _)| *name == effect);
+    frequent.map_or(if is_of_measurement { FAULT } else { RARE }, |(_, odds)| *odds)
+}

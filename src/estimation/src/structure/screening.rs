@@ -1,0 +1,152 @@
+//! Which effects are worth a refit: what each would take away if the rest of the model gave way to first order.
+//!
+//! The base parameters absorb a part of every effect, so a candidate's response is judged after everything that the base
+//! could do about it has been projected out (Frisch & Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat. Assoc. 58, 1963).
+
+use super::extend::extend;
+use super::nearby::Nearby;
+use crate::vocabulary::{Candidate, Fresh, Start};
+use crate::cancel;
+use crate::gram::gram;
+use crate::hypothesis::{Free, Hypothesis, Residual};
+use crate::refit::{Refit, weights};
+use crate::samples::Test;
+use crate::unknowns::Unknown;
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use rayon::prelude::*;
+
+/// What the base model can do about a residual, to first order.
+pub struct Projection {
+    jacobian: DMatrix<f64>,
+    weights: Vec<f64>,
+    solver: Option<Cholesky<f64, Dyn>>,
+}
+
+impl Projection {
+    /// At a refitted explanation.
+    pub fn new(hypothesis: &Hypothesis, refit: &Refit) -> Projection {
+        let weights = weights(&refit.residual);
+        let mut jacobian = refit.jacobian.clone();
+        for ((mut column, number), value) in jacobian.column_iter_mut().zip(&hypothesis.numbers).zip(&refit.theta) {
+            // A number at its bound has given way as far as it may.
+            let (low, high) = number.bounds;
+            let free = *value > low && *value < high;
+            for (value, w) in column.iter_mut().zip(&weights) {
+                *value *= if free { *w } else { 0.0 };
+            }
+        }
+        let mut normal = gram(&jacobian);
+        for (i, number) in hypothesis.numbers.iter().enumerate() {
+            normal[(i, i)] *= 1.0 + 1e-9;
+            normal[(i, i)] += 1e-9 / (number.step * number.step);
+            if let Some((_, deviation)) = number.prior {
+                normal[(i, i)] += 1.0 / (deviation * deviation);
+            }
+        }
+        Projection { jacobian, weights, solver: normal.cholesky() }
+    }
+
+    fn weighted(&self, b: &Residual) -> Residual {
+        DVector::from_fn(b.len(), |i, _| b[i] * self.weights[i])
+    }
+
+    /// Changes of the base numbers that answer a residual best.
+    pub fn answer(&self, b: &Residual) -> DVector<f64> {
+        let right = self.jacobian.tr_mul(&self.weighted(b));
+        match &self.solver {
+            Some(solver) => solver.solve(&right),
+            None => DVector::zeros(self.jacobian.ncols()),
+        }
+    }
+
+    /// What the base leaves of a residual.
+    pub fn rest(&self, b: &Residual) -> Residual {
+        self.rest_of(b, &self.answer(b))
+    }
+
+    /// The same where its answer is known.
+    fn rest_of(&self, b: &Residual, answer: &DVector<f64>) -> Residual {
+        self.weighted(b) - &self.jacobian * answer
+    }
+}
+
+/// A start of a candidate, judged.
+pub struct Screened {
+    /// Place of the candidate in the list.
+    pub candidate: usize,
+    /// The explanation with it.
+    pub hypothesis: Hypothesis,
+    /// Where its refit starts: the base has already given way to first order.
+    pub start: Vec<f64>,
+    /// Fall of χ² expected from the refit.
+    pub gain: f64,
+    /// Square of what is left of the candidate's response once the base has given way: how visible it is at all.
+    pub visible: f64,
+    /// Whether the start moved the base as well.
+    pub moved: bool,
+}
+
+/// Weighted force that a constant artefact adds; `None` where it is none.
+fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
+    let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
+    let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(&t.segment)).collect();
+    let list: Vec<f64> =
+        tests.iter().zip(per_test?).flat_map(|(t, per)| t.allowed.iter().map(move |a| value * per / a)).collect();
+    Some(DVector::from_vec(list))
+}
+
+/// Judges every start of every candidate.
+pub fn screen(
+    hypothesis: &Hypothesis,
+    at: &Refit,
+    projection: &Projection,
+    candidates: &[Candidate],
+    tests: &[Test],
+    nearby: &Nearby,
+) -> Vec<Screened> {
+    let answer = projection.answer(&at.residual);
+    let left = projection.rest_of(&at.residual, &answer);
+    let jobs: Vec<(usize, &Candidate, &Start)> =
+        candidates.iter().enumerate().flat_map(|(k, c)| c.starts.iter().map(move |s| (k, c, s))).collect();
+    jobs.par_iter()
+        .filter_map(|(place, candidate, start)| {
+            if cancel::asked() {
+                return None;
+            }
+            let extended = extend(hypothesis, &at.theta, candidate, start);
+            let mut theta = extended.start();
+            let first = hypothesis.numbers.len();
+            // What the candidate changes, as a change of the computed forces.
+            let change = match added(candidate, theta[first], tests) {
+                Some(added) => added,
+                None => &at.residual - nearby.residual(&extended, tests, &theta)?,
+            };
+            let taken_up = projection.answer(&change);
+            let response = projection.rest_of(&change, &taken_up);
+            let visible = response.norm_squared();
+            let moved = start.moves_the_base();
+            let (mut gain, mut used) = (2.0 * left.dot(&response) - visible, 1.0);
+            if !moved && visible > 0.0 {
+                // The strength that fits best, as far as the response grows with it.
+                let strength = left.dot(&response) / visible;
+                let (low, high) = extended.numbers[first].bounds;
+                let is_log = matches!(&extended.numbers[first].free, Free::Model(Unknown::Log(_)));
+                if !is_log {
+                    let wanted = theta[first] * strength.clamp(-4.0, 4.0);
+                    let value = wanted.clamp(low, high);
+                    used = value / theta[first];
+                    gain = used * (2.0 * left.dot(&response) - used * visible);
+                    theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
+                } else {
+                    // Its strength hides in a shape: what any strength could gain says whether to look closer.
+                    gain = gain.max(if strength > 0.0 { left.dot(&response).powi(2) / visible } else { 0.0 });
+                }
+            }
+            for (i, d) in (&answer - taken_up * used).iter().enumerate() {
+                let (low, high) = extended.numbers[i].bounds;
+                theta[i] = (theta[i] + d).clamp(low, high);
+            }
+            Some(Screened { candidate: *place, hypothesis: extended, start: theta, gain, visible, moved })
+        })
+        .collect()
+}

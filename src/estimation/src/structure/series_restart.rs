@@ -1,0 +1,202 @@
+//! A series element that the base bent to take up what was missing, and that stays bent once the effect is there.
+//!
+//! A soft spring with a strong damper beside it is a damper in series: it takes a velocity F/c_s out of the FV curve, which
+//! has given way to it. Put straight, both go back.
+
+use super::evidence::{effective_count, noise_chi2};
+use dashpot_core::curve::{Curve, Interpolation};
+use dashpot_core::{element, list, number};
+use crate::hypothesis::{Free, Hypothesis};
+use crate::refit::{Effort, Refit, refit};
+use crate::samples::Test;
+use crate::unknowns::{CurveName, Unknown, Unknowns};
+
+/// Mean excess per independent sample, in σ², below which no other start is worth its time.
+const QUIET: f64 = 0.1;
+/// How many times stiffer and softer is tried.
+const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
+/// Share of the largest amplitude by which a series element that is such as no damper has, put straight, yields to the
+/// largest force.
+const STRAIGHT: f64 = 0.02;
+/// Damping ratio of the internal mass on a series element as it is built.
+const RATIO: f64 = 0.2;
+/// Share of the excess that a few steps from there may lie above it to go on, and by which the end must lie below it.
+const NEAR: f64 = 0.5;
+const BETTER: f64 = 0.02;
+
+/// Damping ratio beyond which the series element is no spring any more.
+const DAMPED: f64 = 3.0;
+/// Share of the largest amplitude by which it yields to the largest force at most.
+const YIELDS: f64 = 0.2;
+
+/// Whether the series element is such as no damper has: the damper beside its spring carries what the spring should, or it
+/// takes up a fair share of the stroke.
+pub fn is_bent(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
+    let model = hypothesis.params(theta);
+    if !model.is_on(element!("series_compliance")) {
+        return false;
+    }
+    let stiffness = model.number(number!("series_stiffness"));
+    let critical = 2.0 * (stiffness * model.number(number!("internal_mass"))).sqrt();
+    let yields = most(tests, |t| t.segment.top) / stiffness;
+    model.number(number!("series_damping")) > DAMPED * critical
+        || yields > YIELDS * most(tests, |t| t.segment.amplitude)
+}
+
+fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
+    tests.iter().map(of).fold(0.0, f64::max)
+}
+
+/// The refit, or a better one from a series element far off: between the two the fit gets worse first.
+pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
+    let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) else { return refitted };
+    let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
+    let mut best = refitted;
+    let straight = is_bent(hypothesis, tests, &best.theta).then_some(None);
+    for times in straight.into_iter().chain(TIMES.map(Some)) {
+        let excess = best.chi2 - floor;
+        if excess < quiet {
+            break;
+        }
+        let (start, first) = match times {
+            None => (straightened(hypothesis, tests, &best.theta), Effort::COMPARE),
+            Some(times) => {
+                let mut start = best.theta.clone();
+                start[stiffness] += libm::log(times);
+                set_damping(hypothesis, &mut start);
+                (start, Effort::LOOK)
+            }
+        };
+        let end = refit(hypothesis, tests, &start, None, first)
+            .filter(|there| there.cost < best.cost + NEAR * excess)
+            .and_then(|there| refit(hypothesis, tests, &there.theta, None, Effort::FINE))
+            .filter(|there| there.cost < best.cost - BETTER * excess);
+        if let Some(end) = end {
+            best = end;
+        }
+    }
+    best
+}
+
+fn place(hypothesis: &Hypothesis, unknown: Unknown) -> Option<usize> {
+    hypothesis.place_of(&Free::Model(unknown))
+}
+
+/// Gives the series element the damping that it has as it is built.
+fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
+    if let Some(damping) = place(hypothesis, Unknown::Linear(number!("series_damping"))) {
+        let model = hypothesis.params(theta);
+        theta[damping] =
+            2.0 * RATIO * (model.number(number!("series_stiffness")) * model.number(number!("internal_mass"))).sqrt();
+    }
+}
+
+/// The numbers with a stiff series element; what its damper took of the velocity, the FV curve takes.
+fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f64> {
+    let mut model = hypothesis.params(theta);
+    let mut start = theta.to_vec();
+    if let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) {
+        let k = most(tests, |t| t.segment.top) / (STRAIGHT * most(tests, |t| t.segment.amplitude)).max(1e-9);
+        let (low, high) = hypothesis.numbers[stiffness].bounds;
+        start[stiffness] = libm::log(k).clamp(low, high);
+    }
+    set_damping(hypothesis, &mut start);
+    let (velocity, force) = (model.list(list!("fv_velocity")).to_vec(), model.list(list!("fv_force")).to_vec());
+    let per_force = 1.0 / model.number(number!("series_damping")).max(1e-9);
+    let whole: Vec<f64> = velocity.iter().zip(&force).map(|(v, f)| v + f * per_force).collect();
+    let Ok(curve) = Curve::new(&whole, &force, Interpolation::Linear) else { return start };
+    let straight: Vec<f64> = velocity.iter().map(|v| curve.at(*v).value).collect();
+    // Forces inside the table stay inside; a refused list would leave the curve as it was.
+    let _ = model.set_list(list!("fv_force"), &straight);
+    for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
+        if let Free::Model(rise @ Unknown::Rise { curve: CurveName::Fv, .. }) = &number.free {
+            *value = Unknowns { base: model, list: vec![*rise] }.start()[0];
+        }
+    }
+    start
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vocabulary::base_numbers;
+    use dashpot_core::{Input, Params};
+    use crate::segment::Segment;
+
+    /// Sines of so many metres and hertz, with the forces of an explanation.
+    fn measured(of: &Hypothesis, sines: &[(f64, f64)]) -> Vec<Test> {
+        let test = |&(amplitude, frequency): &(f64, f64)| {
+            let (count, omega) = (160, std::f64::consts::TAU * frequency);
+            let dt = 1.0 / (80.0 * frequency);
+            let motion = |k: usize| {
+                let phase = omega * dt * k as f64;
+                Input::motion(amplitude * libm::sin(phase), amplitude * omega * libm::cos(phase))
+            };
+            Test {
+                record: 0,
+                segment: Segment {
+                    name: String::new(),
+                    dt: vec![dt; count],
+                    input: (0..count).map(motion).collect(),
+                    force: vec![0.0; count],
+                    from: 80,
+                    scale: 5.0,
+                    top: 3000.0,
+                    peak_velocity: amplitude * omega,
+                    amplitude,
+                    clock: 0.0,
+                },
+                allowed: vec![5.0; 80],
+                mean_noise: 5.0,
+                independence: 1.0,
+                growth: 0.0,
+                noise_freedom: 1000.0,
+                frequency,
+            }
+        };
+        let mut tests: Vec<Test> = sines.iter().map(test).collect();
+        let forces = of.forces(&tests, &of.start()).unwrap();
+        for (test, scored) in tests.iter_mut().zip(forces) {
+            let from = test.segment.from;
+            test.segment.force[from..].copy_from_slice(&scored);
+        }
+        tests
+    }
+
+    #[test]
+    fn a_series_element_that_took_the_shape_of_something_else_is_found_again() {
+        let base = Params::new();
+        let truth = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let tests = measured(&truth, &[(0.001, 25.0), (0.01, 8.0), (0.03, 4.0), (0.03, 1.0)]);
+        assert!(!is_bent(&truth, &tests, &truth.start()));
+        let place = |unknown| truth.place_of(&Free::Model(unknown)).unwrap();
+        let (stiffness, damping) =
+            (place(Unknown::Log(number!("series_stiffness"))), place(Unknown::Linear(number!("series_damping"))));
+        let mut bent = truth.start();
+        bent[stiffness] -= libm::log(40.0);
+        bent[damping] = 2e4;
+        assert!(is_bent(&truth, &tests, &bent));
+        let there = refit(&truth, &tests, &bent, None, Effort { steps: 0, ..Effort::LOOK }).unwrap();
+        let end = unbent(&truth, &tests, there);
+        assert!((end.theta[stiffness] - truth.start()[stiffness]).abs() < 0.02, "{}", end.theta[stiffness].exp());
+    }
+
+    #[test]
+    fn put_straight_the_curve_takes_the_velocity_that_the_series_damper_took() {
+        let base = Params::new();
+        let of = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let tests = measured(&of, &[(0.03, 1.0)]);
+        let damping = of.place_of(&Free::Model(Unknown::Linear(number!("series_damping")))).unwrap();
+        let mut bent = of.start();
+        bent[damping] = 8e3;
+        let model = of.params(&straightened(&of, &tests, &bent));
+        let valves =
+            Curve::new(base.list(list!("fv_velocity")), base.list(list!("fv_force")), Interpolation::Linear).unwrap();
+        for (v, force) in model.list(list!("fv_velocity")).iter().zip(model.list(list!("fv_force"))) {
+            let left = valves.at(v - force / 8e3).value;
+            assert!((force - left).abs() < 1e-6 * left.abs().max(1.0), "{v}: {force}, the valves {left}");
+        }
+        let yields = tests[0].segment.top / model.number(number!("series_stiffness"));
+        assert!((yields - STRAIGHT * 0.03).abs() < 1e-6, "{yields}");
+    }
+}

@@ -1,0 +1,46 @@
+//! Where a search starts: models made from the records alone, and a given one.
+
+use super::component::Component;
+use crate::first_guess::{guess, size};
+use crate::heating::Heating;
+use crate::hypothesis::Hypothesis;
+use crate::samples::Test;
+use crate::segment::Segment;
+use crate::vocabulary::base_numbers;
+use dashpot_core::parameter::Element;
+use dashpot_core::{Params, element, number};
+use std::sync::Arc;
+
+/// Series stiffnesses of a car's damper, N/m: soft mount, oil column, stiff oil column. A hill of the cost lies between them.
+const STIFFNESSES: [f64; 3] = [6e5, 2.5e6, 1e7];
+
+/// A model with its free numbers and components.
+pub fn given(params: &Params, heating: &Arc<Heating>) -> (Hypothesis, Vec<Component>) {
+    let hypothesis = Hypothesis { base: *params, numbers: base_numbers(params), heating: Some(heating.clone()) };
+    let components = Component::of_model(&hypothesis);
+    (hypothesis, components)
+}
+
+/// Models made from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and without one.
+pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<(Hypothesis, Vec<Component>)> {
+    let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
+    let first = guess(&segments);
+    let scale = size(&segments).force();
+    let with = |elements: &[Element], stiffness: Option<f64>| {
+        let mut params = first;
+        for element in elements.iter().filter(|element| may(**element)) {
+            params.enable(*element, true);
+        }
+        if let Some(stiffness) = stiffness {
+            let _ = params.set(number!("series_stiffness"), stiffness * scale);
+        }
+        // A power of one is the plain form, with one number fewer.
+        let _ = params.set(number!("presliding_power"), 1.0);
+        given(&params, heating)
+    };
+    let friction = [element!("gas_preload"), element!("presliding_friction")];
+    let whole = [friction[0], friction[1], element!("series_compliance")];
+    let mut all: Vec<_> = STIFFNESSES.iter().map(|stiffness| with(&whole, Some(*stiffness))).collect();
+    all.push(with(&friction, None));
+    all
+}

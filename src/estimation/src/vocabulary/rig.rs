@@ -1,0 +1,79 @@
+//! The rig: mass on the load cell, late channels, zeros that are off or move.
+
+use super::{Candidate, Start, candidate, fresh, linear, of_the_rig};
+use crate::situation::Situation;
+use dashpot_core::{element, number};
+use crate::hypothesis::Free;
+use crate::measurement::Artefact;
+
+/// How far the zero of a load cell may be off, N.
+const OFF: f64 = 200.0;
+
+/// Mass on the rig, and what the measurement adds.
+pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
+    for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
+        all.push(Candidate {
+            form,
+            // Its force may lag no more than it must: at 25 Hz a tenth of a millisecond is 1.6 %.
+            fixed: vec![(number!("moving_mass_place"), place), (number!("moving_mass_time"), 1e-4)],
+            ..candidate(
+                &[element!("moving_mass")],
+                vec![linear(number!("moving_mass"), (0.2, 30.0))],
+                vec![
+                    Start::at(&[2.0]),
+                    // The base takes a mass up in its series stiffness, either way.
+                    Start::moving(&[4.0], &[(number!("series_stiffness"), 0.5)]),
+                    Start::moving(&[4.0], &[(number!("series_stiffness"), 2.0)]),
+                ],
+            )
+        });
+    }
+    all.push(Candidate {
+        form: "on the load cell",
+        ..of_the_rig(
+            Artefact::Mass,
+            vec![fresh(Free::Rig(Artefact::Mass), (0.2, 30.0))],
+            vec![Start::at(&[2.0]), Start::moving(&[2.0], &[(number!("series_stiffness"), 2.0)])],
+        )
+    });
+    let added = |artefact: Artefact, plausible: (f64, f64), values: &[f64]| Candidate {
+        ..of_the_rig(
+            artefact,
+            vec![fresh(Free::Rig(artefact), plausible)],
+            values.iter().map(|v| Start::at(&[*v])).collect(),
+        )
+    };
+    // The base takes a late force for a soft mount.
+    let stiffer = || Start::moving(&[1e-3], &[(number!("series_stiffness"), 3.0)]);
+    all.push(Candidate {
+        starts: vec![Start::at(&[3e-4]), Start::at(&[-3e-4]), stiffer()],
+        ..added(Artefact::Delay, (-4.9e-3, 4.9e-3), &[])
+    });
+    all.push(Candidate {
+        form: "low-pass filter of the force channel",
+        starts: vec![Start::at(&[3e-4]), stiffer()],
+        ..added(Artefact::LowPass, (1e-6, 4.9e-3), &[])
+    });
+    if !s.base.is_on(element!("gas_preload")) {
+        all.push(added(Artefact::Offset, (-OFF, OFF), &[10.0]));
+    }
+    if s.clock_span > 1.0 {
+        for pause in &s.pauses {
+            all.push(Candidate {
+                form: "zero set anew during the campaign",
+                ..added(Artefact::Step(*pause), (-OFF, OFF), &[10.0])
+            });
+        }
+        all.push(added(Artefact::GainDrift, (-0.2 / s.clock_span, 0.2 / s.clock_span), &[0.01 / s.clock_span]));
+        // What a zero may be off it may drift in a campaign; a long one may see more.
+        let most = (OFF / s.clock_span).max(0.2);
+        all.push(added(Artefact::Drift, (-most, most), &[10.0 / s.clock_span]));
+        for share in [0.07, 0.15, 0.3, 0.6] {
+            let time = ((share * s.clock_span) as u32).max(1);
+            all.push(Candidate {
+                form: "settles as the rig warms up",
+                ..added(Artefact::WarmUp(time), (-OFF, OFF), &[10.0])
+            });
+        }
+    }
+}

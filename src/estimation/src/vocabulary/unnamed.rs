@@ -1,0 +1,29 @@
+//! What a rig may add that the vocabulary has no name for.
+
+use super::{Candidate, Start, Unnamed, fresh, of_the_rig};
+use crate::hypothesis::Free;
+use crate::measurement::{Artefact, Load};
+
+/// Frequencies at which something in the path of the force may resonate, Hz.
+const RESONATES: [u32; 5] = [10, 15, 22, 33, 50];
+/// Forces within which a load cell may turn over, N.
+const TURNS_OVER: [u32; 3] = [50, 150, 400];
+
+/// Something that looks like `unnamed`, made of these artefacts.
+fn looks_like(unnamed: Unnamed, artefacts: &[Artefact], start: &[f64]) -> Candidate {
+    let numbers = artefacts.iter().map(|a| fresh(Free::Rig(*a), a.bounds())).collect();
+    Candidate { unnamed: Some(unnamed), ..of_the_rig(artefacts[0], numbers, vec![Start::at(start)]) }
+}
+
+/// What a rig may add that the vocabulary has no name for.
+pub(super) fn unnamed(all: &mut Vec<Candidate>) {
+    all.extend([Load::Whole, Load::BeyondRest].map(|load| {
+        looks_like(Unnamed::Guides, &[Artefact::Guide(load), Artefact::GuideAlong(load)], &[0.03, 0.1])
+    }));
+    all.extend(TURNS_OVER.map(|width| looks_like(Unnamed::LoadCell, &[Artefact::Loop(width)], &[0.02])));
+    all.extend(
+        RESONATES.map(|hz| {
+            looks_like(Unnamed::Resonance, &[Artefact::Ring(hz), Artefact::RingAcross(hz)], &[0.01, 0.01])
+        }),
+    );
+}

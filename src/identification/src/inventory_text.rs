@@ -1,0 +1,19 @@
+//! Items of an inventory as sentences.
+
+use super::phrases;
+use dashpot_estimation::structure::inventory::InventoryItem;
+use dashpot_records::Sentence;
+
+/// An item in one sentence: effect, form, force and probability.
+pub fn describe_item(item: &InventoryItem) -> Sentence {
+    let percent = |x: f64| format!("{:.0} %", 100.0 * x);
+    let sentence = if item.form.is_empty() {
+        Sentence::from(phrases::CARRIES).with("effect", item.effect)
+    } else {
+        Sentence::from(phrases::CARRIES_IN_FORM).with("effect", item.effect).with_word("form", item.form)
+    };
+    sentence
+        .with("force", format!("{:.1}", item.force_n_rms))
+        .with("share", percent(item.share))
+        .with("probability", percent(item.probability))
+}
