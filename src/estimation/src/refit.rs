@@ -33,7 +33,7 @@ impl Effort {
     /// To compare explanations.
     pub const COMPARE: Effort = Effort { steps: 10, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap };
     /// To judge the likely ones.
-    pub const JUDGE: Effort = Effort { steps: 8, tolerance: 1e-3, renews: true, derivatives: Accuracy::Single };
+    pub const JUDGE: Effort = Effort { steps: 8, tolerance: 1e-3, renews: true, derivatives: Accuracy::Cheap };
     /// For the result.
     pub const FINE: Effort = Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Single };
 }

@@ -4,6 +4,7 @@ use super::component::Component;
 use super::evidence::Evidence;
 use super::halving::{Entrant, Field, halve};
 use super::nearby::Nearby;
+use super::prior_odds::log_prior;
 use super::screening::{Projection, Screened, screen};
 use super::search::{Form, SearchContext, Structure};
 use crate::cancel;
@@ -30,11 +31,11 @@ pub struct Budget {
 
 impl Budget {
     /// Every form of every effect.
-    pub const WIDE: Budget = Budget { starts: [2, 4], entrants: 150, forms: 40, finals: 6 };
+    pub const WIDE: Budget = Budget { starts: [2, 2], entrants: 84, forms: 20, finals: 4 };
     /// Few forms, known to be promising.
-    pub const NARROW: Budget = Budget { starts: [1, 1], entrants: 36, forms: 12, finals: 3 };
+    pub const NARROW: Budget = Budget { starts: [1, 1], entrants: 30, forms: 10, finals: 3 };
     /// To compare rivals of one effect.
-    pub const RIVALS: Budget = Budget { starts: [1, 1], entrants: 20, forms: 8, finals: 2 };
+    pub const RIVALS: Budget = Budget { starts: [1, 1], entrants: 18, forms: 6, finals: 2 };
 }
 
 /// A structure with one more effect, or what an error without a name would explain.
@@ -78,7 +79,9 @@ pub fn expand(
         .filter(|c| from.components.iter().all(|own| own.effect != c.effect))
         .filter(|c| (context.is_allowed)(c, &situation) && is_tried(c))
         .collect();
+    let t0 = std::time::Instant::now();
     let screened = screen(hypothesis, &at, &projection, &list, tests, &nearby);
+    let t1 = t0.elapsed();
     let entrants: Vec<Entrant> = choose(&screened, &list, budget)
         .par_iter()
         .filter_map(|place| {
@@ -100,6 +103,8 @@ pub fn expand(
             Some(Entrant { screened: *place, start, jacobian })
         })
         .collect();
+    let t2 = t0.elapsed();
+    let ne = entrants.len();
     let structure_of = |place: usize, refit: Refit| {
         let candidate = &list[screened[place].candidate];
         let mut components = from.components.clone();
@@ -107,12 +112,18 @@ pub fn expand(
         Structure::new(screened[place].hypothesis.clone(), refit, components, tests)
     };
     let field = Field { screened: &screened, list: &list, tests, nearby: &nearby, budget };
+    let own: Vec<_> = from.components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
+    let prior_with = |candidate: &Candidate| {
+        let mut all = own.clone();
+        all.push((candidate.effect, candidate.form, candidate.is_artefact()));
+        log_prior(&all)
+    };
     let posterior = |place: usize, refit: &Refit| {
         let candidate = &list[screened[place].candidate];
         let numbers = from.numbers() + Component::of_candidate(candidate).numbers;
         let hypothesis = &screened[place].hypothesis;
         Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers).log()
-            + super::prior_odds::log_prior_odds(candidate.effect, candidate.form, candidate.is_artefact())
+            + prior_with(candidate)
     };
     let mut trials: Vec<Trial> = halve(entrants, &field, &posterior)
         .into_iter()
@@ -125,6 +136,7 @@ pub fn expand(
             }
         })
         .collect();
+    if std::env::var("DT").is_ok() { eprintln!("TIME screen {:?} ({}) entrants {:?} ({}) halve {:?}", t1, screened.len(), t2-t1, ne, t0.elapsed()-t2); }
     trials.sort_by(|a, b| b.structure.log_posterior.total_cmp(&a.structure.log_posterior));
     let mut visible: Vec<(&'static str, f64)> = Vec::new();
     for s in &screened {

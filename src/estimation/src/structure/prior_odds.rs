@@ -1,7 +1,7 @@
 //! Prior log odds of an effect: how often dampers and rigs have it, before any record is seen.
 
-/// An effect that nearly every damper has.
-const COMMON: f64 = 1.1;
+/// An effect that nearly every damper has: seven of eight.
+const COMMON: f64 = 2.0;
 /// An effect that every second damper has.
 const EVEN: f64 = 0.0;
 /// An effect that a damper in twenty has, as a fault or by design.
@@ -47,10 +47,43 @@ fn log_prior_odds_of_change(name: &str) -> f64 {
 }
 
 /// Prior log odds of an effect.
-pub fn log_prior_odds(effect: &str, form: &str, is_of_measurement: bool) -> f64 {
+fn log_prior_odds(effect: &str, form: &str, is_of_measurement: bool) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
     }
     let frequent = FREQUENT.iter().find(|(name, _)| *name == effect);
     frequent.map_or(if is_of_measurement { FAULT } else { RARE }, |(_, odds)| *odds)
+}
+
+/// Effects of which one is enough: a second of a group is as rare as a fault.
+const ALTERNATIVES: [&[&str]; 2] =
+    [&["coulomb_friction", "presliding_friction", "stribeck_friction"], &["parallel_spring", "gas_spring"]];
+
+/// Log prior odds of a set of effects: each with its name, its form and whether it is an error of the measurement.
+pub fn log_prior(effects: &[(&'static str, &'static str, bool)]) -> f64 {
+    let each: f64 = effects.iter().map(|(effect, form, fault)| log_prior_odds(effect, form, *fault)).sum();
+    let further = |group: &&[&str]| {
+        let own: Vec<f64> = effects
+            .iter()
+            .filter(|(effect, form, _)| group.contains(effect) && *form != "changed")
+            .map(|(effect, form, fault)| log_prior_odds(effect, form, *fault))
+            .collect();
+        let best = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        if own.len() < 2 { 0.0 } else { RARE * (own.len() - 1) as f64 - (own.iter().sum::<f64>() - best) }
+    };
+    each + ALTERNATIVES.iter().map(further).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_second_friction_is_rare_and_a_first_one_common() {
+        let one = log_prior(&[("presliding_friction", "", false)]);
+        let two = log_prior(&[("presliding_friction", "", false), ("coulomb_friction", "", false)]);
+        assert!(one > 0.0 && (two - one - RARE).abs() < 1e-12);
+        let apart = log_prior(&[("presliding_friction", "", false), ("bump_stop", "", false)]);
+        assert!((apart - one - RARE).abs() < 1e-12);
+    }
 }

@@ -7,7 +7,7 @@ use super::component::Component;
 use super::curve_points::with_enough_points;
 use super::evidence::{Evidence, log_sum_exp, noise_chi2};
 use super::expansion::{Budget, Expansion, Trial, expand};
-use super::prior_odds::log_prior_odds;
+use super::prior_odds::log_prior;
 use super::series_restart::{is_bent, unbent};
 use crate::cancel;
 use crate::hypothesis::{Free, Hypothesis};
@@ -61,8 +61,8 @@ impl Structure {
         let hypothesis = hypothesis.starting_at(&refit.theta);
         let numbers = numbers(&hypothesis, &components);
         let evidence = Evidence::new(&hypothesis, &refit.theta, &refit.residual, tests, numbers);
-        let prior: f64 = components.iter().map(|c| log_prior_odds(c.effect, c.form, c.is_of_measurement())).sum();
-        let log_posterior = evidence.log() + prior;
+        let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
+        let log_posterior = evidence.log() + log_prior(&effects);
         Structure { hypothesis, refit, components, evidence, log_posterior }
     }
 
@@ -139,7 +139,7 @@ pub struct StructureSearch {
 }
 
 /// Rise of the log posterior below which a move is not made.
-const RISE: f64 = 0.1;
+const RISE: f64 = 0.5;
 /// Log posterior below the best expansion within which a form is tried again beside other effects.
 const PROMISING: f64 = 25.0;
 /// Forms of an effect that are tried again.
@@ -156,7 +156,7 @@ impl StructureSearch {
         let refitted: Vec<Structure> = starts
             .into_par_iter()
             .filter_map(|(hypothesis, components)| {
-                let end = refit(&hypothesis, tests, &hypothesis.start(), None, Effort::FINE)?;
+                let end = refit(&hypothesis, tests, &hypothesis.start(), None, Effort::JUDGE)?;
                 Some(Structure::new(hypothesis, end, components, tests))
             })
             .collect();
@@ -182,12 +182,16 @@ impl StructureSearch {
         record(&mut self.table, &self.best);
         let mut promising: Option<BTreeSet<Form>> = None;
         let mut is_swapped = BTreeSet::new();
+        let mut is_unchecked = true;
         for round in 0..ROUNDS {
             (context.progress)(round as f64 / ROUNDS as f64);
             if cancel::asked() {
                 return;
             }
-            self.remove_needless(context);
+            if is_unchecked {
+                self.remove_needless(context);
+                is_unchecked = false;
+            }
             let is_tried = |c: &Candidate| {
                 c.unnamed.is_some() || promising.as_ref().is_none_or(|forms| forms.contains(&(c.effect, c.form)))
             };
@@ -208,7 +212,7 @@ impl StructureSearch {
             }
             let added = trials.iter().find(|t| t.unnamed.is_none());
             if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - 3.0) {
-                let next = trial.structure.refined(context.tests, Effort::FINE);
+                let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
                 let next = self.best_removal(context, &next).filter(|less| less.log_posterior > next.log_posterior).unwrap_or(next);
                 if next.log_posterior > self.best.log_posterior + RISE {
@@ -219,6 +223,7 @@ impl StructureSearch {
             if !self.swap(context, forms, &mut is_swapped) {
                 return;
             }
+            is_unchecked = true;
         }
     }
 
@@ -278,7 +283,7 @@ impl StructureSearch {
             }
             let Some(trial) = trials.first() else { continue };
             if trial.structure.log_posterior > self.best.log_posterior - 2.0 && trial.structure.key() != self.best.key() {
-                let next = trial.structure.refined(context.tests, Effort::FINE);
+                let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
                 if next.log_posterior > self.best.log_posterior + RISE {
                     self.best = next;

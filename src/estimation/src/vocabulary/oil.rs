@@ -96,7 +96,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                     capped(s, stroke, top)
                         .into_iter()
                         .map(|(cap, drawn)| Start { unbend: Some(drawn), ..Start::at(&[cap]) })
-                        .chain(capped(s, stroke, top).into_iter().map(|(cap, drawn)| Start {
+                        .chain(capped(s, stroke, top).into_iter().step_by(2).map(|(cap, drawn)| Start {
                             unbend: Some(drawn),
                             curve: s.slowing.clone(),
                             ..Start::at(&[cap])
@@ -188,8 +188,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
 }
 
 /// Fractions of the flow that does not refill a chamber, and fractions of the highest speed beyond which it does not.
-const UNFILLED: [f64; 4] = [0.02, 0.06, 0.15, 0.35];
-const BEYOND: [f64; 4] = [0.2, 0.5, 0.75, 0.9];
+const UNFILLED: [f64; 3] = [0.03, 0.1, 0.3];
+const BEYOND: [f64; 3] = [0.2, 0.5, 0.8];
 
 /// A chamber that the stroke before did not refill: the next stroke begins without force.
 fn unfilled(s: &Situation, all: &mut Vec<Candidate>) {
