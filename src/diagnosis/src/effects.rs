@@ -273,4 +273,48 @@ mod tests {
         }
         assert_eq!(EFFECTS.len(), CARDS.len());
     }
+
+    use dashpot_core::parameter::Element;
+    use dashpot_core::{Params, element};
+    use dashpot_estimation::situation::Situation;
+    use dashpot_estimation::vocabulary::candidates;
+    use std::collections::BTreeSet;
+
+    fn situation(preload: bool, measured: bool) -> Situation {
+        let mut base = Params::new();
+        base.enable(element!("stribeck_friction"), false);
+        base.enable(element!("gas_preload"), preload);
+        base.enable(element!("parallel_spring"), false);
+        let mut situation = Situation::new(&base, &[], &[]);
+        (situation.reach, situation.clock_span, situation.pauses) = ((-0.05, 0.05), 100.0, vec![50]);
+        situation.temperature_measured = measured;
+        situation
+    }
+
+    #[test]
+    fn every_candidate_has_a_card_or_no_name() {
+        let situation = situation(false, true);
+        let all = candidates(&situation);
+        // A gain that drifts is looked for in fits alone.
+        for c in all.iter().filter(|c| c.effect != "gain_drift") {
+            assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
+        }
+        let missing: Vec<&str> =
+            EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
+        // What the base has on is no candidate, and what no rig can separate never is one.
+        let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
+        assert!(missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)), "{missing:?}");
+    }
+
+    #[test]
+    fn the_list_of_texts_has_every_form_and_no_other() {
+        let mut forms = BTreeSet::new();
+        for preload in [false, true] {
+            for measured in [false, true] {
+                let all = candidates(&situation(preload, measured));
+                forms.extend(all.iter().map(|c| c.form).filter(|form| !form.is_empty()));
+            }
+        }
+        assert_eq!(forms, crate::phrases::FORMS.iter().copied().collect());
+    }
 }
