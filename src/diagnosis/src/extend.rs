@@ -8,6 +8,7 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis, Number, number};
 use dashpot_estimation::scale::Scale;
 use dashpot_estimation::spring_end::straighten;
 use dashpot_estimation::unknowns::{CurveName, Unknown, anchor, towards_zero};
+use dashpot_records::restrict;
 
 /// The explanation at `theta` with a candidate added at one of its starts.
 pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
@@ -84,9 +85,9 @@ fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
         let (low, high) = number.bounds;
         match &number.free {
             Free::Model(Unknown::Log(n)) if *n == which => {
-                number.start = (number.start + libm::log(factor)).clamp(low, high)
+                number.start = restrict(number.start + libm::log(factor), low, high)
             }
-            Free::Model(Unknown::Linear(n)) if *n == which => number.start = (number.start * factor).clamp(low, high),
+            Free::Model(Unknown::Linear(n)) if *n == which => number.start = restrict(number.start * factor, low, high),
             _ => {}
         }
     }
@@ -135,7 +136,8 @@ fn unbend(to: &mut Hypothesis, drawn: &DrawnOn) {
         force += rise;
         match slope {
             Some(slope) if force > drawn.from => {
-                number.start = rise.max(drawn.steepness * slope * span).clamp(number.bounds.0, number.bounds.1);
+                let steep = rise.max(drawn.steepness * slope * span);
+                number.start = restrict(steep, number.bounds.0, number.bounds.1);
                 force += number.start - rise;
             }
             _ => slope = Some(rise / span),

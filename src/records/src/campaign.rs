@@ -15,6 +15,7 @@ use super::endings::{extension, is_record_name};
 use super::error::RecordError;
 use super::one_clock;
 use super::options::Options;
+use super::peak_table;
 use super::phrases;
 use super::plausibility;
 use super::profile::{self, Profile};
@@ -22,11 +23,12 @@ use super::record::{Note, Record};
 use super::samples::Samples;
 use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
+use super::source::Source;
 use super::unusable::{self, Sieve, Unusable};
 use super::whole_motion::Motion;
 use super::{
-    at_speed, csv, dates, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, slips, tdms, torn,
-    xlsx,
+    at_speed, csv, dates, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, setting, slips,
+    tdms, torn, xlsx,
 };
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
@@ -148,7 +150,7 @@ pub fn load(
         .map(|motion| {
             let mut record = cleaning::finish(motion)?;
             record.counted = Some(counted);
-            plausibility::refuse_absurd(&record)?;
+            plausibility::refuse_absurd(&record, options)?;
             Ok(record)
         })
         .collect();
@@ -158,10 +160,11 @@ pub fn load(
     let unusable = sieve.tell(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
+    setting::settle(&mut records, &mut notes);
     one_clock::settle(&mut records, &mut notes);
     slips::refuse(&records, options)?;
     file_units::refuse(&records, &readings)?;
-    plausibility::remark(&records, &mut notes)?;
+    plausibility::remark(&records, options, &mut notes)?;
     let in_the_middle = at_speed::in_the_middle(&records);
     off_the_others::tell(&records, &in_the_middle, &mut notes);
     other_settings::tell(&records, &in_the_middle, &mut notes);
@@ -448,20 +451,33 @@ fn file_name(path: &Path) -> String {
 pub(crate) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let ending = extension(file);
+    if !is_record_name(file) {
+        return Err(RecordError::UnknownType { file: file.into() });
+    }
+    let source = Source::read(file)?;
     let archives = ["xlsx", "xlsm", "mat"].contains(&ending.as_str());
-    if !archives && let Some((is, instead)) = not_read::known(file) {
+    if !archives && let Some((is, instead)) = not_read::known(&source.bytes) {
         return Err(RecordError::NotRead { file: file.into(), is, instead });
     }
-    match ending.as_str() {
+    let read = match ending.as_str() {
         // Many loggers call their measurement files so, and many rigs their texts.
-        "dat" if mdf::is_one(file) => mdf::read(file, &name, options),
-        "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(file, &name, options),
-        "xlsx" | "xlsm" => xlsx::read(file, &name, options),
-        "mat" => mat::read(file, &name, options),
-        "mf4" | "mdf" => mdf::read(file, &name, options),
-        "tdms" => tdms::read(file, &name, options),
-        "rsp" | "drv" | "tim" => rpc::read(file, &name, options),
+        "dat" if mdf::is_one(&source.bytes) => mdf::read(source, &name, options),
+        "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(source, &name, options),
+        "xlsx" | "xlsm" => xlsx::read(source, &name, options),
+        "mat" => mat::read(source, &name, options),
+        "mf4" | "mdf" => mdf::read(source, &name, options),
+        "tdms" => tdms::read(source, &name, options),
+        "rsp" | "drv" | "tim" => rpc::read(source, &name, options),
         _ => Err(RecordError::UnknownType { file: file.into() }),
+    };
+    match read {
+        Err(RecordError::Header { .. } | RecordError::MissingColumn { missing: "time", .. })
+            if ["csv", "txt", "tsv", "asc", "dat", "xlsx", "xlsm"].contains(&ending.as_str())
+                && peak_table::is_one(file) =>
+        {
+            Err(RecordError::IsPeakTable { file: file.into() })
+        }
+        read => read,
     }
 }
 

@@ -14,6 +14,7 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::unknowns::{CurveName, Unknown};
+use dashpot_records::restrict;
 use dashpot_records::{Sentence, reading_unit};
 use nalgebra::{DMatrix, DVector};
 use pattern::Point;
@@ -132,7 +133,7 @@ fn is_of_curve(free: &Free) -> bool {
 /// Between the points of the curve in proportion; beyond them as at its ends.
 fn curve_at(params: &Params, velocity: f64) -> f64 {
     let (v, f) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
-    let right = v.partition_point(|at| *at < velocity).clamp(1, v.len().max(2) - 1);
+    let right = restrict(v.partition_point(|at| *at < velocity), 1, v.len().max(2) - 1);
     let (Some(a), Some(b)) = (v.get(right - 1).zip(f.get(right - 1)), v.get(right).zip(f.get(right))) else {
         return 0.0;
     };
