@@ -174,11 +174,14 @@ pub fn load(
     Ok(Campaign { records, sign, delay, notes, unusable, files })
 }
 
-/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
+/// Notes of a test that concern its file, or what counts as a test.
+const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "settings"];
+
+/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else; so it does what is wrong with a file.
 fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
-        for note in motion.notes.iter().filter(|n| ["gap", "rests"].contains(&n.kind)) {
+        for note in motion.notes.iter().filter(|n| OF_THE_FILE.contains(&n.kind)) {
             let file = motion.at.file.display().to_string();
             let text = Sentence::from(phrases::OF_FILE).with("file", file).with_said("text", note.text.clone());
             if told.iter().all(|n| n.text != text) {

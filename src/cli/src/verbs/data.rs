@@ -189,7 +189,7 @@ impl DataArgs {
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
         // What decides which records count is said before the work, whatever the verb.
-        for note in campaign.notes.iter().filter(|n| is_said_first(n)) {
+        for note in campaign.notes.iter().filter(|n| is_said_first(n) && n.kind != "sign_unsure") {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));
         }
@@ -223,6 +223,7 @@ pub fn is_said_first(note: &Note) -> bool {
         "small",
         "zero",
         "torn",
+        "sign_unsure",
         "settings",
         "cut_off",
         "stale",

@@ -253,7 +253,13 @@ pub(crate) fn cycles_of(time: &[f64], displacement: &[f64]) -> Vec<std::ops::Ran
 /// Second half, rebound positive: rest and ramps cut off, whole cycles found, figures of the test taken.
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    let untrimmed = motion.time.len() >= FEWEST;
+    let whole = motion.clone();
     trim::trim(&mut motion);
+    // A slow logger has few samples of a short test: then what lies around its whole cycles counts too.
+    if motion.time.len() < FEWEST && untrimmed {
+        motion = whole;
+    }
     let Motion {
         at,
         name,
