@@ -20,6 +20,7 @@ use super::phrases;
 use super::plausibility;
 use super::profile::{self, Profile};
 use super::record::{Note, Record};
+use super::rig_frame::RigFrame;
 use super::samples::Samples;
 use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
@@ -38,6 +39,9 @@ pub struct Campaign {
     pub records: Vec<Record>,
     /// Which direction the files count positive, and how sure that is.
     pub sign: SignFinding,
+    /// How the rig counts its own position, and how far it has gone.
+    #[serde(skip)]
+    pub frame: RigFrame,
     /// How late the force comes, where that stands out; nothing was moved for it.
     pub delay: Option<Delay>,
     /// What concerns the campaign as a whole.
@@ -171,7 +175,8 @@ pub fn load(
     torn::tell(&records, &mut notes);
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
-    Ok(Campaign { records, sign, delay, notes, unusable, files })
+    let frame = RigFrame::new(&records, &sign, options);
+    Ok(Campaign { records, sign, frame, delay, notes, unusable, files })
 }
 
 /// Notes of a test that concern its file, or what counts as a test.

@@ -64,6 +64,9 @@ impl Campaign {
             Positive::Rebound => Positive::Compression,
             Positive::Compression => Positive::Rebound,
         };
+        self.frame.turn = -self.frame.turn;
+        let (low, high) = self.frame.reach_m;
+        self.frame.reach_m = (-high, -low);
         self.sign.standstill_force = -self.sign.standstill_force;
         self.sign.asymmetry = self.sign.asymmetry.map(|ratio| 1.0 / ratio);
         let counted = self.sign.counted();
@@ -83,6 +86,7 @@ impl Campaign {
 mod tests {
     use super::super::fixtures::SineTest;
     use super::super::record::Record;
+    use super::super::rig_frame::RigFrame;
     use super::super::sign::SignFinding;
     use super::*;
 
@@ -104,7 +108,15 @@ mod tests {
             asymmetry: Some(2.0),
         };
         let notes = vec![Note { kind: "sign_unsure", text: phrases::WEAK.into() }];
-        Campaign { records: vec![record], sign, delay: None, notes, unusable: Vec::new(), files: Vec::new() }
+        Campaign {
+            records: vec![record],
+            sign,
+            frame: RigFrame::default(),
+            delay: None,
+            notes,
+            unusable: Vec::new(),
+            files: Vec::new(),
+        }
     }
 
     #[test]

@@ -236,7 +236,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         dashpot_output::json(path, &diagnosed.json())?;
     }
     if let Some(path) = &args.next_tests {
-        say(&written_next_tests(path, &diagnosed.found)?)?;
+        say(&written_next_tests(path, &diagnosed.found, &campaign)?)?;
     }
     if args.report.is_none() && args.excel.is_none() && args.svg.is_none() {
         return Ok(());
@@ -260,20 +260,26 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 }
 
 /// Writes the tests that would tell more as a matrix; the answer says what was written.
-fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> {
+fn written_next_tests(path: &Path, found: &Diagnosis, campaign: &Campaign) -> anyhow::Result<String> {
     let Some((matrix, without)) = found.next_matrix() else {
         return Ok(format!(
             "next tests: there is none that a rig could be driven by, so {} was not written",
             path.display()
         ));
     };
+    let matrix = campaign.frame.matrix(&matrix);
     dashpot_output::write(path, &matrix)?;
     let besides = if without == 0 {
         String::new()
     } else {
         format!("; {without} more are no sine and stand in the report alone")
     };
-    Ok(format!("next tests: {} rows in {}{besides}", matrix.lines().count() - 1, path.display()))
+    Ok(format!(
+        "next tests: {} rows in {}, as the files count ({} positive) and within what they reach{besides}",
+        matrix.lines().count() - 1,
+        path.display(),
+        campaign.sign.positive.name()
+    ))
 }
 
 /// Diagnoses every group against the reference.
