@@ -173,7 +173,8 @@ class Campaign(Sequence[Record]):
     ) -> Campaign:
         """Reads record files (text, XLSX, MAT, MDF, TDMS, RPC III), or folders of them, as one campaign.
 
-        What a ``campaign.toml`` beside the records says is obeyed where nothing is given here; the names are the same.
+        What a ``campaign.toml`` beside the records says is obeyed where nothing is given here; the names are the same. A warning says what
+        may make a result wrong: a direction that is hardly known, tests of several settings, a file that broke off.
 
         :param path: a file or folder, or several.
         :param positive: direction that the files count positive, ``"rebound"`` or ``"compression"``; worked out if not given.
@@ -196,8 +197,6 @@ class Campaign(Sequence[Record]):
         :param initial_position_m: displacement at the first sample, m, where only velocity was recorded.
         :param strict: refuse files that are no records and tests with a fault of their own, instead of leaving those out.
         :param progress: is told the share done and what is being done.
-        A warning says what may make a result wrong: a direction that is hardly known, tests of several settings, a file that broke off.
-
         :raises RecordError: for the first file that cannot be read or trusted.
 
         >>> campaign = Campaign.read("campaign/", units={"force": "kN"})  # doctest: +SKIP
