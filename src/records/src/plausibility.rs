@@ -200,9 +200,9 @@ mod tests {
     fn a_force_below_that_of_any_damper_is_refused_whatever_was_said() {
         let mut options = Options::default();
         let mut notes = Vec::new();
-        let told = |options: &Options, notes: &mut Vec<Note>| {
-            remark(&[record([1.0, 1e-9])], options, notes).unwrap_err().to_string()
-        };
+        let weak = Record { noise: Noise { force_rms: 1e-12, ..Noise::default() }, ..record([1.0, 1e-9]) };
+        let told =
+            |options: &Options, notes: &mut Vec<Note>| remark(&[weak.clone()], options, notes).unwrap_err().to_string();
         assert!(told(&options, &mut notes).contains("--unit force=kN"));
         options.units.insert(Channel::Force, crate::Unit::Newton);
         let insisted = told(&options, &mut notes);

@@ -228,15 +228,6 @@ fn gather(motion: &Motion, offset: f64) -> Evidence {
     let level_error = HYSTERESIS * 0.5 * force_range;
     let standstill = (top.len() >= 2 && bottom.len() >= 2)
         .then(|| (0.5 * (median(&mut top) + median(&mut bottom)), libm::hypot(level_error, offset)));
-    // Strokes of constant speed have no samples at standstill: friction cancels between the two directions.
-    let standstill = standstill.or_else(|| {
-        let mut speeds: Vec<f64> = v.iter().map(|v| v.abs()).collect();
-        let is_steady = quantile(&mut speeds, 0.1) > 0.5 * quantile(&mut speeds, 0.9);
-        let going = |up: bool| -> Vec<f64> { (0..x.len()).filter(|&i| (v[i] > 0.0) == up).map(|i| force[i]).collect() };
-        let (mut up, mut down) = (going(true), going(false));
-        (is_steady && up.len() >= 2 && down.len() >= 2)
-            .then(|| (0.5 * (median(&mut up) + median(&mut down)), libm::hypot(level_error, offset)))
-    });
     Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, growth: None, level_error, peak_velocity }
 }
 

@@ -31,6 +31,8 @@ struct Stroke {
     samples: Range<usize>,
     /// Signed, m/s.
     speed: f64,
+    /// Root mean square off a straight line, m.
+    off: f64,
     is_straight: bool,
 }
 
@@ -74,8 +76,15 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
 fn strokes(time: &[f64], x: &[f64]) -> Vec<Stroke> {
     let threshold = (STROKE * range(x)).max(10.0 * difference_noise(x));
     let turns = turning_points(x, threshold);
-    let mut bounds: Vec<usize> = turns.iter().skip(1).rev().skip(1).rev().map(|turn| turn + 1).collect();
-    bounds.insert(0, 0);
+    let inner = turns.get(1..turns.len().saturating_sub(1)).unwrap_or_default();
+    let mut bounds = vec![0];
+    for (k, &turn) in inner.iter().enumerate() {
+        // Of two samples beside a turn noise makes either the highest; it belongs to the stroke that it lies straight with.
+        let (from, to) = (bounds[k], inner.get(k + 1).copied().unwrap_or(x.len()));
+        let off = |cut: &usize| stroke(time, x, from..*cut).off + stroke(time, x, *cut..to).off;
+        let cuts = [turn + 1, turn, turn + 2].into_iter().filter(|cut| *cut > from + 2 && *cut + 2 < to);
+        bounds.push(cuts.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(turn + 1));
+    }
     bounds.push(x.len());
     bounds.windows(2).filter(|pair| pair[1] >= pair[0] + 3).map(|pair| stroke(time, x, pair[0]..pair[1])).collect()
 }
@@ -91,7 +100,7 @@ fn stroke(time: &[f64], x: &[f64], samples: Range<usize>) -> Stroke {
     let speed = if tt > 0.0 { tx / tt } else { 0.0 };
     let off = ((xx - speed * tx).max(0.0) / n).sqrt();
     let is_straight = off <= STRAIGHT * range(&x[samples.clone()]);
-    Stroke { samples, speed, is_straight }
+    Stroke { samples, speed, off, is_straight }
 }
 
 /// Strokes of one speed, one after the other.
