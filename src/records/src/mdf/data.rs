@@ -12,6 +12,9 @@ const UNPACKED: usize = 48 << 20;
 /// Larger files may unpack to this many times their size: slowly moving channels, transposed, pack well.
 const RATIO: usize = 4;
 
+/// Work per byte that is unpacked or copied, in steps of the budget.
+const UNPACKING: u64 = 6;
+
 /// Records that a file may hold: two hours at 2 kHz. More places than this would not fit beside their values.
 const RECORDS: usize = 16 << 20;
 
@@ -42,6 +45,7 @@ pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String>
         _ => append(&first, limit, &mut out)?,
     }
     mdf.budget.hold(out.len() as u64)?;
+    mdf.budget.work(UNPACKING * out.len() as u64)?;
     Ok(Cow::Owned(out))
 }
 

@@ -37,6 +37,8 @@ const MOST: usize = 4096;
 /// Memory of a channel without its values, bytes; comparing its name with those of the channels of a rig costs more than that in work.
 const CHANNEL: u64 = 1024;
 const NAMING: u64 = 20_000;
+/// Work of making a physical value of a stored one.
+const CONVERTING: u64 = 10;
 
 /// Whether a file begins as these do, whatever its name.
 pub(crate) fn is_one(bytes: &[u8]) -> bool {
@@ -195,6 +197,7 @@ fn read_data_group(mdf: &Mdf<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> 
         }
         let values = starts.len().saturating_mul(channels.len());
         mdf.budget.numbers(values as u64)?;
+        mdf.budget.work(CONVERTING * values as u64)?;
         let channels = channels
             .into_iter()
             .filter(|c| c.counted || c.format.fits(record.bytes))
