@@ -35,7 +35,7 @@ fn first_that_works<Way, E: std::fmt::Display>(
     let mut said = Vec::new();
     for (name, way) in ways {
         if let Some(refused) = said.last() {
-            eprintln!("dashpot: {refused}; trying {name}");
+            dashpot_output::warn(&format!("dashpot: {refused}; trying {name}"));
         }
         match open(way, &opened) {
             Ok(()) => return Ok(()),

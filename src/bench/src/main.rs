@@ -22,7 +22,10 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     }
     if let Some(missing) = paths.iter().find(|p| !p.exists()) {
-        eprintln!("dashpot: {}: there is no such file or folder; check the path", missing.display());
+        dashpot_output::warn(&format!(
+            "dashpot: {}: there is no such file or folder; check the path",
+            missing.display()
+        ));
         return ExitCode::from(2);
     }
     let viewport = egui::ViewportBuilder::default()
@@ -54,7 +57,7 @@ fn main() -> ExitCode {
                 // Nobody would read it elsewhere.
                 rfd::MessageDialog::new().set_title("dashpot").set_description(told.as_str()).show();
             }
-            eprintln!("dashpot: {told}");
+            dashpot_output::warn(&format!("dashpot: {told}"));
             ExitCode::from(2)
         }
     }

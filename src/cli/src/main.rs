@@ -64,7 +64,7 @@ fn main() -> ExitCode {
         let code = ended(verbs::open::start());
         if code != ExitCode::SUCCESS {
             // The console closes with the command, and what it says with it.
-            eprintln!("Press Enter to close.");
+            dashpot_output::warn("Press Enter to close.");
             let _ = std::io::stdin().read_line(&mut String::new());
         }
         return code;
@@ -78,7 +78,7 @@ fn main() -> ExitCode {
     dashpot_output::set_force(cli.force);
     dashpot_output::remember_inputs(inputs::named(&matches));
     if let Some(error) = dashpot_output::stdout_closed() {
-        eprintln!("dashpot: {error}");
+        dashpot_output::warn(&format!("dashpot: {error}"));
         return ExitCode::from(2);
     }
     let done = match cli.verb {
@@ -117,7 +117,7 @@ fn ended(done: anyhow::Result<()>) -> ExitCode {
         // A reader that has read enough, such as `head`, is no error.
         Err(error) if is_closed_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("dashpot: {}", dashpot_output::told_once(&error));
+            dashpot_output::warn(&format!("dashpot: {}", dashpot_output::told_once(&error)));
             ExitCode::from(2)
         }
     }
@@ -125,6 +125,13 @@ fn ended(done: anyhow::Result<()>) -> ExitCode {
 
 /// Help asked for, the version, or what is wrong with the command line.
 fn tell_usage(told: &clap::Error) -> ExitCode {
+    let text = told.render().to_string();
+    let shown = dashpot_output::printable(&text);
+    if shown != text {
+        // What the user typed is quoted in the message, so it is shown without its colors.
+        dashpot_output::warn(&shown);
+        return ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2));
+    }
     let printed = told.print().and_then(|()| std::io::Write::flush(&mut std::io::stdout()));
     let code = match printed {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => 2,

@@ -28,7 +28,7 @@ impl Progress {
     /// Sets how much is done and what comes now.
     pub fn say(&self, done: f64, text: &str) {
         self.set(done);
-        self.0.set_message(text.to_owned());
+        self.0.set_message(dashpot_output::printable(text).into_owned());
     }
 
     /// As [`Progress::set`] for counted work.

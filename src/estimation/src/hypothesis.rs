@@ -12,6 +12,7 @@ use crate::curve_part::CurvePart;
 use crate::unknowns::{Unknown, Unknowns};
 use dashpot_core::number;
 use dashpot_core::{Model, Parameter, Params};
+use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -324,7 +325,7 @@ pub fn number(base: &Params, unknown: Unknown) -> Number {
         Unknown::Entry(list, _) => by_default(list.parameter(), 1.0),
     };
     let bounds = (low[0], high[0]);
-    let start = start.clamp(bounds.0, bounds.1);
+    let start = restrict(start, bounds.0, bounds.1);
     let prior = in_search(&unknown, scale);
     Number { free: Free::Model(unknown), start, step, bounds, prior }
 }

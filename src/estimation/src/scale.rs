@@ -12,6 +12,7 @@ use dashpot_core::parameter::Number;
 use dashpot_core::schema::has_force;
 use dashpot_core::{Params, element, list, number};
 use dashpot_records::cell::OF_CARS;
+use dashpot_records::restrict;
 
 /// The one, N, that stands for them all, for which the medians hold: a damper far beyond the range is compared with it. The middle of the range
 /// by its logarithm; compared with the nearer end instead, a weak damper would have the series stiffness of a soft damper of a car, and be taken
@@ -35,7 +36,7 @@ impl Scale {
         if !(largest > 0.0 && largest.is_finite()) || (low..=high).contains(&largest) {
             return Scale::CAR;
         }
-        let beyond = largest / largest.clamp(low, high);
+        let beyond = largest / restrict(largest, low, high);
         let share = (libm::log(beyond).abs() / libm::log(PASSAGE)).min(1.0);
         Scale(libm::pow(largest / TYPICAL, share))
     }

@@ -9,6 +9,7 @@ use crate::scale::Scale;
 use crate::segment::Segment;
 use crate::warmth::temperatures;
 use dashpot_records::Record;
+use dashpot_records::restrict;
 
 /// Sizes that matter.
 #[derive(Debug, Clone)]
@@ -56,7 +57,7 @@ const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
 
 /// What an FV curve has at a speed; beyond its ends what it has there.
 fn at(v: &[f64], f: &[f64], speed: f64) -> f64 {
-    let right = v.partition_point(|x| *x < speed).clamp(1, v.len() - 1);
+    let right = restrict(v.partition_point(|x| *x < speed), 1, v.len() - 1);
     let share = ((speed - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
     f[right - 1] + share * (f[right] - f[right - 1])
 }

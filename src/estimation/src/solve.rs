@@ -22,6 +22,7 @@ mod reduce;
 mod nist;
 
 use super::cancel;
+use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use reduce::reduce;
@@ -113,7 +114,7 @@ impl Bounds {
     }
 
     fn inside(&self, x: &[f64]) -> Vec<f64> {
-        x.iter().enumerate().map(|(i, x)| x.clamp(self.low[i], self.high[i])).collect()
+        x.iter().enumerate().map(|(i, x)| restrict(*x, self.low[i], self.high[i])).collect()
     }
 }
 

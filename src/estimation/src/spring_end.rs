@@ -4,6 +4,7 @@ use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::Params;
 use dashpot_core::{element, list};
+use dashpot_records::restrict;
 
 /// Share of the reach of the spring that counts as its middle.
 const MIDDLE: f64 = 0.5;
@@ -41,7 +42,7 @@ pub fn straighten(to: &mut Hypothesis, side: f64) {
             && (x[point] - x[zero]) * side > 0.0
         {
             let straight = slope * (x[point] - x[towards_zero(point, zero)]).abs();
-            number.start = number.start.min(straight).clamp(number.bounds.0, number.bounds.1);
+            number.start = restrict(number.start.min(straight), number.bounds.0, number.bounds.1);
         }
     }
 }

@@ -10,9 +10,9 @@ pub fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
     if t >= time[n - 1] {
         return values[n - 1];
     }
-    let i = time.partition_point(|known| *known <= t).clamp(1, n - 1) - 1;
+    let i = time.partition_point(|known| *known <= t).min(n - 1).max(1) - 1;
     let slope = |k: usize| {
-        let k = k.clamp(1, n - 2);
+        let k = k.min(n - 2).max(1);
         let (before, after) = (time[k] - time[k - 1], time[k + 1] - time[k]);
         let (m0, m1) = ((values[k] - values[k - 1]) / before, (values[k + 1] - values[k]) / after);
         // Flat at a corner's top: no overshoot.

@@ -7,6 +7,7 @@ mod lock;
 mod replace;
 mod run;
 mod stdout;
+mod terminal;
 mod told;
 
 use anyhow::{Context as _, bail};
@@ -21,6 +22,7 @@ pub use lock::FolderLock;
 pub use replace::replace_file;
 pub use run::as_a_run;
 pub use stdout::closed as stdout_closed;
+pub use terminal::{printable, warn};
 pub use told::told_once;
 
 /// Whether the path stands for standard output.
@@ -72,8 +74,7 @@ fn check_each<'a>(outputs: impl Iterator<Item = (&'a Path, Option<Kind>)>) -> an
 pub fn write(path: &Path, text: impl AsRef<[u8]>) -> anyhow::Result<()> {
     if is_stdout(path) {
         let mut out = std::io::stdout().lock();
-        out.write_all(text.as_ref())?;
-        return Ok(out.flush()?);
+        return out.write_all(text.as_ref()).and_then(|()| out.flush()).context("cannot write to standard output");
     }
     write_file(path, text.as_ref())
 }
@@ -96,7 +97,7 @@ pub fn json(path: &Path, value: &impl serde::Serialize) -> anyhow::Result<()> {
 /// Prints a line for people: on standard output, or on standard error where standard output carries `result`.
 pub fn say(result: Option<&Path>, text: &str) -> anyhow::Result<()> {
     if result.is_some_and(is_stdout) {
-        return Ok(writeln!(std::io::stderr().lock(), "{text}")?);
+        return terminal::warn_or_fail(text);
     }
-    Ok(writeln!(std::io::stdout().lock(), "{text}")?)
+    terminal::line(text)
 }

@@ -31,6 +31,7 @@ impl Campaign {
         dashpot_records::Campaign {
             records: Vec::new(),
             sign: read.sign.clone(),
+            frame: read.frame,
             delay: read.delay,
             notes: read.notes.clone(),
             files: read.files.clone(),

@@ -98,17 +98,20 @@ pub fn diagnose_groups<'py>(
         // How far reading many folders is, nobody knows before the last is found.
         let read = |paths: &[PathBuf]| load(paths, &reading, &|_| progress.say(0.0, "reading"));
         let Grouping { data, by, reference, reference_name, .. } = &grouping;
-        let split = split(&data.paths, by, &|paths| data.of(paths, read))?;
-        let (mut files, mut notes) = (split.files.clone(), split.notes.clone());
-        let good = match reference {
+        let mut good = match reference {
             None => None,
             Some(good) => {
                 let campaign = good.of(&good.paths, read).map_err(|why| Refusal::Reading(why.into()))?;
-                files.extend(campaign.files.clone());
-                notes.extend(campaign.notes.clone());
                 Some(Good { name: reference_name.clone(), campaign })
             }
         };
+        let of_reference = good.as_mut().map(|good| &mut good.campaign);
+        let split = split(&data.paths, by, &|paths| data.of(paths, read), of_reference)?;
+        let (mut files, mut notes) = (split.files.clone(), split.notes.clone());
+        for good in &good {
+            files.extend(good.campaign.files.clone());
+            notes.extend(good.campaign.notes.clone());
+        }
         let options = Options { max_effects, candidates, ..Options::default() };
         let say = |done: f64, text: &str| progress.say(done, text);
         let answers = dashpot_diagnosis::groups::diagnose_groups((split, by), good, file, options, seed, &say);

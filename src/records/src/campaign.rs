@@ -15,18 +15,21 @@ use super::endings::{extension, is_record_name};
 use super::error::RecordError;
 use super::one_clock;
 use super::options::Options;
+use super::peak_table;
 use super::phrases;
 use super::plausibility;
 use super::profile::{self, Profile};
 use super::record::{Note, Record};
+use super::rig_frame::RigFrame;
 use super::samples::Samples;
 use super::sentence::Sentence;
 use super::sign::{self, SignFinding};
+use super::source::Source;
 use super::unusable::{self, Sieve, Unusable};
 use super::whole_motion::Motion;
 use super::{
-    at_speed, csv, dates, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, slips, tdms, torn,
-    xlsx,
+    at_speed, csv, dates, file_units, glob, mat, mdf, not_read, off_the_others, other_settings, rpc, setting, slips,
+    tdms, torn, xlsx,
 };
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
@@ -36,6 +39,9 @@ pub struct Campaign {
     pub records: Vec<Record>,
     /// Which direction the files count positive, and how sure that is.
     pub sign: SignFinding,
+    /// How the rig counts its own position, and how far it has gone.
+    #[serde(skip)]
+    pub frame: RigFrame,
     /// How late the force comes, where that stands out; nothing was moved for it.
     pub delay: Option<Delay>,
     /// What concerns the campaign as a whole.
@@ -148,7 +154,7 @@ pub fn load(
         .map(|motion| {
             let mut record = cleaning::finish(motion)?;
             record.counted = Some(counted);
-            plausibility::refuse_absurd(&record)?;
+            plausibility::refuse_absurd(&record, options)?;
             Ok(record)
         })
         .collect();
@@ -158,24 +164,29 @@ pub fn load(
     let unusable = sieve.tell(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
+    setting::settle(&mut records, &mut notes);
     one_clock::settle(&mut records, &mut notes);
     slips::refuse(&records, options)?;
     file_units::refuse(&records, &readings)?;
-    plausibility::remark(&records, &mut notes)?;
+    plausibility::remark(&records, options, &mut notes)?;
     let in_the_middle = at_speed::in_the_middle(&records);
     off_the_others::tell(&records, &in_the_middle, &mut notes);
     other_settings::tell(&records, &in_the_middle, &mut notes);
     torn::tell(&records, &mut notes);
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
-    Ok(Campaign { records, sign, delay, notes, unusable, files })
+    let frame = RigFrame::new(&records, &sign, options);
+    Ok(Campaign { records, sign, frame, delay, notes, unusable, files })
 }
 
-/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
+/// Notes of a test that concern its file, or what counts as a test.
+const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "settings"];
+
+/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else; so it does what is wrong with a file.
 fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
-        for note in motion.notes.iter().filter(|n| ["gap", "rests"].contains(&n.kind)) {
+        for note in motion.notes.iter().filter(|n| OF_THE_FILE.contains(&n.kind)) {
             let file = motion.at.file.display().to_string();
             let text = Sentence::from(phrases::OF_FILE).with("file", file).with_said("text", note.text.clone());
             if told.iter().all(|n| n.text != text) {
@@ -448,20 +459,33 @@ fn file_name(path: &Path) -> String {
 pub(crate) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let ending = extension(file);
+    if !is_record_name(file) {
+        return Err(RecordError::UnknownType { file: file.into() });
+    }
+    let source = Source::read(file)?;
     let archives = ["xlsx", "xlsm", "mat"].contains(&ending.as_str());
-    if !archives && let Some((is, instead)) = not_read::known(file) {
+    if !archives && let Some((is, instead)) = not_read::known(&source.bytes) {
         return Err(RecordError::NotRead { file: file.into(), is, instead });
     }
-    match ending.as_str() {
+    let read = match ending.as_str() {
         // Many loggers call their measurement files so, and many rigs their texts.
-        "dat" if mdf::is_one(file) => mdf::read(file, &name, options),
-        "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(file, &name, options),
-        "xlsx" | "xlsm" => xlsx::read(file, &name, options),
-        "mat" => mat::read(file, &name, options),
-        "mf4" | "mdf" => mdf::read(file, &name, options),
-        "tdms" => tdms::read(file, &name, options),
-        "rsp" | "drv" | "tim" => rpc::read(file, &name, options),
+        "dat" if mdf::is_one(&source.bytes) => mdf::read(source, &name, options),
+        "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(source, &name, options),
+        "xlsx" | "xlsm" => xlsx::read(source, &name, options),
+        "mat" => mat::read(source, &name, options),
+        "mf4" | "mdf" => mdf::read(source, &name, options),
+        "tdms" => tdms::read(source, &name, options),
+        "rsp" | "drv" | "tim" => rpc::read(source, &name, options),
         _ => Err(RecordError::UnknownType { file: file.into() }),
+    };
+    match read {
+        Err(RecordError::Header { .. } | RecordError::MissingColumn { missing: "time", .. })
+            if ["csv", "txt", "tsv", "asc", "dat", "xlsx", "xlsm"].contains(&ending.as_str())
+                && peak_table::is_one(file) =>
+        {
+            Err(RecordError::IsPeakTable { file: file.into() })
+        }
+        read => read,
     }
 }
 

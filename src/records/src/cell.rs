@@ -1,5 +1,7 @@
 //! The load cell that a rig has for a damper.
 
+use crate::numbers::restrict;
+
 /// Zero offset to be expected of a load cell, N, with a damper of a car: a tenth of a percent of a cell of 15 kN. A smaller force at rest tells
 /// nothing of gas, and a test that lies so far off the others is no other.
 const OFFSET: f64 = 15.0;
@@ -11,7 +13,7 @@ pub const OF_CARS: (f64, f64) = (300.0, 8000.0);
 /// Zero offset, N, to be expected of the load cell that a damper with this largest force is measured with.
 pub(crate) fn offset(largest: f64) -> f64 {
     let (low, high) = OF_CARS;
-    if largest > 0.0 && largest.is_finite() { OFFSET * largest / largest.clamp(low, high) } else { OFFSET }
+    if largest > 0.0 && largest.is_finite() { OFFSET * largest / restrict(largest, low, high) } else { OFFSET }
 }
 
 #[cfg(test)]

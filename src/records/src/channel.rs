@@ -24,17 +24,20 @@ pub enum Channel {
     SideForce,
     /// Damper temperature.
     Temperature,
+    /// Current of an adjustable damper's valve.
+    Current,
 }
 
 impl Channel {
     /// All channels.
-    pub const ALL: [Channel; 6] = [
+    pub const ALL: [Channel; 7] = [
         Channel::Time,
         Channel::Displacement,
         Channel::Velocity,
         Channel::Force,
         Channel::SideForce,
         Channel::Temperature,
+        Channel::Current,
     ];
 
     /// The channel's name as the command line and the messages write it.
@@ -46,6 +49,7 @@ impl Channel {
             Channel::Force => "force",
             Channel::SideForce => "side_force",
             Channel::Temperature => "temperature",
+            Channel::Current => "current",
         }
     }
 
@@ -66,6 +70,7 @@ impl Channel {
             Channel::Velocity => "m/s",
             Channel::Force | Channel::SideForce => "N",
             Channel::Temperature => "°C",
+            Channel::Current => "A",
         }
     }
 
@@ -77,6 +82,7 @@ impl Channel {
             Channel::Velocity => Dimension::Speed,
             Channel::Force | Channel::SideForce => Dimension::Force,
             Channel::Temperature => Dimension::Temperature,
+            Channel::Current => Dimension::Current,
         }
     }
 
@@ -88,6 +94,7 @@ impl Channel {
             Channel::Velocity => Unit::MetrePerSecond,
             Channel::Force | Channel::SideForce => Unit::Newton,
             Channel::Temperature => Unit::Celsius,
+            Channel::Current => Unit::Ampere,
         }
     }
 

@@ -93,6 +93,11 @@ pub(crate) fn swapped(seconds: f64) -> Option<f64> {
 /// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`:
 /// with a date seconds since 1970, else since midnight. Nothing where the text is no such time.
 pub fn seconds(text: &str) -> Option<f64> {
+    /// Longest time, bytes, with a date and the name of a day.
+    const LONGEST: usize = 100;
+    if text.len() > LONGEST {
+        return None;
+    }
     let text = text.trim().trim_end_matches('Z');
     let (text, half) = match text.get(text.len().saturating_sub(2)..).map(str::to_ascii_uppercase).as_deref() {
         Some("AM") => (text[..text.len() - 2].trim_end(), Some(0.0)),

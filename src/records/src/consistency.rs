@@ -56,6 +56,20 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
     Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
 }
 
+/// Fraction of a sample by which a velocity may lag behind the displacement, or lead it: the two are converted one after the other.
+const LAG_OF_SAMPLE: f64 = 0.25;
+/// Phase by which it may, rad: a hundredth opens the force loop by 1 %, as much as the noise of good rigs; half a sample is within twice that.
+const LAG_OF_PHASE: f64 = 0.02;
+/// Fraction of the displacement's variance that a velocity must explain for its lag to be known.
+const SAME_MOTION: f64 = 0.98;
+
+/// Whether a velocity is that of the displacement at another time, as that of a filter is. `period` is that of the cycles, where there are any.
+pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
+    let Agreement { gain, lag, explained } = *agreement;
+    let phase = period.map_or(f64::INFINITY, |period| std::f64::consts::TAU * lag.abs() / period);
+    explained > SAME_MOTION && (0.75..1.33).contains(&gain) && lag.abs() > LAG_OF_SAMPLE * step && phase > LAG_OF_PHASE
+}
+
 /// The likely cause where the two contradict each other grossly.
 pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     let Agreement { gain, explained, .. } = *agreement;
@@ -104,10 +118,12 @@ mod tests {
         let agreement = compare(&time, &x, &v).unwrap();
         assert!((agreement.gain - 1.0).abs() < 1e-3 && agreement.lag.abs() < 1e-5, "{agreement:?}");
         assert!(contradiction(&agreement).is_none());
+        assert!(!is_late(&agreement, 0.002, Some(1.0)));
         // Velocity 3 % too large, with offset, four samples (8 ms) late.
         let late: Vec<f64> = (0..v.len()).map(|i| 1.03 * v[i.saturating_sub(4)] + 0.002).collect();
         let agreement = compare(&time, &x, &late).unwrap();
         assert!((agreement.gain - 1.03).abs() < 3e-3 && (agreement.lag - 0.008).abs() < 2e-4, "{agreement:?}");
+        assert!(is_late(&agreement, 0.002, Some(1.0)) && !is_late(&agreement, 0.002, Some(100.0)));
     }
 
     #[test]

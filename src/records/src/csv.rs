@@ -1,6 +1,6 @@
 //! Reads delimited text: comma, semicolon, tab or bar; decimal point or comma; comment lines; a row of units.
 
-use std::path::Path;
+use std::borrow::Cow;
 
 use csv::{ByteRecord, ReaderBuilder};
 
@@ -8,6 +8,7 @@ use super::about::About;
 use super::beside::{Beside, LABELS};
 use super::channel::Channel;
 use super::clock;
+use super::crank;
 use super::date_order::DateOrder;
 use super::delimiter::{self, split};
 use super::error::{Place, RecordError};
@@ -17,42 +18,50 @@ use super::lvm;
 use super::options::Options;
 use super::phrases;
 use super::samples::Samples;
+use super::sentence::Sentence;
+use super::source::{Budget, Source};
 use super::table::{
-    Column, HEADER_WITHIN, Layout, Rows, column_number, is_header, is_units_row, no_header_near, number, numbered,
+    Column, HEADER_WITHIN, Layout, MOST_COLUMNS, Rows, channel_of, column_number, is_header, is_units_row,
+    no_header_near, number, numbered,
 };
 use super::unit::Unit;
 
 /// Reads the tests of one delimited text file.
-pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
-    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
-    if bytes.is_empty() {
-        return Err(RecordError::EmptyFile { file: file.into() });
-    }
+pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let at = source.place();
+    let Source { bytes, budget, .. } = source;
     let (text, guessed) = decode(&bytes);
-    let read = parse(&Place::file(file), name, &text, options);
+    let read = parse(&at, name, &text, options, &budget);
     if guessed && matches!(read, Err(RecordError::Header { .. } | RecordError::MissingColumn { .. })) {
         // Chinese systems write GB 18030 where others write Latin-1; only the headings can tell.
         let (text, _, wrong) = encoding_rs::GB18030.decode(&bytes);
-        if !wrong && let Ok(tests) = parse(&Place::file(file), name, &text, options) {
+        if !wrong && let Ok(tests) = parse(&at, name, &text, options, &budget) {
             return Ok(tests);
         }
     }
     read
 }
 
+/// Longest line among those that may be the heading, bytes: each is cut into cells in every way.
+const LONGEST_LINE: usize = 1 << 20;
+/// Memory of a cell beside its text, bytes.
+const CELL: u64 = 24;
+
 /// The cells of a short table of text, line by line with its number, under the delimiter that makes most columns of its first
 /// line.
-pub(crate) fn cells_of_text(file: &Path) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
-    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
-    if bytes.is_empty() {
-        return Err(RecordError::EmptyFile { file: file.into() });
-    }
-    let (text, _) = decode(&bytes);
+pub(crate) fn cells_of_text(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
+    let (text, _) = decode(&source.bytes);
     let text = text.trim_start_matches('\u{feff}');
     let lines = || text.lines().enumerate().filter(|(_, line)| !is_comment(line));
     let first = lines().next().map_or("", |(_, line)| line);
     let delimiter = delimiter::of(first);
-    Ok(lines().map(|(k, line)| (k + 1, split(line, delimiter))).collect())
+    let cells = |(k, line): (usize, &str)| {
+        let cells = split(line, delimiter);
+        let size = CELL * cells.len() as u64 + line.len() as u64;
+        source.budget.hold(size).map_err(|exhausted| exhausted.at(&source.place()))?;
+        Ok((k + 1, cells))
+    };
+    lines().map(cells).collect()
 }
 
 /// The text of a short table as spreadsheets save it, without the mark that may stand before it.
@@ -62,26 +71,26 @@ pub fn text(bytes: &[u8]) -> String {
 
 /// Text of a file in UTF-8 or UTF-16 with byte order mark, else read in the code page of western Windows (old exports, for µ and °; a
 /// spreadsheet that saves no UTF-8), which is a guess. Where the page has no character it is Latin-1.
-fn decode(bytes: &[u8]) -> (String, bool) {
+fn decode(bytes: &[u8]) -> (Cow<'_, str>, bool) {
     let (text, guessed) = characters(bytes);
     // Old Macintosh programs end lines by a carriage return alone.
     let returns_alone = text.contains('\r') && !text.contains('\n');
-    (if returns_alone { text.replace('\r', "\n") } else { text }, guessed)
+    (if returns_alone { text.replace('\r', "\n").into() } else { text }, guessed)
 }
 
-fn characters(bytes: &[u8]) -> (String, bool) {
+fn characters(bytes: &[u8]) -> (Cow<'_, str>, bool) {
     let utf16 = |from: fn([u8; 2]) -> u16| -> String {
         let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|b| from([b[0], b[1]])).collect();
         String::from_utf16_lossy(&units)
     };
     match bytes {
-        [0xFF, 0xFE, ..] => return (utf16(u16::from_le_bytes), false),
-        [0xFE, 0xFF, ..] => return (utf16(u16::from_be_bytes), false),
+        [0xFF, 0xFE, ..] => return (utf16(u16::from_le_bytes).into(), false),
+        [0xFE, 0xFF, ..] => return (utf16(u16::from_be_bytes).into(), false),
         _ => {}
     }
     match std::str::from_utf8(bytes) {
-        Ok(text) => (text.to_owned(), false),
-        Err(_) => (encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned(), true),
+        Ok(text) => (text.into(), false),
+        Err(_) => (encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0, true),
     }
 }
 
@@ -219,23 +228,31 @@ fn part_names(found: &mut Start, text: &str) {
     found.header = names;
 }
 
-fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+fn parse(at: &Place, name: &str, text: &str, options: &Options, budget: &Budget) -> Result<Vec<Samples>, RecordError> {
     let text = text.trim_start_matches('\u{feff}');
     if lvm::is_one(text) {
-        return lvm::parse(at, name, text, options);
+        return lvm::parse(at, name, text, options, budget);
+    }
+    if let Some((k, line)) = text.lines().enumerate().take(HEADER_WITHIN).find(|(_, line)| line.len() > LONGEST_LINE) {
+        let columns = |delimiter: &u8| line.bytes().filter(|b| b == delimiter).count() + 1;
+        let found = delimiter::ALL.iter().map(columns).max().unwrap_or(1);
+        if found > MOST_COLUMNS {
+            return Err(RecordError::TooManyColumns { at: at.clone(), line: k + 1, found, most: MOST_COLUMNS });
+        }
+        return Err(no_header_near::<&str>(at, line, &[]));
     }
     let (found, first_line) = start(text, options);
     let Some(first_line) = first_line else {
         return Err(RecordError::NoData { at: at.clone() });
     };
     if let Some(found) = found {
-        return table(at, name, text, found, options);
+        return table(at, name, text, found, options, budget);
     }
     for any in [false, true] {
         let tabbed = with_tabs(text, any);
         if let (Some(mut found), _) = start(&tabbed, options) {
             part_names(&mut found, &tabbed);
-            return table(at, name, &tabbed, found, options);
+            return table(at, name, &tabbed, found, options, budget);
         }
     }
     let trimmed = first_line.trim_end();
@@ -243,7 +260,7 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Sa
     let header = split(trimmed, delimiter);
     if options.columns.values().any(|wanted| nearest(wanted, header.iter().map(String::as_str)).is_some()) {
         // A heading nearly as the user wrote it: the layout says which is meant.
-        return table(at, name, text, Start::headed(0, 0, delimiter, header), options);
+        return table(at, name, text, Start::headed(0, 0, delimiter, header), options, budget);
     }
     // What the lines hold under the delimiter that makes most of each, or parted by blanks.
     let parted: Vec<(usize, Vec<String>)> = text
@@ -260,8 +277,15 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Sa
     Err(no_header_near(at, &first_line, &parted))
 }
 
-fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) -> Result<Vec<Samples>, RecordError> {
-    let Start { index: header_index, offset, delimiter, header, headed, commented } = found;
+fn table(
+    at: &Place,
+    name: &str,
+    text: &str,
+    found: Start,
+    options: &Options,
+    budget: &Budget,
+) -> Result<Vec<Samples>, RecordError> {
+    let Start { index: header_index, offset, delimiter, mut header, headed, commented } = found;
     let header_line = header_index + 1;
     let decimal_comma = delimiter != b',' || delimiter::quotes_decimal_commas(&text[offset..]);
     let mut lines = text[offset..].split_inclusive('\n');
@@ -293,10 +317,15 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
     let is_clock = |index: usize| {
         first_row.get(index).is_some_and(|cell| number(cell, decimal_comma).is_none() && clock::seconds(cell).is_some())
     };
+    let timed = header.iter().any(|h| channel_of(h, options) == Some(Channel::Time));
+    let mut crank = if timed { None } else { crank::find(&mut header, units.as_mut(), text[..offset].lines()) };
     let step = options.sample_rate_hz.map(|rate| 1.0 / rate).or_else(|| sample_time(text[..offset].lines()));
     let layout = Layout::with_clock(at, header_line, &header, units.as_deref(), options, step.is_some(), &is_clock)?;
-    let mut rows = Rows::new(at.clone(), name.to_string(), layout);
+    let mut rows = Rows::new(at.clone(), name.to_string(), layout, budget);
     rows.about = About::of_lines(text[..offset].lines());
+    if let Some(crank) = &crank {
+        rows.note("crank", Sentence::from(phrases::CRANK).with("rpm", crank.rpm));
+    }
     // When each test began, as the lines above its figures say; up to where these lines are read.
     // A decimal comma, or what stands between columns where there is one, is of those who write the day first.
     let is_comma = |cell: &String| delimiter != b',' && cell.contains(',') && number(cell, true).is_some();
@@ -392,13 +421,16 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             *value = read
                 .or_else(|| number(cell, decimal_comma))
                 .ok_or_else(|| no_number(at, line, &column.heading, cell))?;
+            if let Some(crank) = crank.as_mut().filter(|crank| crank.index == column.index) {
+                *value = crank.time(*value);
+            }
         }
         // Time that begins anew below a repeated header is another test.
         let time = rows.layout().columns.iter().position(|c| c.channel == Channel::Time).map(|i| values[i]);
         if blocks.begins_anew(time) {
             let layout = rows.layout().clone();
             let name = format!("{name} {}", tests.len() + 2);
-            let mut next = Rows::new(at.clone(), name, layout);
+            let mut next = Rows::new(at.clone(), name, layout, budget);
             next.about = rows.about.clone();
             next.dates.usual = usual;
             tests.push(std::mem::replace(&mut rows, next));
@@ -409,7 +441,7 @@ fn table(at: &Place, name: &str, text: &str, found: Start, options: &Options) ->
             .layout()
             .test
             .map(|index| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?").to_string());
-        rows.push(line, values.iter().copied(), test.as_deref());
+        rows.push(line, values.iter().copied(), test.as_deref())?;
     }
     beside.tell(&mut rows)?;
     tests.push(rows);
@@ -565,7 +597,7 @@ mod tests {
     use super::*;
 
     fn try_read(text: &str) -> Result<Vec<Samples>, RecordError> {
-        parse(&Place::file("a.csv"), "a", text, &Options::default())
+        parse(&Place::file("a.csv"), "a", text, &Options::default(), &Budget::new(0))
     }
 
     fn read(text: &str) -> Samples {
@@ -685,7 +717,7 @@ mod tests {
         assert!(test.displacement.is_none(), "{test:?}");
         let options = Options { sample_rate_hz: Some(100.0), ..Options::default() };
         let text = "Lead Actuator Force ,Lead Actuator Displacment\nkN,mm\n1,2\n3,4\n";
-        let test = parse(&Place::file("a.csv"), "a", text, &options).unwrap().remove(0);
+        let test = parse(&Place::file("a.csv"), "a", text, &options, &Budget::new(0)).unwrap().remove(0);
         assert_eq!((test.time.as_slice(), test.force.as_slice()), ([0.0, 0.01].as_slice(), [1e3, 3e3].as_slice()));
     }
 
@@ -694,7 +726,9 @@ mod tests {
         let columns = [(Channel::Time, "1"), (Channel::Displacement, "2"), (Channel::Force, "3")];
         let columns = columns.map(|(channel, number)| (channel, number.to_owned())).into();
         let options = Options { columns, ..Options::default() };
-        let error = parse(&Place::file("a.csv"), "a", "0,1.5,10\n1,2.5,20\n", &options).unwrap_err().to_string();
+        let error = parse(&Place::file("a.csv"), "a", "0,1.5,10\n1,2.5,20\n", &options, &Budget::new(0))
+            .unwrap_err()
+            .to_string();
         assert!(error.contains("--unit time=s --unit displacement=mm --unit force=N"), "{error}");
         assert!(!error.contains("heading"), "{error}");
     }
@@ -834,7 +868,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("a.csv");
         std::fs::write(&file, &bytes).unwrap();
-        let samples = super::read(&file, "a", &Options::default()).unwrap();
+        let samples = super::read(Source::read(&file).unwrap(), "a", &Options::default()).unwrap();
         assert_eq!(samples[0].force, [500.0]);
     }
 
@@ -851,7 +885,7 @@ mod tests {
                 .into(),
                 ..Options::default()
             };
-            parse(&Place::file("a.csv"), "a", text, &options)
+            parse(&Place::file("a.csv"), "a", text, &options, &Budget::new(0))
         };
         use Channel::{Displacement, Force, Time};
         let named = with(
@@ -889,10 +923,10 @@ mod tests {
             columns: BTreeMap::from([(Channel::Force, "load cell 1".to_string())]),
             ..Options::default()
         };
-        let samples = parse(&Place::file("a.csv"), "a", text, &options).unwrap().remove(0);
+        let samples = parse(&Place::file("a.csv"), "a", text, &options, &Budget::new(0)).unwrap().remove(0);
         assert_eq!(samples.force, [1000.0]);
         options.columns.insert(Channel::Force, "Load Cell 9".to_string());
-        let error = parse(&Place::file("a.csv"), "a", text, &options).unwrap_err().to_string();
+        let error = parse(&Place::file("a.csv"), "a", text, &options, &Budget::new(0)).unwrap_err().to_string();
         assert!(error.contains("'Load Cell 9'") && error.contains("'Load Cell 2'"), "{error}");
     }
 }

@@ -20,6 +20,11 @@ fn unit_options(channels: impl Iterator<Item = Channel>) -> String {
     channels.map(|channel| format!("--unit {channel}={}", channel.example())).collect::<Vec<_>>().join(" ")
 }
 
+/// A size of a file as people read it.
+fn size(bytes: u64) -> String {
+    if bytes < 10 << 20 { format!("{bytes} bytes") } else { format!("{} MiB", bytes >> 20) }
+}
+
 /// The place a message speaks of: a file, and the sheet or test within it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
@@ -123,6 +128,28 @@ pub enum RecordError {
         source: std::io::Error,
     },
 
+    /// A pipe, a device or a folder where a file is read.
+    NotRegular {
+        file: PathBuf,
+    },
+
+    TooLarge {
+        file: PathBuf,
+        bytes: u64,
+        largest: u64,
+    },
+
+    TooCostly {
+        at: Place,
+    },
+
+    TooManyColumns {
+        at: Place,
+        line: usize,
+        found: usize,
+        most: usize,
+    },
+
     EmptyFolder {
         folder: PathBuf,
     },
@@ -200,6 +227,11 @@ pub enum RecordError {
         at: Place,
         line: usize,
         cause: String,
+    },
+
+    /// A table of peaks where a record is read.
+    IsPeakTable {
+        file: PathBuf,
     },
 
     Binary {
@@ -469,6 +501,15 @@ impl RecordError {
             }
             RecordError::NotFound { file } => in_file(phrases::NOT_FOUND, file),
             RecordError::Read { file, source } => in_file(phrases::CANNOT_READ, file).with("cause", source),
+            RecordError::NotRegular { file } => in_file(phrases::NOT_REGULAR, file),
+            RecordError::IsPeakTable { file } => in_file(phrases::IS_PEAK_TABLE, file),
+            RecordError::TooLarge { file, bytes, largest } => {
+                in_file(phrases::TOO_LARGE, file).with("size", size(*bytes)).with("largest", size(*largest))
+            }
+            RecordError::TooCostly { at } => of(phrases::TOO_COSTLY, at),
+            RecordError::TooManyColumns { at, line, found, most } => {
+                in_line(phrases::TOO_MANY_COLUMNS, at, line).with("found", found).with("most", most)
+            }
             RecordError::EmptyFolder { folder } => {
                 Sentence::from(phrases::EMPTY_FOLDER).with("folder", folder.display()).with_said("kinds", kinds())
             }

@@ -61,6 +61,7 @@ pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
         velocity: None,
         side_force: None,
         temperature: None,
+        current: None,
         headings: Vec::new(),
         about: super::about::About::default(),
         units: Vec::new(),
@@ -158,6 +159,8 @@ impl SineTest {
             velocity: Some(v),
             side_force: None,
             temperature: None,
+
+            current: None,
             headings: Vec::new(),
             units: Vec::new(),
             notes: Vec::new(),

@@ -4,6 +4,7 @@
 use crate::delimiter;
 use crate::glob::matches as glob_matches;
 use crate::record::Record;
+use crate::source::read_small_text;
 use ::csv::{ReaderBuilder, Trim};
 use std::path::{Path, PathBuf};
 
@@ -89,7 +90,7 @@ impl GroupList {
     /// A file that cannot be read, a column that it does not have, a line of another length, no line with a group.
     pub fn read(path: &Path, column: &str) -> Result<GroupList, ListError> {
         let unreadable = |source| ListError::Unreadable { file: path.to_owned(), source };
-        GroupList::of_text(&std::fs::read_to_string(path).map_err(unreadable)?, path, column)
+        GroupList::of_text(&read_small_text(path).map_err(unreadable)?, path, column)
     }
 
     fn of_text(text: &str, path: &Path, column: &str) -> Result<GroupList, ListError> {

@@ -5,6 +5,7 @@ use crate::error::RecordError;
 use crate::glob::matches as glob_matches;
 use crate::group_list::{self, GroupList, ListError};
 use crate::record::{Note, Record};
+use crate::rig_sign::agree_on_sign;
 use crate::unusable::Unusable;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -92,15 +93,21 @@ pub type Read<'a> = dyn Fn(&[PathBuf]) -> Result<Campaign, RecordError> + 'a;
 const PLACE: &str = "{}";
 
 /// Splits the data: by the folders in it (`folders`), by a part of the tests' names (a pattern with `{}`), or by a column of a list
-/// (`FILE.csv:COLUMN`). `read` reads what is to be one campaign.
+/// (`FILE.csv:COLUMN`). `read` reads what is to be one campaign. All groups, and the `reference` that they are compared with, count one direction
+/// positive, as far as they are of one rig.
 ///
 /// # Errors
 /// A pattern without `{}`, data without folders, a list without that column or without one of the tests, records that cannot be read.
-pub fn split(data: &[PathBuf], by: &str, read: &Read<'_>) -> Result<Split, GroupError> {
+pub fn split(
+    data: &[PathBuf],
+    by: &str,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Split, GroupError> {
     let mut split = match (by, group_list::named(by)) {
-        ("folders", _) => by_folders(data, read)?,
-        (_, Some((path, column))) => by_list(data, &GroupList::read(path, column)?, read)?,
-        _ if by.matches(PLACE).count() == 1 => by_name(data, by, read)?,
+        ("folders", _) => by_folders(data, read, reference)?,
+        (_, Some((path, column))) => by_list(data, &GroupList::read(path, column)?, read, reference)?,
+        _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
     // Pressures, clicks and serial numbers in the order of the number.
@@ -148,25 +155,45 @@ impl Split {
     }
 }
 
-fn by_folders(data: &[PathBuf], read: &Read<'_>) -> Result<Split, GroupError> {
+fn by_folders(data: &[PathBuf], read: &Read<'_>, reference: Option<&mut Campaign>) -> Result<Split, GroupError> {
     let folders = folders_in(data)?;
     if folders.is_empty() {
         let data: Vec<String> = data.iter().map(|p| p.display().to_string()).collect();
         return Err(GroupError::NoFolders { data: data.join(", ") });
     }
     let mut split = Split::default();
-    for folder in &folders {
+    let campaigns = read_each(folders.iter(), read, reference)?;
+    for (folder, campaign) in folders.iter().zip(campaigns) {
         let name = folder.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        let records = split.without_records(read(std::slice::from_ref(folder))?);
+        let records = split.without_records(campaign);
         split.groups.push(Group { name, records });
     }
     Ok(split)
 }
 
-fn by_name(data: &[PathBuf], pattern: &str, read: &Read<'_>) -> Result<Split, GroupError> {
+/// Reads folders, each as one campaign, which then agree on the direction that they count positive.
+fn read_each<'a>(
+    folders: impl Iterator<Item = &'a PathBuf>,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Vec<Campaign>, RecordError> {
+    let mut campaigns =
+        folders.map(|folder| read(std::slice::from_ref(folder))).collect::<Result<Vec<Campaign>, RecordError>>()?;
+    agree_on_sign(&mut campaigns.iter_mut().chain(reference).collect::<Vec<_>>());
+    Ok(campaigns)
+}
+
+fn by_name(
+    data: &[PathBuf],
+    pattern: &str,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Split, GroupError> {
     let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
     let mut split = Split::default();
-    let records = split.without_records(read(data)?);
+    let mut campaign = read(data)?;
+    agree_on_sign(&mut std::iter::once(&mut campaign).chain(reference).collect::<Vec<_>>());
+    let records = split.without_records(campaign);
     split
         .sort(records, |record| found(pattern, &record.name).map(str::to_owned), &mut groups)
         .map_err(|first| GroupError::NoMatch { pattern: pattern.to_owned(), first })?;
@@ -174,16 +201,25 @@ fn by_name(data: &[PathBuf], pattern: &str, read: &Read<'_>) -> Result<Split, Gr
     Ok(split)
 }
 
-fn by_list(data: &[PathBuf], list: &GroupList, read: &Read<'_>) -> Result<Split, GroupError> {
+fn by_list(
+    data: &[PathBuf],
+    list: &GroupList,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Split, GroupError> {
     let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
     let mut split = Split::default();
     let folders = list.folders(data)?;
-    for (folder, group) in &folders {
-        if group.is_empty() {
-            split.left_aside.push(folder.display().to_string());
-            continue;
-        }
-        let records = split.without_records(read(std::slice::from_ref(folder))?);
+    let (grouped, aside): (Vec<_>, Vec<_>) = folders.iter().partition(|(_, group)| !group.is_empty());
+    split.left_aside.extend(aside.iter().map(|(folder, _)| folder.display().to_string()));
+    let mut reference = reference;
+    let campaigns = if grouped.is_empty() {
+        Vec::new()
+    } else {
+        read_each(grouped.iter().map(|(folder, _)| folder), read, reference.take())?
+    };
+    for ((_, group), campaign) in grouped.iter().zip(campaigns) {
+        let records = split.without_records(campaign);
         groups.entry((*group).to_owned()).or_default().extend(records);
     }
     if !folders.is_empty() {
@@ -193,7 +229,9 @@ fn by_list(data: &[PathBuf], list: &GroupList, read: &Read<'_>) -> Result<Split,
         let others = folders_in(data)?.into_iter().filter(|p| !listed.contains(&place(p)));
         split.left_aside.extend(others.map(|p| p.display().to_string()));
     } else {
-        let records = split.without_records(read(data)?);
+        let mut campaign = read(data)?;
+        agree_on_sign(&mut std::iter::once(&mut campaign).chain(reference).collect::<Vec<_>>());
+        let records = split.without_records(campaign);
         split.without_test = list.without_test(&records.iter().collect::<Vec<_>>());
         split
             .sort(records, |record| list.group_of(record).map(str::to_owned), &mut groups)

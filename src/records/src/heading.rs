@@ -165,6 +165,19 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "温度",
             "油温",
         ],
+        Channel::Current => &[
+            "current",
+            "coil current",
+            "valve current",
+            "strom",
+            "ventilstrom",
+            "spulenstrom",
+            "courant",
+            "corrente",
+            "corriente",
+            "电流",
+            "電流",
+        ],
     }
 }
 /// What a column heading says.
@@ -335,11 +348,17 @@ const STOPGAPS: [&str; 6] = ["times", "tout", "dist", "distance", "forc", "lead"
 
 /// Whether a heading gives way to one that names the quantity by its usual name.
 pub(crate) fn is_stopgap(text: &str) -> bool {
+    if text.len() > LONGEST {
+        return false;
+    }
     let is_one = |word: &String| {
         STOPGAPS.contains(&word.as_str()) || CLOCKS.iter().any(|(names, _)| names.contains(&word.as_str()))
     };
     words(text).iter().any(is_one)
 }
+
+/// Longest heading that is understood, bytes: a longer text is none, and its words would be compared for minutes.
+const LONGEST: usize = 400;
 
 /// Words of a heading that name what was wanted of a quantity, or one figure of it, and not its course over time.
 const NO_COURSE: [&str; 30] = [
@@ -377,6 +396,9 @@ const NO_COURSE: [&str; 30] = [
 
 /// The channel that the unit of a heading that is not understood speaks for: a force or a displacement.
 pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
+    if text.len() > LONGEST {
+        return None;
+    }
     let text = plain(text);
     let (name, written) = bracketed(text.trim()).map_or((text.trim(), None), |(name, unit)| (name, Some(unit)));
     let told = words(name);
@@ -393,6 +415,9 @@ pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
 
 /// Reads a column heading: `displacement_mm`, `Velocity [m/s]`, `Force (N)`, `F_N`, `Load, kN`, `Weg in mm`, `位移/mm`.
 pub(crate) fn heading(text: &str) -> Heading {
+    if text.len() > LONGEST {
+        return Heading::Unknown;
+    }
     match strict(text) {
         Heading::Unknown => loose(text),
         found => found,
@@ -401,7 +426,7 @@ pub(crate) fn heading(text: &str) -> Heading {
 
 /// Whether the heading is understood without leaving sensor names and numbers out.
 pub(crate) fn is_plain(text: &str) -> bool {
-    strict(text) != Heading::Unknown
+    text.len() <= LONGEST && strict(text) != Heading::Unknown
 }
 
 fn strict(text: &str) -> Heading {
@@ -496,6 +521,11 @@ fn trailing_units(words: &[String]) -> Vec<(usize, Unit)> {
         .rev()
         .map(|count| words.len() - count)
         .filter_map(|split| Some((split, words[split..].join("/").parse::<Unit>().ok()?)))
+        // `Load cell A` is the first of several.
+        .filter(|(split, unit)| {
+            unit.dimension() != Dimension::Current
+                || headings(Channel::Current).contains(&words[..*split].join(" ").as_str())
+        })
         .collect()
 }
 
@@ -506,6 +536,9 @@ fn trailing_unit(words: &[String]) -> (usize, Option<Unit>) {
 
 /// The heading without its unit, in words, to compare names given by the user with.
 pub(crate) fn without_unit(text: &str) -> String {
+    if text.len() > LONGEST {
+        return text.to_owned();
+    }
     let text = plain(text);
     match bracketed(text.trim()) {
         Some((name, _)) => words(name).join(" "),

@@ -10,6 +10,7 @@ use super::error::{Place, RecordError};
 use super::file_dates::Dates;
 use super::options::Options;
 use super::samples::Samples;
+use super::source::{Budget, Exhausted};
 use super::table::{Layout, Rows, is_header, no_header, number};
 use super::unit::Unit;
 
@@ -49,6 +50,12 @@ impl Packet<'_> {
         (1..self.names.len()).find_map(|k| number(self.said(key, k), true).filter(|v| v.is_finite()))
     }
 
+    /// Charges looking up keys for every name, and every name for every row.
+    fn charge(&self, budget: &Budget) -> Result<(), Exhausted> {
+        let visits = self.names.len().saturating_mul(4 * self.keys.len() + self.rows.len());
+        budget.work(10 * visits as u64)
+    }
+
     fn is_x(&self, column: usize) -> bool {
         self.names[column].trim() == "X_Value"
     }
@@ -69,13 +76,20 @@ impl Packet<'_> {
 }
 
 /// Reads the tests of a text that [`is_one`].
-pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+pub(crate) fn parse(
+    at: &Place,
+    name: &str,
+    text: &str,
+    options: &Options,
+    budget: &Budget,
+) -> Result<Vec<Samples>, RecordError> {
     let wrong = |cause: String| RecordError::Binary { file: at.file.clone(), kind: KIND, cause };
     let separator = if text.lines().take(40).any(|l| l.starts_with("Separator,")) { b',' } else { b'\t' };
     let packets = packets(text, separator);
     let Some(first) = packets.first() else {
         return Err(RecordError::NoData { at: at.clone() });
     };
+    packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.at(at))?;
     let header = header(first, options);
     if !is_header(&header, options) {
         return Err(no_header(at, &first.names));
@@ -95,7 +109,7 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
         });
     }
     let time = layout.columns.iter().position(|c| c.channel == super::Channel::Time);
-    let mut rows = Rows::new(at.clone(), name.to_owned(), layout);
+    let mut rows = Rows::new(at.clone(), name.to_owned(), layout, budget);
     rows.begins = first.clock();
     rows.dates = first.dates();
     let mut tests: Vec<Rows> = Vec::new();
@@ -140,14 +154,14 @@ pub(crate) fn parse(at: &Place, name: &str, text: &str, options: &Options) -> Re
                 } else {
                     let layout = rows.layout().clone();
                     let name = format!("{name} {}", tests.len() + 2);
-                    tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout)));
+                    tests.push(std::mem::replace(&mut rows, Rows::new(at.clone(), name, layout, budget)));
                     rows.begins = packet.clock();
                     rows.dates = packet.dates();
                 }
             }
             values[time] += shift;
             last = Some(values[time]).filter(|t| t.is_finite()).or(last);
-            rows.push(*line, values.into_iter(), None);
+            rows.push(*line, values.into_iter(), None)?;
         }
     }
     tests.push(rows);
@@ -260,7 +274,7 @@ mod tests {
 
     fn read(text: &str) -> Result<Vec<Samples>, RecordError> {
         assert!(is_one(text));
-        parse(&Place::file("a.lvm"), "a", text, &Options::default())
+        parse(&Place::file("a.lvm"), "a", text, &Options::default(), &Budget::new(0))
     }
 
     #[test]

@@ -1,8 +1,5 @@
 //! Files that rigs write in formats that are not read here, known by how they begin: what each is, and what to save it as instead.
 
-use std::io::Read as _;
-use std::path::Path;
-
 /// How a file begins, from some byte on.
 struct Kind {
     at: usize,
@@ -55,13 +52,8 @@ pub(crate) fn words() -> impl Iterator<Item = &'static str> {
 }
 
 /// What a file is that is not read, and what to do; nothing where it may be a text.
-pub(crate) fn known(file: &Path) -> Option<(&'static str, &'static str)> {
-    let mut head = Vec::new();
-    std::fs::File::open(file).ok()?.take(80).read_to_end(&mut head).ok()?;
-    of(&head)
-}
-
-fn of(head: &[u8]) -> Option<(&'static str, &'static str)> {
+pub(crate) fn known(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
+    let head = &bytes[..bytes.len().min(80)];
     if let Some(kind) = KINDS.iter().find(|k| head.get(k.at..).is_some_and(|rest| rest.starts_with(k.begins))) {
         return Some((kind.is, kind.instead));
     }
@@ -83,11 +75,11 @@ mod tests {
             (b"DIAEXTENDED  {@:ENGLISH\r\n", "DIAdem"),
             (b"\x93\x13\x10\x04\x00\x00\x05\x00\0\0", "catman"),
         ] {
-            let (is, instead) = of(head).unwrap_or_else(|| panic!("{wanted}"));
+            let (is, instead) = known(head).unwrap_or_else(|| panic!("{wanted}"));
             assert!(is.contains(wanted) && !instead.is_empty(), "{is}");
         }
         for head in [&b"Time [s];Force [N]\n"[..], b"MTS793|MPT|ENU|1", b"", b"1", "\u{feff}Zeit".as_bytes()] {
-            assert_eq!(of(head), None);
+            assert_eq!(known(head), None);
         }
     }
 }

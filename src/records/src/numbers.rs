@@ -1,5 +1,12 @@
 //! What is asked of lists of numbers.
 
+/// The value within limits that were computed and may cross; the upper one then wins. `clamp` panics where limits cross, and a panic ends
+/// the program.
+pub fn restrict<T: PartialOrd>(value: T, low: T, high: T) -> T {
+    let raised = if value < low { low } else { value };
+    if raised > high { high } else { raised }
+}
+
 /// The median; 0 of nothing. Reorders its argument.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
     quantile(values, 0.5)
@@ -29,4 +36,17 @@ pub(crate) fn sample_time(time: &[f64]) -> f64 {
 pub(crate) fn quantum(values: &[f64]) -> f64 {
     let smallest = values.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min);
     if smallest.is_finite() { smallest } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_may_cross() {
+        assert_eq!((restrict(5.0, 0.0, 3.0), restrict(-5.0, 0.0, 3.0), restrict(1.0, 0.0, 3.0)), (3.0, 0.0, 1.0));
+        assert_eq!((restrict(5, 4, 2), restrict(1, 4, 2)), (2, 2));
+        assert_eq!(restrict(1.0, f64::NAN, f64::NAN), 1.0);
+        assert!(restrict(f64::NAN, 0.0, 1.0).is_nan());
+    }
 }

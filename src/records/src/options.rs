@@ -71,6 +71,8 @@ pub struct Options {
     pub displacement_zero_m: f64,
     /// Factor on the force, after its zero was taken off (`--gain`).
     pub gain: f64,
+    /// Factors on other channels than the force, such as 1.02 where a displacement sensor shows too little (`--gain displacement=1.02`).
+    pub gains: BTreeMap<Channel, f64>,
     /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
     pub rig_mass_kg: f64,
     /// Files and tests to leave out, by name; `*` stands for anything (`--exclude`).
@@ -97,6 +99,7 @@ impl Default for Options {
             force_zero_n: 0.0,
             displacement_zero_m: 0.0,
             gain: 1.0,
+            gains: BTreeMap::new(),
             rig_mass_kg: 0.0,
             exclude: Vec::new(),
             subfolders: false,
@@ -107,6 +110,13 @@ impl Default for Options {
 
 /// Longest delay taken for one, s.
 const LONGEST_DELAY: f64 = 1.0;
+/// Sampling rates that rigs have, 1/s: a slow test of a day, and the fastest acquisition of force.
+const SAMPLE_RATES: (f64, f64) = (1e-3, 1e7);
+/// Factors taken for a calibration: three digits of a unit either way, and a thousandth more for what a sensor is off by.
+const GAINS: (f64, f64) = (1e-4, 1e4);
+/// Largest zero taken for one: what a load cell of heavy vehicles and the longest drive can show, N and m.
+const LARGEST_FORCE_ZERO: f64 = 1e6;
+const LARGEST_POSITION: f64 = 10.0;
 /// Largest mass taken for one that hangs on a load cell, kg: a heavy truck's damper with its clamps has less. A larger number was meant in
 /// grams. Below zero it gives back what a rig's own compensation took too much.
 const LARGEST_MASS: f64 = 100.0;
@@ -121,12 +131,22 @@ impl Options {
             return Err(format!("a delay of {} s cannot be; give it in seconds, such as 0.012", self.delay_s));
         }
         if let Some(rate) = self.sample_rate_hz
-            && !(rate > 0.0 && rate.is_finite())
+            && !(SAMPLE_RATES.0..=SAMPLE_RATES.1).contains(&rate)
         {
             return Err(format!("a sample rate of {rate} cannot be; give samples per second, such as 1000"));
         }
-        if !(self.gain > 0.0 && self.gain.is_finite()) {
-            return Err(format!("a gain of {} cannot be; give a factor above 0, and turn a sign with flip", self.gain));
+        let gains = std::iter::once((Channel::Force, self.gain)).chain(self.gains.iter().map(|(c, gain)| (*c, *gain)));
+        for (channel, gain) in gains {
+            if matches!(channel, Channel::Time | Channel::Temperature) {
+                return Err(format!("{channel} takes no gain; give its unit where that is wrong"));
+            }
+            if !(GAINS.0..=GAINS.1).contains(&gain) {
+                let of = if channel == Channel::Force { String::new() } else { format!(" of {channel}") };
+                return Err(format!(
+                    "a gain{of} of {gain} cannot be; give a factor above 0, of {} to {}, and turn a sign with flip",
+                    GAINS.0, GAINS.1
+                ));
+            }
         }
         if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
             return Err(format!(
@@ -137,9 +157,15 @@ impl Options {
         if let Some(channel) = [Channel::Time, Channel::Force].iter().find(|c| self.ignore.contains(c)) {
             return Err(format!("{channel} cannot be left out of records; take it off ignore"));
         }
-        let zeros = [("force", self.force_zero_n), ("displacement", self.displacement_zero_m)];
-        match zeros.into_iter().find(|(_, zero)| !zero.is_finite()) {
-            Some((name, zero)) => Err(format!("a {name} zero of {zero} is no number")),
+        let limited = [
+            ("force zero", self.force_zero_n, LARGEST_FORCE_ZERO, "N"),
+            ("displacement zero", self.displacement_zero_m, LARGEST_POSITION, "m"),
+            ("initial position", self.initial_position, LARGEST_POSITION, "m"),
+        ];
+        match limited.into_iter().find(|(_, value, largest, _)| !(value.abs() <= *largest)) {
+            Some((name, value, largest, unit)) => {
+                Err(format!("a {name} of {value} {unit} cannot be; it is at most {largest} {unit}"))
+            }
             None => Ok(()),
         }
     }
@@ -167,6 +193,9 @@ impl Options {
         all.force_zero_n = number(self.force_zero_n, profile.force_zero_n, 0.0);
         all.displacement_zero_m = number(self.displacement_zero_m, profile.displacement_zero_m, 0.0);
         all.gain = number(self.gain, profile.gain, 1.0);
+        profile.gains.iter().for_each(|(channel, gain)| {
+            all.gains.entry(*channel).or_insert(*gain);
+        });
         all.rig_mass_kg = number(self.rig_mass_kg, profile.rig_mass_kg, 0.0);
         all
     }

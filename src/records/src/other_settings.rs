@@ -27,6 +27,10 @@ const NAMES: usize = 6;
 
 /// Notes tests that are the same motion as others and have another force; `seen` are their levels in the middle of the strokes.
 pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
+    // Said already, by name.
+    if notes.iter().any(|note| note.kind == "settings") {
+        return;
+    }
     let motions: Vec<Motion> = records.iter().map(Motion::of).collect();
     let mut pairs = Vec::new();
     for (i, a) in motions.iter().enumerate() {
@@ -52,7 +56,7 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
         .with("second", names[j])
         .with("times", format!("{most:.1}"))
         .with_any("belong", belong);
-    notes.push(Note { kind: "consistency", text });
+    notes.push(Note { kind: "settings", text });
 }
 
 /// The names of tests, a few of many.
@@ -66,7 +70,7 @@ fn listed(names: &[&str], tests: &[usize]) -> Sentence {
 }
 
 /// The tests of a setting: by a pattern where one takes them and no others, as `--exclude` does, else by their names.
-fn together(names: &[&str], tests: &[usize]) -> Sentence {
+pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
     match pattern(names, tests) {
         Some(pattern) => Sentence::from(phrases::SETTING_ALL).with("name", pattern).with("count", tests.len()),
         None => listed(names, tests),
@@ -264,7 +268,7 @@ mod tests {
     #[test]
     fn two_settings_in_one_folder_are_told_with_their_tests() {
         let text = said(&campaign(&[1.0, 4.0]));
-        assert!(text.starts_with("[consistency] ") && text.contains("times"), "{text}");
+        assert!(text.starts_with("[settings] ") && text.contains("times"), "{text}");
         // The hard ones and the soft ones.
         for k in 0..8 {
             assert!(text.contains(&format!("t{k}")), "{k}: {text}");

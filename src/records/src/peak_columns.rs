@@ -83,6 +83,8 @@ impl FromStr for PeakColumn {
 pub struct PeakOptions {
     /// Which direction a table with signs counts positive; rebound if nothing is said.
     pub positive: Option<super::options::Positive>,
+    /// The click whose curve is read, of a table of an adjustable damper.
+    pub clicks: Option<f64>,
     /// Units of velocity and force; they win over the headings.
     pub units: BTreeMap<Channel, Unit>,
     /// Headings, or numbers from 1, of columns.

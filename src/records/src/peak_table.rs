@@ -5,12 +5,16 @@ use std::path::Path;
 
 use super::channel::Channel;
 use super::csv::cells_of_text;
+use super::endings::extension;
 use super::error::{Place, RecordError};
 use super::heading::{Heading, heading};
 use super::not_read;
 use super::options::Positive;
+use super::peak_clicks::{TableRows, clicks, only};
 use super::peak_columns::{self, PeakOptions, PeakPair, Stroke, Taken};
+use super::source::Source;
 use super::table::{HEADER_WITHIN, is_units_row, number};
+use super::unit::Unit;
 use super::xlsx::cells_of_workbook;
 
 /// A point of the table: rebound velocity and tension force positive.
@@ -72,19 +76,72 @@ impl Peaks {
     }
 }
 
+/// The clicks that a table of peaks has a curve for, from low to high; nothing of a table without clicks.
+///
+/// # Errors
+/// [`RecordError`] where the table cannot be read.
+pub fn peak_clicks(file: &Path) -> Result<Vec<f64>, RecordError> {
+    Ok(clicks(&cells(file)?))
+}
+
+/// Whether a file that is no record is a table of peaks.
+pub(crate) fn is_one(file: &Path) -> bool {
+    /// Rows of a table of peaks: a record has more.
+    const MOST: usize = 200;
+    let Ok(rows) = cells(file) else { return false };
+    let has_motion =
+        |cell: &String| matches!(heading(cell), Heading::Channel(Channel::Displacement | Channel::Time, _));
+    if rows.len() > MOST || rows.iter().take(HEADER_WITHIN).any(|(_, cells)| cells.iter().any(has_motion)) {
+        return false;
+    }
+    // Units are asked for when the table is read.
+    let units = [(Channel::Velocity, Unit::MetrePerSecond), (Channel::Force, Unit::Newton)].into();
+    let options = PeakOptions { units, ..PeakOptions::default() };
+    let first = clicks(&rows).first().copied();
+    peak_columns::find(&first.map_or(rows.clone(), |click| only(rows, click)), &options).is_ok()
+}
+
+/// The cells of a table, row by row with its number.
+fn cells(file: &Path) -> Result<TableRows, RecordError> {
+    let source = Source::read(file)?;
+    if ["xlsx", "xlsm"].contains(&extension(file).as_str()) {
+        return cells_of_workbook(&source);
+    }
+    match not_read::known(&source.bytes) {
+        Some((is, instead)) => Err(RecordError::NotRead { file: file.into(), is, instead }),
+        None => cells_of_text(&source),
+    }
+}
+
 /// Reads a table of peaks.
 ///
 /// # Errors
 /// [`RecordError`] with file, line and what to do.
 pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordError> {
-    let extension = file.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    let workbook = ["xlsx", "xlsm"].contains(&extension.as_str());
-    if !workbook && let Some((is, instead)) = not_read::known(file) {
-        return Err(RecordError::NotRead { file: file.into(), is, instead });
-    }
-    let rows = if workbook { cells_of_workbook(file)? } else { cells_of_text(file)? };
+    let rows = cells(file)?;
     let at = Place::file(file);
     let wrong = |line: usize, cause: String| RecordError::PeakTable { at: at.clone(), line, cause };
+    let clicks = clicks(&rows);
+    let known = || clicks.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+    let rows = match options.clicks {
+        Some(wanted) if clicks.contains(&wanted) => only(rows, wanted),
+        Some(_) if clicks.is_empty() => return Err(wrong(1, "it has no column that names clicks".into())),
+        Some(wanted) => {
+            return Err(wrong(1, format!("it has no curve of {wanted} clicks; there are those of {}", known())));
+        }
+        None if clicks.len() > 1 => {
+            let cause = format!(
+                "it has a curve for each of {} clicks; --clicks {} takes one of them, --clicks all makes a model of each",
+                known(),
+                clicks[0]
+            );
+            return Err(wrong(1, cause));
+        }
+        None => match clicks[..] {
+            [only_one] => only(rows, only_one),
+            _ => rows,
+        },
+    };
     let found = peak_columns::find(&rows, options);
     // A record has a time beside what it measures; each of its samples would be taken for a peak.
     let above = found.as_ref().map_or(HEADER_WITHIN, |found| found.header.map_or(0, |k| k + 1));

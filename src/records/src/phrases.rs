@@ -25,6 +25,10 @@ crate::phrases! {
     SOME_WITHOUT_DATE: "only {count} of {all} files bear the time at which the test began";
     TOO_FAR_APART: "by the times that their files bear they are too far apart to be one campaign";
     CLOCKS_OVERLAP: "by the times that their files bear they overlap; these may be the times of an export";
+    TWO_RATES: "measured at a higher rate in a group of its own, and joined at the times of the slower channels by straight lines: {names}";
+    CUT_OFF: "the file broke off while it was written, so data are missing at its end; the {rows} whole rows before were read. Measure the test again where it should have been longer";
+    STALE_ROWS: "the first {count} rows (up to line {line}) belong to an earlier run, for time goes back from {from} s to {to} s behind them; they were left out";
+    CRANK: "time is worked out from the angle of the crank at {rpm} revolutions per minute";
     RESAMPLED: "measured at another rate, and put onto the times of force and motion by straight lines: {names}";
     BELOW_HEADING: "line {line}, below the heading, holds no figures: {text}";
     BELOW_TABLE: "from line {line} on, below the table, not read: {text}";
@@ -37,6 +41,10 @@ crate::phrases! {
     GAP: "{seconds} s without samples after {from} s (line {line})";
     MORE_GAPS: " and {count} more";
     TOO_FEW_BETWEEN: "; {count} samples between gaps are too few for a test";
+    STUMPS: "{count} pieces beside a gap hold no whole cycle and were left out: {places}";
+    FROM_TO: "{from} to {to} s";
+    AT_SPEEDS: "{count} tests one after the other, strokes of constant speed told apart where the speed changes; the clock goes on, so that heat carries over";
+    SPEED_OF_STROKES: "velocity is the speed of each whole stroke, for a stroke has too few samples for a course of it";
     AT_SETTINGS: "{count} tests one after the other without a rest, told apart where stroke or frequency changes and stays; the clock goes on, so that heat carries over";
     AT_RESTS: "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over";
     // Rows.
@@ -66,6 +74,7 @@ crate::phrases! {
     DISPLACEMENT_ZERO: "displacement zero of {displacement} mm taken off, as given";
     FORCE_TURNED: "sign of force turned, as asked";
     MOTION_TURNED: "sign of displacement and velocity turned, as asked";
+    GAIN_OF: "{channel} multiplied by {gain}";
     MASS_TAKEN_OFF: "force that moves a mass of {mass} kg on the load cell taken off, as given";
     EARLY_AS_GIVEN: "force comes {delay} ms before the motion, as given; the motion was moved there, the force samples are as recorded";
     LATE_AS_GIVEN: "force comes {delay} ms after the motion, as given; the motion was moved there, the force samples are as recorded";
@@ -101,9 +110,16 @@ crate::phrases! {
     CONTRADICT: "gas force and asymmetry contradict each other; the stronger of the two was followed";
     NOT_DISSIPATING: "no test dissipates energy clearly, so it is not certain that force and motion go together";
     MAYBE_EXCHANGED: "displacement and force look exchanged, so that none of this is sure";
+    SIGN_UNSURE: "that the files count {direction} positive is only {percent} % sure: {reasons}. Say it: {option} where that is right, the other direction where it is not";
+    NEGATIVE_GAS: "counted so, the gas would pull the rod in with {force} N, which no gas does: either the direction is wrong (--positive), or the load cell has a zero of its own (--force-zero)";
+    SIGN_OF_RIG: "{file}: by itself it would be counted {own} positive ({percent} % sure); the surest records of the rig say {other} positive ({sure} %), so it is counted so too. If it comes from another rig, give --positive";
+    SIGNS_DISAGREE: "{file}: it counts {own} positive ({percent} % sure), the records that it is compared with count {other} positive ({sure} %); if they come from one rig, one of them is wrong: give --positive";
     WEAK: "the evidence is weak; say which it is with --positive rebound or --positive compression";
     TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
     OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}";
+    SEVERAL_SETTINGS: "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit each setting by itself, the others left out with --exclude, or compare them with dashpot diagnose --group";
+    SETTING_AT: "{value}: {names}";
+    CURRENT_VARIES: "the current of the damper's valve changes from {low} to {high} A within the test, and a model holds one setting";
     SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";
     SETTING: "{number}) {names}";
     SETTING_ALL: "all of '{name}' ({count})";
@@ -132,6 +148,11 @@ crate::phrases! {
     // What is wrong with what was asked for.
     NOT_FOUND: "{file}: there is no such file or folder; check the path";
     CANNOT_READ: "{file}: cannot be read ({cause})";
+    IS_PEAK_TABLE: "{file}: is a table of peaks and no record over time; dashpot import peaks {file} -o damper.toml makes a model of it";
+    NOT_REGULAR: "{file}: is no regular file but a pipe, a device or a folder; save what it gives as a file, and name that";
+    TOO_LARGE: "{file}: has {size}, and files of up to {largest} are read; cut it into its tests, or save it with fewer channels or at a lower rate";
+    TOO_COSTLY: "{at}: unpacks to more than a file of its size may; save it again as CSV, or cut it into its tests";
+    TOO_MANY_COLUMNS: "{at}, line {line}: has {found} columns, more than the {most} that a record may have; save only those that are needed";
     EMPTY_FOLDER: "{folder}: holds no record; a campaign folder holds {kinds}";
     IN_SUBFOLDERS: "{folder}: holds no record itself; {count} files lie in its subfolders: {names}. Where these are tests of one damper, give --subfolders, which reads them as one campaign; where each is a damper of its own, name one of them, or compare them by dashpot diagnose --group folders";
     KINDS: "{others} and {last}";
@@ -175,6 +196,9 @@ crate::phrases! {
     A_FORCE: "a force of {force} N";
     SAY_MM: "if the file gives mm, say so: --unit displacement=mm, or velocity=mm/s where it is integrated";
     CHECK_MOTION_UNITS: "check the units of velocity and time: --unit velocity=mm/s, --unit time=s";
+    NO_MORE_FORCE: "a force of no more than {force} N";
+    SAY_STRONGER: "if the file gives another unit, say it: --unit force=kN";
+    UNIT_WAS_GIVEN: "the unit was said, so it is another one, or the column, the gain or the sensor is wrong: check them, and leave --unit out where the heading has the unit";
     SAY_N: "if the file gives N, say so: --unit force=N";
     // All tests of a campaign.
     ALL_WITHOUT_FORCE: "{count} of {all} tests show no force: in {record} it does not stand out of its noise of {noise} N, although the damper moves. Check the load cell and its channel (--column force=\"heading\")";
@@ -225,6 +249,9 @@ crate::phrases! {
     FORMAT_AS_NUMBERS: "; format the cells as numbers";
     QUOTE_DECIMAL_COMMAS: "; decimal commas need quotes around the cells, or a semicolon or tab between the columns";
     // How displacement and velocity contradict each other.
+    VELOCITY_LATE: "'{column}' comes {lag} ms {side} the derivative of the displacement, as that of a filter does; it was not used, and velocity is taken from the displacement";
+    BEHIND: "behind";
+    AHEAD: "ahead of";
     OTHER_MOTION: "the integral of the velocity explains only {percent} % of the displacement; they do not belong to one motion. Check that the right columns are read (--column velocity=\"heading\"), {advice}";
     OPPOSITE_SIGNS: "they have opposite signs (velocity is {gain} times the derivative of displacement). Turn one of them in the export, {advice}";
     UNIT_SLIP: "velocity is {gain} times the derivative of displacement: a unit slip, {slip}. Give the unit (--unit velocity=mm/s, --unit displacement=mm), {advice}";

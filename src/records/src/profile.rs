@@ -9,9 +9,12 @@ use super::channel::Channel;
 use super::date_order::DateOrder;
 use super::error::RecordError;
 use super::options::{Options, Positive};
+use super::source;
 
 /// Name of the file.
 pub const FILE: &str = "campaign.toml";
+/// Largest profile, bytes: it has a line for each thing that a user knows.
+const LARGEST: u64 = 1 << 20;
 /// Its first entry.
 pub const FORMAT: &str = "dashpot campaign profile 1";
 
@@ -63,6 +66,9 @@ pub struct Profile {
     /// Heading, or number from 1, of a channel's column.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub columns: BTreeMap<String, String>,
+    /// Factors on other channels than the force, by channel.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub gains: BTreeMap<String, f64>,
     /// Unit of a channel.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub units: BTreeMap<String, String>,
@@ -94,10 +100,10 @@ impl Profile {
     /// Where the file cannot be read, or says something that is not understood.
     pub fn of(folder: &Path) -> Result<Option<Profile>, RecordError> {
         let file = folder.join(FILE);
-        let text = match std::fs::read_to_string(&file) {
+        let text = match source::text(&file, LARGEST) {
             Ok(text) => text,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-            Err(source) => return Err(RecordError::Read { file, source }),
+            Err(RecordError::Read { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(error),
         };
         if text.trim().is_empty() {
             return Ok(None);
@@ -132,6 +138,7 @@ impl Profile {
             force_zero_n: options.force_zero_n,
             displacement_zero_m: options.displacement_zero_m,
             gain: options.gain,
+            gains: options.gains.iter().map(|(c, gain)| (c.to_string(), *gain)).collect(),
             rig_mass_kg: options.rig_mass_kg,
             sample_rate_hz: options.sample_rate_hz,
             dates: options.dates.map(|order| order.name().to_owned()),
@@ -169,6 +176,13 @@ impl Profile {
         }
         for text in &self.ignore {
             options.ignore.insert(text.parse()?);
+        }
+        for (channel, gain) in &self.gains {
+            let channel: Channel = channel.parse()?;
+            if channel == Channel::Force {
+                return Err("the gain of the force is the entry gain".to_owned());
+            }
+            options.gains.insert(channel, *gain);
         }
         for (channel, heading) in &self.columns {
             options.columns.insert(channel.parse()?, heading.clone());
@@ -211,6 +225,7 @@ mod tests {
         options.positive = Some(Positive::Compression);
         options.dates = Some(DateOrder::DayFirst);
         options.columns.insert(Channel::Time, "Zeit [s]".into());
+        options.gains.insert(Channel::Displacement, 1.02);
         options.units.insert(Channel::Force, "kN".parse().unwrap());
         options.ignore.insert(Channel::Velocity);
         options.exclude = vec!["warm*".into()];
@@ -228,6 +243,9 @@ mod tests {
             ("gain = 2\n", "lacks the line format"),
             ("format = \"dashpot campaign profile 1\"\ngian = 2.0\n", "gian"),
             ("format = \"dashpot campaign profile 1\"\ngain = -1.0\n", "gain"),
+            ("format = \"dashpot campaign profile 1\"\ndisplacement_zero_m = 1e308\n", "at most 10 m"),
+            ("format = \"dashpot campaign profile 1\"\ngains = { displacement = 1e9 }\n", "gain of displacement"),
+            ("format = \"dashpot campaign profile 1\"\ngains = { time = 1.1 }\n", "takes no gain"),
             ("format = \"dashpot campaign profile 1\"\nunits = { force = \"parsec\" }\n", "parsec"),
             ("format = \"dashpot campaign profile 1\"\ncolumns = { pressure = \"p\" }\n", "pressure"),
             ("format = \"dashpot campaign profile 1\"\npositive = \"up\"\n", "up"),

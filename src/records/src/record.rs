@@ -4,6 +4,7 @@ use super::about::About;
 use super::off::Off;
 use super::options::Positive;
 use super::sentence::Sentence;
+use super::setting_value::Setting;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -26,6 +27,9 @@ pub struct Record {
     /// Part, serial number, tester and rig, where the file says them.
     #[serde(default, skip_serializing_if = "About::is_empty")]
     pub about: About,
+    /// What the damper was set to, where a channel or the name of the test says it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub setting: Option<Setting>,
     /// The campaign's clock at the record's time zero, s: 0 where each record has a clock of its own or all run on one already.
     #[serde(default)]
     pub clock_s: f64,
@@ -137,6 +141,11 @@ pub struct Note {
 }
 
 impl Note {
+    /// Whether it is a warning: a result may be wrong where nobody acts on it.
+    pub fn is_loud(&self) -> bool {
+        ["sign_unsure", "settings", "cut_off"].contains(&self.kind)
+    }
+
     /// Whether it tells of damage to a record or of what was only guessed of it, and not of routine.
     pub fn is_of_damage(&self) -> bool {
         [

@@ -2,12 +2,12 @@
 //! then groups of samples, channel after channel (MTS, RPC III file format, version 1).
 
 use std::collections::HashMap;
-use std::path::Path;
 
-use super::error::{Place, RecordError};
+use super::error::RecordError;
 use super::options::Options;
 use super::samples::Samples;
-use super::table::{Layout, Rows, is_header, no_header};
+use super::source::Source;
+use super::table::{Layout, MOST_COLUMNS, Rows, is_header, no_header};
 
 /// Bytes of a header block, of one entry in it, and of the key at the entry's beginning.
 const BLOCK: usize = 512;
@@ -15,14 +15,10 @@ const ENTRY: usize = 128;
 const KEY: usize = 32;
 
 /// Reads the test of one file.
-pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
-    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
-    if bytes.is_empty() {
-        return Err(RecordError::EmptyFile { file: file.into() });
-    }
-    let wrong = |cause: String| RecordError::Rpc { file: file.into(), cause };
-    let header = Header::read(&bytes).map_err(wrong)?;
-    let at = Place::file(file);
+pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let (at, bytes) = (source.place(), &source.bytes);
+    let wrong = |cause: String| RecordError::Rpc { file: source.file.clone(), cause };
+    let header = Header::read(bytes).map_err(wrong)?;
     let names: Vec<&str> =
         (1..=header.channels).map(|n| header.text(&format!("DESC.CHAN_{n}")).unwrap_or("")).collect();
     let units: Vec<&str> =
@@ -38,10 +34,10 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         .collect::<Result<_, String>>()
         .map_err(wrong)?;
     // The layout takes no time column; the step stands in the header.
-    let mut rows = Rows::new(at, name.to_string(), layout);
+    let mut rows = Rows::new(at, name.to_string(), layout, &source.budget);
     for row in 0..header.samples {
-        let value = |(channel, scale): &(usize, f64)| scale * header.value(&bytes, *channel, row);
-        rows.push(row + 1, columns.iter().map(value), None);
+        let value = |(channel, scale): &(usize, f64)| scale * header.value(bytes, *channel, row);
+        rows.push(row + 1, columns.iter().map(value), None)?;
     }
     rows.finish(Some(header.step))
 }
@@ -119,9 +115,13 @@ impl<'a> Header<'a> {
         let start = blocks * BLOCK;
         let size = if short { 2 } else { 4 };
         let room = (bytes.len() - start) / size;
+        if channels > MOST_COLUMNS {
+            return Err(format!("its header announces {channels} channels; at most {MOST_COLUMNS} are read"));
+        }
         let groups = if group == 0 { 0 } else { samples.div_ceil(group) };
         let needed = groups.checked_mul(group).and_then(|n| n.checked_mul(channels));
-        if channels == 0 || group == 0 || needed.is_none_or(|n| n > room) {
+        // Each count is checked by itself too: another one of zero would make any product fit.
+        if channels == 0 || group == 0 || group > room || samples == 0 || needed.is_none_or(|n| n > room) {
             return Err(format!(
                 "its header announces {samples} samples of {channels} channels in groups of {group}, and the file holds {room} \
                  values"
@@ -228,7 +228,7 @@ pub(crate) mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("rig.rsp");
         std::fs::write(&file, bytes).unwrap();
-        read(&file, "rig", &Options::default())
+        read(Source::read(&file)?, "rig", &Options::default())
     }
 
     fn wave(n: usize, size: f64, phase: f64) -> Vec<f64> {

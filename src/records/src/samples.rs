@@ -1,5 +1,7 @@
 //! The samples of one test as they came from the file: SI, but with the file's signs and flaws.
 
+use std::ops::Range;
+
 use super::about::About;
 use super::channel::Channel;
 use super::error::Place;
@@ -29,6 +31,8 @@ pub(crate) struct Samples {
     pub velocity: Option<Vec<f64>>,
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,
+    /// Current of an adjustable damper's valve, A.
+    pub current: Option<Vec<f64>>,
     /// Headings of the channels that are there, as the file writes them.
     pub headings: Vec<(Channel, String)>,
     /// The units that the channels were read in.
@@ -70,6 +74,7 @@ impl Samples {
             Channel::Velocity => self.velocity.as_deref(),
             Channel::SideForce => self.side_force.as_deref(),
             Channel::Temperature => self.temperature.as_deref(),
+            Channel::Current => self.current.as_deref(),
         }
     }
 
@@ -82,6 +87,7 @@ impl Samples {
             Channel::Velocity => self.velocity.as_mut(),
             Channel::SideForce => self.side_force.as_mut(),
             Channel::Temperature => self.temperature.as_mut(),
+            Channel::Current => self.current.as_mut(),
         }
     }
 
@@ -92,6 +98,29 @@ impl Samples {
             if let Some(values) = self.channel_mut(channel) {
                 *values = indices.iter().map(|&i| values[i]).collect();
             }
+        }
+    }
+
+    /// The samples of a range as a record of its own, with all that is known of this one.
+    pub fn piece(&self, span: Range<usize>) -> Samples {
+        let cut = |values: &[f64]| values[span.clone()].to_vec();
+        Samples {
+            at: self.at.clone(),
+            name: self.name.clone(),
+            lines: self.lines[span.clone()].to_vec(),
+            time: cut(&self.time),
+            begins: self.begins,
+            dates: self.dates.clone(),
+            about: self.about.clone(),
+            force: cut(&self.force),
+            displacement: self.displacement.as_deref().map(cut),
+            velocity: self.velocity.as_deref().map(cut),
+            side_force: self.side_force.as_deref().map(cut),
+            temperature: self.temperature.as_deref().map(cut),
+            current: self.current.as_deref().map(cut),
+            headings: self.headings.clone(),
+            units: self.units.clone(),
+            notes: self.notes.clone(),
         }
     }
 

@@ -57,6 +57,8 @@ const RATIO_SCATTER: f64 = 0.5;
 const MOST_BY_SHAPE: f64 = 2.0;
 /// Most that a direction that was worked out is sure of: 99 %.
 const SUREST: f64 = 4.595;
+/// How sure a direction must be to be taken without a warning.
+pub(crate) const UNSURE: f64 = 0.8;
 /// One test's evidence, in the file's signs.
 struct Evidence {
     name: String,
@@ -448,7 +450,13 @@ fn direction(
     let found = if odds < 0.0 { Positive::Compression } else { Positive::Rebound };
     // The probability itself: 0.5 where nothing speaks for either.
     let sure = 1.0 / (1.0 + libm::exp(-odds.abs()));
-    if options.positive.is_none() && sure < 0.8 {
+    if options.positive.is_none() && sure < UNSURE {
+        let text = Sentence::from(phrases::SIGN_UNSURE)
+            .with_word("direction", word(found))
+            .with("percent", format!("{:.0}", 100.0 * sure))
+            .with_list("reasons", reasons.clone(), phrases::SEMICOLON)
+            .with("option", format!("--positive {}", found.name()));
+        notes.push(Note { kind: "sign_unsure", text });
         reasons.push(phrases::WEAK.into());
     }
     let (positive, given, confidence) = match options.positive {
@@ -469,6 +477,16 @@ fn direction(
         None => (found, false, sure),
     };
     let turn = if positive == Positive::Compression { -1.0 } else { 1.0 };
+    // So counted, the gas would pull the rod in.
+    if let Some((force, uncertainty)) = standstill
+        && turn * force > 2.0 * uncertainty
+    {
+        let pull = Sentence::from(phrases::NEGATIVE_GAS).with("force", newtons(force.abs(), 0));
+        if !given {
+            notes.push(Note { kind: "sign_unsure", text: pull.clone() });
+        }
+        reasons.push(pull);
+    }
     SignFinding {
         positive,
         given,

@@ -15,10 +15,14 @@ use super::phrases;
 use super::record::Note;
 use super::samples::Samples;
 use super::sentence::Sentence;
+use super::source::{Budget, Exhausted};
 use super::unit::Unit;
 
 /// How many lines at the top of a file are searched for the header.
 pub(crate) const HEADER_WITHIN: usize = 60;
+
+/// Columns that a table may have: a rig records tens. Each heading is compared with every channel.
+pub(crate) const MOST_COLUMNS: usize = 4096;
 
 /// Which column holds what.
 #[derive(Debug, Clone)]
@@ -46,9 +50,11 @@ pub(crate) struct Column {
 /// Whether a line of cells can be a header: two cells are headings known here or named in the options, or have a unit that speaks for a
 /// channel beside a time where no cell is a figure. Without a time it is a table of results.
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
+    let cells = &cells[..cells.len().min(MOST_COLUMNS)];
     let known = cells.iter().filter(|c| {
         let text = c.as_ref().trim();
-        matches!(heading(text), Heading::Channel(..)) || options.columns.values().any(|wanted| names(wanted, text))
+        matches!(heading(text), Heading::Channel(channel, _) if channel != Channel::Current)
+            || options.columns.values().any(|wanted| names(wanted, text))
     });
     let known = known.count();
     let says = |channel| cells.iter().any(|c| by_unit(c.as_ref(), None) == Some(channel));
@@ -173,7 +179,7 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
             Heading::Channel(channel, _) => Some((channel, shortened(text))),
             _ => by_unit(text, None).map(|channel| (channel, shortened(text))),
         };
-        cells.iter().map(AsRef::as_ref).filter_map(of).collect()
+        cells.iter().take(MOST_COLUMNS).map(AsRef::as_ref).filter_map(of).collect()
     };
     // The first of those with most.
     let best = lines.iter().rev().map(|(line, cells)| (line, understood(cells))).max_by_key(|(_, known)| known.len());
@@ -232,6 +238,9 @@ impl Layout {
         sample_time_given: bool,
         is_clock: &dyn Fn(usize) -> bool,
     ) -> Result<Layout, RecordError> {
+        if header.len() > MOST_COLUMNS {
+            return Err(RecordError::TooManyColumns { at: at.clone(), line, found: header.len(), most: MOST_COLUMNS });
+        }
         let header: Vec<&str> = header.iter().map(|cell| cell.as_ref().trim().trim_start_matches('\u{feff}')).collect();
         let found = || {
             let listed = header.iter().take(LISTED).map(|h| format!("'{h}'")).collect::<Vec<_>>().join(", ");
@@ -305,6 +314,15 @@ impl Layout {
                     if let [index] = candidates[..] {
                         guessed.push((channel, header[index].to_string()));
                     }
+                }
+                // A current may be that of anything: only one with its unit is read.
+                let is_known = |i: &usize| {
+                    let unit =
+                        unit_of(at, line, channel, header[*i], &headings[*i], units.map(|u| u[*i..].iter()), options);
+                    matches!(unit, Ok(Some(_)))
+                };
+                if channel == Channel::Current && !(candidates.len() == 1 && candidates.iter().all(is_known)) {
+                    continue;
                 }
                 if candidates.len() > 1 {
                     return Err(several_columns(at, line, channel, &header, &possible));
@@ -431,6 +449,7 @@ pub(crate) struct Rows {
     names: Vec<String>,
     by_name: HashMap<String, usize>,
     notes: Vec<Note>,
+    budget: Budget,
     /// When the table's time zero was, as [`Samples::begins`]. A column of dates says it too, and counts before it.
     pub begins: Option<f64>,
     /// What tells the order of day and month in its dates.
@@ -440,7 +459,10 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    pub fn new(at: Place, name: String, layout: Layout) -> Self {
+    pub fn new(at: Place, name: String, layout: Layout, budget: &Budget) -> Self {
+        // Paid by the first row: what is used up stays so.
+        let names = layout.columns.iter().map(|c| &c.heading).chain(&layout.ignored);
+        let _ = budget.hold(512 + names.map(|name| name.len() as u64 + 64).sum::<u64>());
         let values = vec![Vec::new(); layout.columns.len()];
         Rows {
             at,
@@ -452,6 +474,7 @@ impl Rows {
             names: Vec::new(),
             by_name: HashMap::new(),
             notes: Vec::new(),
+            budget: budget.clone(),
             begins: None,
             dates: Dates::default(),
             about: About::default(),
@@ -473,7 +496,17 @@ impl Rows {
     }
 
     /// Adds a row: one value per column of the layout in the file's units, and the text of the test column.
-    pub fn push(&mut self, line: usize, values: impl Iterator<Item = f64>, test: Option<&str>) {
+    ///
+    /// # Errors
+    /// Where the file has used up its budget.
+    pub fn push(
+        &mut self,
+        line: usize,
+        values: impl Iterator<Item = f64>,
+        test: Option<&str>,
+    ) -> Result<(), RecordError> {
+        let numbers = 1 + self.values.len() as u64;
+        self.charge(Budget::numbers(&self.budget, numbers))?;
         self.lines.push(line);
         for ((column, channel), value) in self.values.iter_mut().zip(&self.layout.columns).zip(values) {
             column.push(channel.unit.to_si(value));
@@ -483,13 +516,23 @@ impl Rows {
             let test = test.trim();
             let index = match self.tests.last() {
                 Some(&last) if self.names[last] == test => last,
-                _ => *self.by_name.entry(test.to_string()).or_insert_with(|| {
-                    self.names.push(test.to_string());
-                    self.names.len() - 1
-                }),
+                _ => match self.by_name.get(test) {
+                    Some(&known) => known,
+                    None => {
+                        self.charge(self.budget.hold(2 * test.len() as u64 + 64))?;
+                        self.names.push(test.to_string());
+                        self.by_name.insert(test.to_string(), self.names.len() - 1);
+                        self.names.len() - 1
+                    }
+                },
             };
             self.tests.push(index);
         }
+        Ok(())
+    }
+
+    fn charge(&self, charged: Result<(), Exhausted>) -> Result<(), RecordError> {
+        charged.map_err(|exhausted| exhausted.at(&self.at))
     }
 
     /// The tests that the rows hold. `sample_time` stands in for a missing time column.
@@ -533,6 +576,16 @@ impl Rows {
         } else {
             vec![(self.name.clone(), self.at.clone(), None)]
         };
+        // What stands beside the figures is kept with every test.
+        let beside = 256
+            + notes.iter().map(|note| note.text.to_string().len()).sum::<usize>()
+            + [&self.about.part, &self.about.serial, &self.about.tester, &self.about.rig]
+                .into_iter()
+                .flatten()
+                .map(String::len)
+                .sum::<usize>()
+            + self.layout.columns.iter().map(|c| c.heading.len()).sum::<usize>();
+        self.charge(self.budget.hold((groups.len() * beside) as u64))?;
         let mut columns = self.values;
         let mut tests = Vec::with_capacity(groups.len());
         for (name, at, rows) in groups {
@@ -564,6 +617,7 @@ impl Rows {
                 velocity: take(Channel::Velocity),
                 side_force: take(Channel::SideForce),
                 temperature: take(Channel::Temperature),
+                current: take(Channel::Current),
                 headings: self.layout.columns.iter().map(|c| (c.channel, c.heading.clone())).collect(),
                 units: self.layout.columns.iter().map(|c| (c.channel, c.unit)).collect(),
                 notes: notes.clone(),

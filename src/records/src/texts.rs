@@ -6,8 +6,15 @@ use super::phrases::TEMPLATES;
 use super::sentence::{Template, each_once};
 
 /// What a channel, a direction, or the end of a record is called.
-const WORDS: &[&str] =
-    &["rebound", "compression", "displacement or velocity", "an incomplete cycle or run-down", "rest", "nothing"];
+const WORDS: &[&str] = &[
+    "rebound",
+    "compression",
+    "displacement or velocity",
+    "an incomplete cycle or run-down",
+    "rest",
+    "nothing",
+    "clicks",
+];
 
 /// Every template of a sentence.
 pub fn templates() -> &'static [Template] {

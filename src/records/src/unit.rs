@@ -18,6 +18,8 @@ pub enum Dimension {
     Force,
     /// Temperature.
     Temperature,
+    /// Electric current.
+    Current,
 }
 
 /// A unit that a record may be written in.
@@ -46,6 +48,8 @@ pub enum Unit {
     Celsius,
     Kelvin,
     Fahrenheit,
+    Ampere,
+    Milliampere,
 }
 
 /// Metres in an inch (exact, international yard and pound agreement of 1959).
@@ -57,7 +61,7 @@ const KILOGRAM_FORCE: f64 = 9.806_65;
 
 impl Unit {
     /// All units.
-    pub const ALL: [Unit; 22] = [
+    pub const ALL: [Unit; 24] = [
         Unit::Second,
         Unit::Millisecond,
         Unit::Microsecond,
@@ -80,6 +84,8 @@ impl Unit {
         Unit::Celsius,
         Unit::Kelvin,
         Unit::Fahrenheit,
+        Unit::Ampere,
+        Unit::Milliampere,
     ];
 
     /// The unit's symbol.
@@ -114,6 +120,8 @@ impl Unit {
             Unit::Celsius => &["degC", "C", "deg C", "celsius", "deg_C", "摄氏度"],
             Unit::Kelvin => &["K", "kelvin", "degK"],
             Unit::Fahrenheit => &["degF", "F", "deg F", "fahrenheit", "deg_F"],
+            Unit::Ampere => &["A", "amp", "amps", "ampere"],
+            Unit::Milliampere => &["mA"],
         }
     }
 
@@ -132,16 +140,17 @@ impl Unit {
             | Unit::KilopoundForce
             | Unit::KilogramForce => Dimension::Force,
             Unit::Celsius | Unit::Kelvin | Unit::Fahrenheit => Dimension::Temperature,
+            Unit::Ampere | Unit::Milliampere => Dimension::Current,
         }
     }
 
     /// A value in this unit as SI (temperature: °C). This is the only place where units change.
     pub fn to_si(self, value: f64) -> f64 {
         match self {
-            Unit::Second | Unit::Metre | Unit::MetrePerSecond | Unit::Newton | Unit::Celsius => value,
+            Unit::Second | Unit::Metre | Unit::MetrePerSecond | Unit::Newton | Unit::Celsius | Unit::Ampere => value,
             Unit::Minute => value * 60.0,
             // Division keeps decimal figures exact to the last digit: 12.5 mm is the double nearest 0.0125 m.
-            Unit::Millisecond | Unit::Millimetre | Unit::MillimetrePerSecond => value / 1e3,
+            Unit::Millisecond | Unit::Millimetre | Unit::MillimetrePerSecond | Unit::Milliampere => value / 1e3,
             Unit::Microsecond | Unit::Micrometre => value / 1e6,
             Unit::Centimetre | Unit::CentimetrePerSecond => value / 1e2,
             Unit::Inch | Unit::InchPerSecond => value * INCH,

@@ -52,6 +52,11 @@ impl RecordError {
             E::UnknownType { .. }
             | E::NotRead { .. }
             | E::EmptyFile { .. }
+            | E::NotRegular { .. }
+            | E::IsPeakTable { .. }
+            | E::TooLarge { .. }
+            | E::TooCostly { .. }
+            | E::TooManyColumns { .. }
             | E::Workbook { .. }
             | E::Rpc { .. }
             | E::Binary { .. }

@@ -5,6 +5,7 @@ use super::cycle::Cycle;
 use super::error::Place;
 use super::off::Off;
 use super::record::Note;
+use super::setting_value::Setting;
 
 /// A test whose samples are sound and whose motion is complete, still in the file's signs and untrimmed.
 #[derive(Debug, Clone)]
@@ -20,6 +21,7 @@ pub(crate) struct Motion {
     pub force: Vec<f64>,
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,
+    pub setting: Option<Setting>,
     pub cycles: Vec<Cycle>,
     /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
     pub given: Off,

@@ -1,9 +1,8 @@
 //! Reads workbooks: every sheet with a header is a source of records.
 
-use std::io::Read as _;
-use std::path::Path;
+mod archive;
 
-use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx, open_workbook};
+use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx};
 
 use super::about::About;
 use super::beside::Beside;
@@ -14,27 +13,27 @@ use super::file_dates::Dates;
 use super::options::Options;
 use super::phrases;
 use super::samples::Samples;
+use super::source::{Budget, Exhausted, Source};
 use super::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header_near, number};
 
-/// Largest part of a workbook when unpacked, bytes, whatever the size of the file; the strings need several times their
-/// size in memory, so they get less.
-const LARGEST_PART: u64 = 256 << 20;
-const LARGEST_STRINGS: u64 = 48 << 20;
-/// Larger workbooks may unpack to this many times their size; sheets of numbers do to less than twelve.
-const UNPACKED: u64 = 20;
+/// Work of opening a sheet, of a cell, and of a place in a row, in steps of the budget.
+const SHEET: u64 = 50_000;
+const CELL: u64 = 200;
+const PLACE: u64 = 20;
 /// Columns beyond this are left unread; rigs have fewer channels.
 const COLUMNS: u32 = 1000;
 
 /// Reads the tests of all sheets of a workbook, cell by cell, so that neither sizes in its headers nor cells far out cost
 /// memory.
-pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
-    let broken = |cause: String| RecordError::Workbook { file: file.into(), cause };
-    check_sizes(file).map_err(broken)?;
-    let mut workbook: Xlsx<_> = open_workbook(file).map_err(|e: calamine::XlsxError| broken(e.to_string()))?;
+pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let Source { file, budget, .. } = &source;
+    let broken = |cause: String| RecordError::Workbook { file: file.clone(), cause };
+    let mut workbook = open(&source).map_err(broken)?;
     let sheets = workbook.sheet_names();
     let mut tests = Vec::new();
     let mut lines: Vec<(usize, Vec<String>)> = Vec::new();
     for sheet in &sheets {
+        budget.work(SHEET + sheets.len() as u64).map_err(|e| e.at(&source.place()))?;
         let wrong = |e: calamine::XlsxError| broken(format!("sheet '{sheet}': {e}"));
         let mut cells = match workbook.worksheet_cells_reader(sheet) {
             Ok(cells) => cells,
@@ -42,13 +41,14 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
             Err(calamine::XlsxError::WorksheetNotFound(_) | calamine::XlsxError::NotAWorksheet(_)) => continue,
             Err(error) => return Err(wrong(error)),
         };
-        let at = Place { file: file.into(), part: Some(format!("sheet '{sheet}'")) };
+        let at = Place { file: file.clone(), part: Some(format!("sheet '{sheet}'")) };
         let test_name = if sheets.len() > 1 { format!("{name} {sheet}") } else { name.to_string() };
-        let mut reading = Sheet::new(at, test_name, options);
+        let mut reading = Sheet::new(at, test_name, options, budget);
         let mut row: Vec<Data> = Vec::new();
         let mut row_index = 0;
         while let Some(cell) = cells.next_cell().map_err(wrong)? {
             let (r, c) = cell.get_position();
+            budget.work(CELL).map_err(|e| e.at(&reading.at))?;
             if r != row_index {
                 reading.take(row_index, &row)?;
                 row.clear();
@@ -56,7 +56,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
             }
             if c < COLUMNS && !matches!(cell.get_value(), DataRef::Empty) {
                 row.resize(row.len().max(c as usize + 1), Data::Empty);
-                row[c as usize] = Data::from(cell.get_value().clone());
+                row[c as usize] = copied(cell.get_value(), budget).map_err(|e| e.at(&reading.at))?;
             }
         }
         reading.take(row_index, &row)?;
@@ -67,23 +67,23 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     }
     if tests.is_empty() {
         let first = lines.first().map_or_else(String::new, |(_, cells)| cells.join(", "));
-        return Err(no_header_near(&Place::file(file), &first, &lines));
+        return Err(no_header_near(&source.place(), &first, &lines));
     }
     Ok(tests)
 }
 
 /// The cells of the first sheet that has any, row by row with its number, as text: for short tables.
-pub(crate) fn cells_of_workbook(file: &Path) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
+pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
     /// Rows beyond this are no short table.
     const ROWS: usize = 10_000;
-    let broken = |cause: String| RecordError::Workbook { file: file.into(), cause };
-    check_sizes(file).map_err(broken)?;
-    let mut workbook: Xlsx<_> = open_workbook(file).map_err(|e: calamine::XlsxError| broken(e.to_string()))?;
+    let broken = |cause: String| RecordError::Workbook { file: source.file.clone(), cause };
+    let mut workbook = open(source).map_err(broken)?;
     for sheet in workbook.sheet_names() {
         let Ok(mut cells) = workbook.worksheet_cells_reader(&sheet) else { continue };
         let mut rows: Vec<(usize, Vec<String>)> = Vec::new();
         while let Some(cell) = cells.next_cell().map_err(|e| broken(format!("sheet '{sheet}': {e}")))? {
             let (row, column) = cell.get_position();
+            source.budget.work(CELL).map_err(|e| broken(e.into()))?;
             if column >= COLUMNS || matches!(cell.get_value(), DataRef::Empty) {
                 continue;
             }
@@ -97,48 +97,33 @@ pub(crate) fn cells_of_workbook(file: &Path) -> Result<Vec<(usize, Vec<String>)>
             }
             if let Some((_, cells)) = rows.last_mut() {
                 cells.resize(cells.len().max(column as usize + 1), String::new());
-                cells[column as usize] = Data::from(cell.get_value().clone()).to_string();
+                let cell = copied(cell.get_value(), &source.budget).map_err(|e| broken(e.into()))?;
+                cells[column as usize] = cell.to_string();
             }
         }
         if !rows.is_empty() {
             return Ok(rows);
         }
     }
-    Err(RecordError::NoData { at: Place::file(file) })
+    Err(RecordError::NoData { at: source.place() })
 }
 
-/// Unpacks every part once, into nothing, and refuses what would not fit into memory. Sizes that the archive states are not
-/// believed.
-fn check_sizes(file: &Path) -> Result<(), String> {
-    let open = std::fs::File::open(file).map_err(|e| e.to_string())?;
-    let size = open.metadata().map_err(|e| e.to_string())?.len();
-    let mut archive = zip::ZipArchive::new(std::io::BufReader::new(open)).map_err(|e| e.to_string())?;
-    let largest = LARGEST_PART.max(UNPACKED * size);
-    let mut left = largest;
-    for index in 0..archive.len() {
-        let mut part = archive.by_index(index).map_err(|e| e.to_string())?;
-        let name = part.name().map_err(|e| e.to_string())?.to_ascii_lowercase();
-        let strings = name.ends_with("sharedstrings.xml");
-        if strings {
-            // A count that the text cannot hold would be reserved in memory at once.
-            let mut start = Vec::new();
-            (&mut part).take(4096).read_to_end(&mut start).map_err(|e| e.to_string())?;
-            let start = String::from_utf8_lossy(&start).into_owned();
-            let count = start
-                .split_once("uniqueCount")
-                .and_then(|(_, rest)| rest.split(['"', '\'']).nth(1)?.trim().parse::<u64>().ok());
-            if count.is_some_and(|count| count > LARGEST_STRINGS / 8) {
-                return Err(format!("it announces {} strings, more than it can hold", count.unwrap_or(0)));
-            }
-        }
-        let limit = if strings { left.min(LARGEST_STRINGS.max(size)) } else { left };
-        let unpacked = std::io::copy(&mut part.take(limit + 1), &mut std::io::sink()).map_err(|e| e.to_string())?;
-        if unpacked > limit {
-            return Err(format!("its part {name} unpacks to more than {} MiB", limit >> 20));
-        }
-        left -= unpacked;
-    }
-    Ok(())
+/// Opens a workbook whose parts fit into memory.
+fn open(source: &Source) -> Result<Xlsx<archive::Metered<'_>>, String> {
+    let metered = archive::check(&source.bytes, &source.budget)?;
+    Xlsx::new(metered).map_err(|e: calamine::XlsxError| e.to_string())
+}
+
+/// A cell's value of its own. Its text is charged, for thousands of cells may show one text.
+fn copied(cell: &DataRef<'_>, budget: &Budget) -> Result<Data, Exhausted> {
+    let text = match cell {
+        DataRef::SharedString(text) => text.len(),
+        DataRef::String(text) | DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => text.len(),
+        _ => return Ok(Data::from(cell.clone())),
+    };
+    // A row, its heading and what is said of it each have a copy.
+    budget.hold(3 * text as u64)?;
+    Ok(Data::from(cell.clone()))
 }
 
 /// One sheet while its rows come in.
@@ -149,6 +134,7 @@ struct Sheet<'a> {
     /// The lines that a header was looked for in, and their numbers.
     lines: Vec<(usize, Vec<String>)>,
     beside: Beside,
+    budget: &'a Budget,
     /// Rows looked at for a header, as text: they may say when the test began.
     above: Vec<String>,
     /// What they say of the test.
@@ -159,9 +145,10 @@ struct Sheet<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    fn new(at: Place, name: String, options: &'a Options) -> Self {
+    fn new(at: Place, name: String, options: &'a Options, budget: &'a Budget) -> Self {
         Sheet {
             at,
+            budget,
             name,
             options,
             lines: Vec::new(),
@@ -179,6 +166,7 @@ impl<'a> Sheet<'a> {
         if row.is_empty() {
             return Ok(());
         }
+        self.budget.work(PLACE * row.len() as u64).map_err(|e| e.at(&self.at))?;
         let text = || row.iter().map(ToString::to_string).collect::<Vec<String>>();
         let Some((header_index, header)) = &self.header else {
             if self.above.len() < HEADER_WITHIN {
@@ -214,7 +202,7 @@ impl<'a> Sheet<'a> {
             let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
             let units = self.units.as_deref();
             let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
-            let mut rows = Rows::new(self.at.clone(), self.name.clone(), layout);
+            let mut rows = Rows::new(self.at.clone(), self.name.clone(), layout, self.budget);
             let above = || self.above.iter().map(String::as_str);
             let began = clock::begins(above());
             rows.begins = began.map(|began| began.at);
@@ -277,8 +265,7 @@ impl<'a> Sheet<'a> {
             });
         }
         let test = rows.layout().test.map(|i| row.get(i).map(ToString::to_string).unwrap_or_default());
-        rows.push(line, values.into_iter(), test.as_deref());
-        Ok(())
+        rows.push(line, values.into_iter(), test.as_deref())
     }
 
     /// The tests of the sheet; none where it has no header.
@@ -446,7 +433,7 @@ mod tests {
     fn read_bytes(bytes: &[u8]) -> Result<Vec<Samples>, RecordError> {
         let mut file = tempfile::Builder::new().suffix(".xlsx").tempfile().unwrap();
         file.write_all(bytes).unwrap();
-        read(file.path(), "rig", &Options::default())
+        read(Source::read(file.path())?, "rig", &Options::default())
     }
 
     #[test]

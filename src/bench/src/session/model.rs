@@ -6,6 +6,7 @@ use dashpot_core::{Model, Params};
 use dashpot_estimation::priors::{self, Usual};
 use dashpot_estimation::scale::Scale;
 use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
+use dashpot_records::restrict;
 use dashpot_records::sentence::Sentence;
 use std::path::{Path, PathBuf};
 
@@ -133,7 +134,7 @@ impl Tuned {
     pub fn set(&mut self, row: &Row, entry: usize, value: f64) -> bool {
         let p = row.parameter;
         let mut params = *self.params();
-        let value = value.clamp(p.low, p.high);
+        let value = restrict(value, p.low, p.high);
         let done = match p.shape {
             Shape::List(_) => {
                 let mut list = params.get(row).to_vec();

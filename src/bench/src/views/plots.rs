@@ -8,6 +8,7 @@ use crate::views::lines::{Line as Drawn, Whose, named};
 use crate::views::{View, hue};
 use crate::words::Words;
 use dashpot_core::{element, list, number};
+use dashpot_records::restrict;
 use dashpot_report::plot::axes::{Axis, Marks, Plane, Series};
 use dashpot_report::plot::palette::Role;
 use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, Ui, Vec2, WidgetInfo};
@@ -373,7 +374,7 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
     let between = |values: &[f64], wanted: f64, apart: f64| {
         let low = point.checked_sub(1).map_or(f64::NEG_INFINITY, |k| values[k] + apart);
         let high = values.get(point + 1).map_or(f64::INFINITY, |next| next - apart);
-        if low <= high { wanted.clamp(low, high) } else { values[point] }
+        if low <= high { restrict(wanted, low, high) } else { values[point] }
     };
     let wanted = to[1] - gas_in_tension(model.params());
     let changed = model.set(force.row(), point, between(&forces, wanted, 0.0));

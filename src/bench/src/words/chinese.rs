@@ -68,6 +68,7 @@ pub const WORDS: Words = Words {
     displacement: "位移",
     time: "时间",
     temperature: "温度",
+    current: "电流",
     force_velocity: "力–速度",
     force_displacement: "力–位移",
     force_time: "力–时间",

@@ -68,6 +68,7 @@ pub const WORDS: Words = Words {
     displacement: "Displacement",
     time: "Time",
     temperature: "Temperature",
+    current: "Current",
     force_velocity: "Force over velocity",
     force_displacement: "Force over displacement",
     force_time: "Force over time",

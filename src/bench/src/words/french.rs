@@ -68,6 +68,7 @@ pub const WORDS: Words = Words {
     displacement: "Déplacement",
     time: "Temps",
     temperature: "Température",
+    current: "Courant",
     force_velocity: "Effort selon la vitesse",
     force_displacement: "Effort selon le déplacement",
     force_time: "Effort selon le temps",

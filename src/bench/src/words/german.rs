@@ -68,6 +68,7 @@ pub const WORDS: Words = Words {
     displacement: "Weg",
     time: "Zeit",
     temperature: "Temperatur",
+    current: "Strom",
     force_velocity: "Kraft über Geschwindigkeit",
     force_displacement: "Kraft über Weg",
     force_time: "Kraft über Zeit",

@@ -72,6 +72,7 @@ impl Words {
             Channel::Force => self.force,
             Channel::SideForce => self.side_force,
             Channel::Temperature => self.temperature,
+            Channel::Current => self.current,
         }
     }
 }
@@ -144,6 +145,7 @@ pub struct Words {
     pub displacement: &'static str,
     pub time: &'static str,
     pub temperature: &'static str,
+    pub current: &'static str,
     pub force_velocity: &'static str,
     pub force_displacement: &'static str,
     pub force_time: &'static str,

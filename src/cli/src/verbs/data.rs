@@ -4,7 +4,7 @@ use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::Args;
 use dashpot_identification::model_file::ModelFile;
-use dashpot_records::{Campaign, DateOrder, Note, Options, Positive, RecordError, assignment, load};
+use dashpot_records::{Campaign, Channel, DateOrder, Note, Options, Positive, RecordError, assignment, load};
 use std::path::{Path, PathBuf};
 
 /// How to read records.
@@ -55,9 +55,9 @@ struct SensorArgs {
     /// What the displacement channel shows where displacement is to be zero, m, in the file's direction; taken off
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     displacement_zero: f64,
-    /// Factor on the force, after its zero was taken off
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
-    gain: f64,
+    /// Factor on the force, after its zero was taken off, or on another channel, such as displacement=1.02
+    #[arg(long, value_name = "[CHANNEL=]FACTOR")]
+    gain: Vec<String>,
     /// Mass between load cell and damper that moves with the damper's end (eye, clamp, joint), kg; the force that it takes is taken off
     #[arg(long, value_name = "KG", default_value_t = 0.0, allow_negative_numbers = true)]
     rig_mass: f64,
@@ -66,13 +66,23 @@ struct SensorArgs {
 impl SensorArgs {
     /// Sensors as they are.
     const NONE: SensorArgs =
-        SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: 1.0, rig_mass: 0.0 };
+        SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: Vec::new(), rig_mass: 0.0 };
 
     fn apply(&self, options: &mut Options) -> anyhow::Result<()> {
         options.delay_s = self.delay;
         options.force_zero_n = self.force_zero;
         options.displacement_zero_m = self.displacement_zero;
-        options.gain = self.gain;
+        for text in &self.gain {
+            let (channel, factor) = match text.contains('=') {
+                true => assignment(text).map_err(anyhow::Error::msg).context("--gain")?,
+                false => (Channel::Force, text.as_str()),
+            };
+            let factor: f64 = factor.parse().map_err(|_| anyhow::anyhow!("--gain takes a factor, not {factor:?}"))?;
+            match channel {
+                Channel::Force => options.gain = factor,
+                other => drop(options.gains.insert(other, factor)),
+            }
+        }
         options.rig_mass_kg = self.rig_mass;
         options.check().map_err(anyhow::Error::msg)
     }
@@ -154,19 +164,21 @@ impl DataArgs {
 
     /// Reads and cleans the records.
     pub fn load(&self) -> anyhow::Result<Campaign> {
-        self.load_like(&self.data)
+        let campaign = self.load_like(&self.data)?;
+        tell_sign(&campaign.notes);
+        Ok(campaign)
     }
 
     /// The same, without what the model's own fit found these records to be off by.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
         let mut campaign = self.load()?;
         let note = model.identification.right(&mut campaign.records);
-        note.iter().for_each(|note| eprintln!("note: {}", note.text));
+        note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));
         campaign.notes.extend(note);
         Ok(campaign)
     }
 
-    /// Reads and cleans other records by the same options.
+    /// Reads and cleans records by the same options. How sure their direction is they say once they have agreed on it with others ([`tell_sign`]).
     pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         Ok(self.read(paths, &self.options()?)?)
     }
@@ -177,8 +189,9 @@ impl DataArgs {
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
         // What decides which records count is said before the work, whatever the verb.
-        for note in campaign.notes.iter().filter(|n| is_said_first(n)) {
-            eprintln!("note: {}", note.text);
+        for note in campaign.notes.iter().filter(|n| is_said_first(n) && n.kind != "sign_unsure") {
+            let word = if note.is_loud() { "warning" } else { "note" };
+            dashpot_output::warn(&format!("{word}: {}", note.text));
         }
         Ok(campaign)
     }
@@ -210,8 +223,20 @@ pub fn is_said_first(note: &Note) -> bool {
         "small",
         "zero",
         "torn",
+        "sign_unsure",
+        "settings",
+        "cut_off",
+        "stale",
+        "late_velocity",
     ]
     .contains(&note.kind)
+}
+
+/// Warns where it is not sure which direction the files count positive.
+pub fn tell_sign<'a>(notes: impl IntoIterator<Item = &'a Note>) {
+    for note in notes.into_iter().filter(|note| note.kind == "sign_unsure") {
+        dashpot_output::warn(&format!("warning: {}", note.text));
+    }
 }
 
 /// The name of a file without its folder.

@@ -1,6 +1,6 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
-use super::data::{DataArgs, name_of, named};
+use super::data::{DataArgs, name_of, named, tell_sign};
 use super::{groups, model};
 use crate::page::PageArgs;
 use crate::progress::Progress;
@@ -11,7 +11,7 @@ use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::groups::split;
-use dashpot_records::{Campaign, Record, Sentence, Unusable, hold_out};
+use dashpot_records::{Campaign, Record, Sentence, Unusable, agree_on_sign, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::groups::page;
 use dashpot_report::numbers::{digits, share, with_interval, with_unit};
@@ -203,18 +203,23 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if let Some(by) = &args.group {
         return of_groups(args, &model, by);
     }
-    let mut campaign = args.data.load()?;
+    let mut campaign = args.data.load_like(&args.data.data)?;
+    if args.reference.is_empty() {
+        tell_sign(&campaign.notes);
+    }
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
     let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&campaign.files).cloned().collect();
     let mut reference = Vec::new();
     if !args.reference.is_empty() {
-        let good = args.data.load_like(&args.reference)?;
+        let mut good = args.data.load_like(&args.reference)?;
+        agree_on_sign(&mut [&mut campaign, &mut good]);
+        tell_sign(campaign.notes.iter().chain(&good.notes));
         campaign.also_without(good.unusable);
         files.extend(good.files);
         reference = good.records;
     }
     let note = model.identification.right(campaign.records.iter_mut().chain(&mut reference));
-    note.iter().for_each(|note| eprintln!("note: {}", note.text));
+    note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));
     campaign.notes.extend(note);
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
     let diagnosed = examine(&model, &campaign, left, &options)?;
@@ -231,7 +236,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         dashpot_output::json(path, &diagnosed.json())?;
     }
     if let Some(path) = &args.next_tests {
-        say(&written_next_tests(path, &diagnosed.found)?)?;
+        say(&written_next_tests(path, &diagnosed.found, &campaign)?)?;
     }
     if args.report.is_none() && args.excel.is_none() && args.svg.is_none() {
         return Ok(());
@@ -255,34 +260,41 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 }
 
 /// Writes the tests that would tell more as a matrix; the answer says what was written.
-fn written_next_tests(path: &Path, found: &Diagnosis) -> anyhow::Result<String> {
+fn written_next_tests(path: &Path, found: &Diagnosis, campaign: &Campaign) -> anyhow::Result<String> {
     let Some((matrix, without)) = found.next_matrix() else {
         return Ok(format!(
             "next tests: there is none that a rig could be driven by, so {} was not written",
             path.display()
         ));
     };
+    let matrix = campaign.frame.matrix(&matrix);
     dashpot_output::write(path, &matrix)?;
     let besides = if without == 0 {
         String::new()
     } else {
         format!("; {without} more are no sine and stand in the report alone")
     };
-    Ok(format!("next tests: {} rows in {}{besides}", matrix.lines().count() - 1, path.display()))
+    Ok(format!(
+        "next tests: {} rows in {}, as the files count ({} positive) and within what they reach{besides}",
+        matrix.lines().count() - 1,
+        path.display(),
+        campaign.sign.positive.name()
+    ))
 }
 
 /// Diagnoses every group against the reference.
 fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     let data = &args.data;
     let options = data.options()?;
-    let split = split(&data.data, by, &|paths| data.read(paths, &options))?;
-    let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&split.files).cloned().collect();
     let mut good = None;
     if !args.reference.is_empty() {
-        let campaign = data.load_like(&args.reference)?;
-        files.extend(campaign.files.clone());
-        good = Some(Good { name: named(&args.reference), campaign });
+        good = Some(Good { name: named(&args.reference), campaign: data.load_like(&args.reference)? });
     }
+    let reference = good.as_mut().map(|good| &mut good.campaign);
+    let split = split(&data.data, by, &|paths| data.read(paths, &options), reference)?;
+    tell_sign(split.notes.iter().chain(good.iter().flat_map(|good| &good.campaign.notes)));
+    let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&split.files).cloned().collect();
+    files.extend(good.iter().flat_map(|good| good.campaign.files.clone()));
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), ..Options::default() };
     let progress = Progress::new("diagnosing");
     let told = |done: f64, text: &str| progress.say(done, text);

@@ -7,6 +7,6 @@ use std::path::Path;
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = model_file::read(path)?;
     // Beside the result, which may go to standard output.
-    file.idle().iter().for_each(|note| eprintln!("note: {}: {note}", path.display()));
+    file.idle().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
     Ok(file)
 }

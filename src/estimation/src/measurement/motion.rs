@@ -2,6 +2,7 @@
 
 use crate::segment::Segment;
 use dashpot_core::Input;
+use dashpot_records::restrict;
 
 /// The motion at which the damper was when it made a force that is read so late: that of τ before.
 ///
@@ -62,7 +63,7 @@ fn between(before: &Input, after: &Input, h: f64, ahead: f64) -> (Option<f64>, f
         return (None, before.velocity + share * (after.velocity - before.velocity));
     };
     let (v0, v1) = (before.velocity, after.velocity);
-    let inside = ahead.clamp(0.0, h);
+    let inside = restrict(ahead, 0.0, h);
     let (s, rise) = (inside / h, (x1 - x0) / h);
     let (bend, twist) = (3.0 * rise - 2.0 * v0 - v1, v0 + v1 - 2.0 * rise);
     let velocity = v0 + s * (2.0 * bend + 3.0 * twist * s);

@@ -4,6 +4,7 @@ use super::noise::{Repeat, independence, mean_variance, repeat};
 use super::{Test, allowed, lead_in, segment};
 use dashpot_core::Input;
 use dashpot_records::Record;
+use dashpot_records::restrict;
 use dashpot_records::smoothing::Motion;
 use std::ops::Range;
 
@@ -23,11 +24,11 @@ fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
 /// A channel at a time: on a cubic through the four samples around it, so that a coarsely sampled flank keeps its shape.
 fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
     let n = time.len();
-    let right = time.partition_point(|x| *x <= t).clamp(1, n - 1);
+    let right = restrict(time.partition_point(|x| *x <= t), 1, n - 1);
     let first = right.saturating_sub(2).min(n.saturating_sub(4));
     let around = first..(first + 4).min(n);
     // Lagrange's form; beyond the ends it holds the last value.
-    let t = t.clamp(time[0], time[n - 1]);
+    let t = restrict(t, time[0], time[n - 1]);
     around
         .clone()
         .map(|i| {

@@ -18,6 +18,7 @@ pub use whole::segments;
 use crate::segment::Segment;
 use dashpot_core::Input;
 use dashpot_records::Record;
+use dashpot_records::restrict;
 use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
 
@@ -90,7 +91,7 @@ fn of_record(place: usize, record: &Record, most: usize) -> Vec<Test> {
     }
     let end = |k: usize| record.cycles[k].end.min(record.time.len() - 1);
     let duration = record.time[end(cycles - 1)] - record.time[record.cycles[0].start];
-    let stretches = if duration >= LONG { (cycles / STRETCH_CYCLES).clamp(1, most) } else { 1 };
+    let stretches = if duration >= LONG { restrict(cycles / STRETCH_CYCLES, 1, most) } else { 1 };
     (0..stretches)
         .map(|k| {
             let range = k * cycles / stretches..(k + 1) * cycles / stretches;

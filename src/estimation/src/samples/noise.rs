@@ -1,5 +1,7 @@
 //! Noise of what is compared: from how cycles differ, whatever its colour, or from the record's own estimate.
 
+use dashpot_records::restrict;
+
 /// Fewest cycles whose differences tell the noise of their mean.
 const REPEATS: usize = 3;
 /// Share of the largest deviations that steep places make, not noise, and the variance that normal noise keeps when those
@@ -28,7 +30,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
     let mut sizes: Vec<f64> = deviations.iter().flatten().map(|d| d.abs()).collect();
     sizes.sort_by(f64::total_cmp);
     let limit = sizes[((1.0 - STEEP) * (sizes.len() - 1) as f64) as usize];
-    let near = |d: f64| d.clamp(-limit, limit);
+    let near = |d: f64| restrict(d, -limit, limit);
     let product = |lag: usize| {
         let of = |d: &Vec<f64>| (lag..count).map(|k| near(d[k]) * near(d[k - lag])).sum::<f64>();
         deviations.iter().map(of).sum::<f64>() / ((count - lag) * deviations.len()) as f64

@@ -6,6 +6,7 @@
 
 use crate::hypothesis::{Hypothesis, Residual};
 use crate::refit::{Refit, chi2, prior_cost};
+use dashpot_records::restrict;
 use std::ops::Range;
 
 /// Steps, in units of a number's typical one.
@@ -31,7 +32,7 @@ pub fn settle(
                 let number = &hypothesis.numbers[place];
                 for sign in [1.0, -1.0] {
                     let mut tried = theta.clone();
-                    tried[place] = (tried[place] + sign * step * number.step).clamp(number.bounds.0, number.bounds.1);
+                    tried[place] = restrict(tried[place] + sign * step * number.step, number.bounds.0, number.bounds.1);
                     runs += 1;
                     let there = cost(&tried);
                     if there < best {

@@ -8,6 +8,7 @@ use crate::hypothesis::{Free, Hypothesis, Number, number};
 use crate::scale::Scale;
 use crate::spring_end::straighten;
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
+use dashpot_records::restrict;
 
 /// The explanation at `theta` with a candidate added at one of its starts.
 pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
@@ -101,9 +102,9 @@ fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
         let (low, high) = number.bounds;
         match &number.free {
             Free::Model(Unknown::Log(n)) if *n == which => {
-                number.start = (number.start + libm::log(factor)).clamp(low, high)
+                number.start = restrict(number.start + libm::log(factor), low, high)
             }
-            Free::Model(Unknown::Linear(n)) if *n == which => number.start = (number.start * factor).clamp(low, high),
+            Free::Model(Unknown::Linear(n)) if *n == which => number.start = restrict(number.start * factor, low, high),
             _ => {}
         }
     }
@@ -133,7 +134,7 @@ fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
         if let Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) = &number.free
             && let (Some(own), Some(inner)) = (forces.get(*point), forces.get(towards_zero(*point, zero)))
         {
-            number.start = (own - inner).abs().clamp(number.bounds.0, number.bounds.1);
+            number.start = restrict((own - inner).abs(), number.bounds.0, number.bounds.1);
         }
     }
 }
@@ -164,7 +165,8 @@ fn unbend(to: &mut Hypothesis, drawn: &DrawnOn) {
         force += rise;
         match slope {
             Some(slope) if force > drawn.from => {
-                number.start = rise.max(drawn.steepness * slope * span).clamp(number.bounds.0, number.bounds.1);
+                let steep = rise.max(drawn.steepness * slope * span);
+                number.start = restrict(steep, number.bounds.0, number.bounds.1);
                 force += number.start - rise;
             }
             _ => slope = Some(rise / span),

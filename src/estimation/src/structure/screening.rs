@@ -12,6 +12,7 @@ use crate::hypothesis::{Free, Hypothesis, Residual};
 use crate::refit::{Refit, weights};
 use crate::samples::Test;
 use crate::unknowns::Unknown;
+use dashpot_records::restrict;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
@@ -133,7 +134,7 @@ pub fn screen(
                 let is_log = matches!(&extended.numbers[first].free, Free::Model(Unknown::Log(_)));
                 if !is_log {
                     let wanted = theta[first] * strength.clamp(-4.0, 4.0);
-                    let value = wanted.clamp(low, high);
+                    let value = restrict(wanted, low, high);
                     used = value / theta[first];
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
@@ -144,7 +145,7 @@ pub fn screen(
             }
             for (i, d) in (&answer - taken_up * used).iter().enumerate() {
                 let (low, high) = extended.numbers[i].bounds;
-                theta[i] = (theta[i] + d).clamp(low, high);
+                theta[i] = restrict(theta[i] + d, low, high);
             }
             Some(Screened { candidate: *place, hypothesis: extended, start: theta, gain, visible, moved })
         })

@@ -10,6 +10,7 @@ use crate::hypothesis::{Free, Hypothesis};
 use crate::refit::{Effort, Refit, refit};
 use crate::samples::Test;
 use crate::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_records::restrict;
 
 /// Mean excess per independent sample, in σ², below which no other start is worth its time.
 const QUIET: f64 = 0.1;
@@ -98,7 +99,7 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
     if let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) {
         let k = most(tests, |t| t.segment.top) / (STRAIGHT * most(tests, |t| t.segment.amplitude)).max(1e-9);
         let (low, high) = hypothesis.numbers[stiffness].bounds;
-        start[stiffness] = libm::log(k).clamp(low, high);
+        start[stiffness] = restrict(libm::log(k), low, high);
     }
     set_damping(hypothesis, &mut start);
     let (velocity, force) = (model.list(list!("fv_velocity")).to_vec(), model.list(list!("fv_force")).to_vec());

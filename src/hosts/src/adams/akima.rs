@@ -61,7 +61,7 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
 
 /// The point from which on a velocity lies, the last but one at most.
 fn piece(v: &[f64], at: f64) -> usize {
-    v.partition_point(|v| *v <= at).clamp(1, v.len() - 1) - 1
+    v.partition_point(|v| *v <= at).min(v.len() - 1).max(1) - 1
 }
 
 /// A table read in one way.
@@ -154,9 +154,9 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
         if !(low < high) {
             break;
         }
-        let velocity = at.asks.clamp(low, high);
+        let velocity = at.asks.max(low).min(high);
         // A model's curve never falls; rounding must not make it.
-        let force = target(velocity).clamp(curve.forces[i - 1], curve.forces[i].max(curve.forces[i - 1]));
+        let force = target(velocity).min(curve.forces[i]).max(curve.forces[i - 1]);
         curve.velocities.insert(i, velocity);
         curve.forces.insert(i, force);
     }

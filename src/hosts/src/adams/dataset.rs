@@ -233,7 +233,7 @@ impl Statement {
 impl Spline {
     /// The value of list `list` at `x`, straight between the points.
     pub fn at(&self, list: usize, x: f64) -> f64 {
-        let i = self.x.partition_point(|p| *p <= x).clamp(1, self.x.len() - 1);
+        let i = self.x.partition_point(|p| *p <= x).min(self.x.len() - 1).max(1);
         let (a, b, y) = (self.x[i - 1], self.x[i], &self.y[list]);
         let share = ((x - a) / (b - a)).clamp(0.0, 1.0);
         y[i - 1] + (y[i] - y[i - 1]) * share

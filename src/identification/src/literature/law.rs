@@ -2,6 +2,7 @@
 
 use super::observation::{Motion, Observation, Scales};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve_from};
+use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
@@ -48,9 +49,9 @@ impl Number {
 
     fn inner(self, value: f64) -> f64 {
         match self {
-            Number::Log { low, high } => libm::log(value.clamp(low, high)),
+            Number::Log { low, high } => libm::log(restrict(value, low, high)),
             Number::Linear { typical, low, high } | Number::Plain { typical, low, high } => {
-                value.clamp(low, high) / typical
+                restrict(value, low, high) / typical
             }
         }
     }
@@ -174,7 +175,7 @@ fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
     if let Some(solved) = square.cholesky().map(|c| c.solve(&right)) {
         for (c, i) in linear.iter().enumerate() {
             let (low, high) = problem.numbers[*i].bounds();
-            inner[*i] = solved[c].clamp(low, high);
+            inner[*i] = restrict(solved[c], low, high);
         }
     }
     inner

@@ -28,6 +28,7 @@ class Reading(TypedDict, total=False):
     force_zero_n: float
     displacement_zero_m: float
     gain: float
+    gains: Mapping[str, float] | None
     rig_mass_kg: float
     sample_rate_hz: float | None
     dates: str | None
@@ -83,6 +84,7 @@ def how(**given: Unpack[Reading]) -> How:
         "exclude": words(given.get("exclude", ())),
         "subfolders": bool(given.get("subfolders", False)),
         **{name: float(value) for name, value in numbers.items()},
+        "gains": {k: float(v) for k, v in (given.get("gains") or {}).items()},
         "columns": {k: str(v) for k, v in (given.get("columns") or {}).items()},
         "units": dict(given.get("units") or {}),
     }
@@ -103,7 +105,7 @@ def _options(mapping: Mapping[str, Any], strict: bool) -> Iterator[str]:
     for name in ("flip", "ignore", "exclude"):
         for value in mapping[name]:
             yield from (f"--{name}", value)
-    for option, name in (("--unit", "units"), ("--column", "columns")):
+    for option, name in (("--unit", "units"), ("--column", "columns"), ("--gain", "gains")):
         for channel, value in mapping[name].items():
             yield from (option, f"{channel}={value}")
     for name, (option, usual) in _NUMBERS.items():

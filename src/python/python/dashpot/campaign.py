@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Union, overload
@@ -13,7 +14,7 @@ from ._arguments import loads
 from ._reading import How, how
 from ._result import Result, Row, folded, frame, held, table
 from ._work import watched
-from .reading import Delay, Noise, Note, SignFinding, Unusable
+from .reading import Delay, Noise, Note, Setting, SignFinding, Unusable
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
     import pandas
 
     Channel = npt.NDArray[np.float64]
+
+#: Kinds of notes that are warnings: a result may be wrong where nobody acts on them.
+_LOUD = ("sign_unsure", "settings", "cut_off")
 
 #: A path as Python knows them.
 Path = Union[str, "os.PathLike[str]"]
@@ -43,6 +47,8 @@ class Record(Result):
     notes: tuple[Note, ...]
     #: Date and time of the record's time zero, s since 1970 by the rig's own clock, where its file bears it.
     begins: float | None = None
+    #: What the damper was set to, where a channel or the name of the test says it.
+    setting: Setting | None = field(default=None, metadata={"omitted": True})
     #: The campaign's clock at the record's time zero, s; 0 where every record has a clock of its own.
     clock_s: float = 0.0
     _native: _native.Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
@@ -157,6 +163,7 @@ class Campaign(Sequence[Record]):
         force_zero_n: float = 0.0,
         displacement_zero_m: float = 0.0,
         gain: float = 1.0,
+        gains: Mapping[str, float] | None = None,
         rig_mass_kg: float = 0.0,
         sample_rate_hz: float | None = None,
         dates: str | None = None,
@@ -166,7 +173,8 @@ class Campaign(Sequence[Record]):
     ) -> Campaign:
         """Reads record files (text, XLSX, MAT, MDF, TDMS, RPC III), or folders of them, as one campaign.
 
-        What a ``campaign.toml`` beside the records says is obeyed where nothing is given here; the names are the same.
+        What a ``campaign.toml`` beside the records says is obeyed where nothing is given here; the names are the same. A warning says what
+        may make a result wrong: a direction that is hardly known, tests of several settings, a file that broke off.
 
         :param path: a file or folder, or several.
         :param positive: direction that the files count positive, ``"rebound"`` or ``"compression"``; worked out if not given.
@@ -181,6 +189,7 @@ class Campaign(Sequence[Record]):
         :param force_zero_n: what the force channel shows without force, N, in the file's direction; taken off.
         :param displacement_zero_m: what the displacement channel shows at zero, m, in the file's direction; taken off.
         :param gain: factor on the force, after its zero was taken off.
+        :param gains: factors on other channels: ``{"displacement": 1.02}``.
         :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg; its force is taken off.
         :param sample_rate_hz: samples per second of files that have no column of time.
         :param dates: which of day and month comes first in dates such as 3/11/2026, ``"day-first"`` or ``"month-first"``; worked
@@ -195,12 +204,15 @@ class Campaign(Sequence[Record]):
         named = paths_of("path", path)
         read_by = how(
             positive=positive, flip=flip, columns=columns, units=units, ignore=ignore, exclude=exclude, subfolders=subfolders,
-            delay_s=delay_s, force_zero_n=force_zero_n, displacement_zero_m=displacement_zero_m, gain=gain, rig_mass_kg=rig_mass_kg,
-            sample_rate_hz=sample_rate_hz, dates=dates, initial_position_m=initial_position_m, strict=strict,
+            delay_s=delay_s, force_zero_n=force_zero_n, displacement_zero_m=displacement_zero_m, gain=gain, gains=gains,
+            rig_mass_kg=rig_mass_kg, sample_rate_hz=sample_rate_hz, dates=dates, initial_position_m=initial_position_m, strict=strict,
         )  # fmt: skip
         with watched(progress) as told:
             campaign = cls(_native.Campaign.read(named, read_by.mapping, read_by.strict, told), named)
         campaign._reading = read_by
+        for note in campaign.notes:
+            if note.kind in _LOUD:
+                warnings.warn(note.text, stacklevel=2)
         return campaign
 
     def __len__(self) -> int:

@@ -46,6 +46,15 @@ class Noise(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class Setting(Result):
+    """What an adjustable damper was set to: the current of its valve, or the clicks of its adjuster."""
+
+    name: str
+    unit: str
+    value: float
+
+
+@dataclass(frozen=True, repr=False)
 class Unusable(Result):
     """A file or test that was left out."""
 

@@ -4,8 +4,20 @@ use super::super::earlier::Earlier;
 use super::super::options::Options;
 use super::super::phrases;
 use super::super::record::Note;
+use super::super::samples::Samples;
 use super::super::sentence::Sentence;
 use super::{Motion, cycles};
+
+/// Applies factors of channels other than the force, before displacement and velocity are compared with each other. A displacement without a
+/// velocity brings its factor into the velocity that is derived of it.
+pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
+    for (channel, gain) in options.gains.iter().filter(|(_, gain)| **gain != 1.0) {
+        let Some(values) = samples.channel_mut(*channel) else { continue };
+        values.iter_mut().for_each(|value| *value *= gain);
+        let text = Sentence::from(phrases::GAIN_OF).with_word("channel", channel.name()).with("gain", gain);
+        samples.note("corrected", text);
+    }
+}
 
 /// Applies the corrections of the options, in the file's own directions, with a note for each.
 ///
@@ -68,9 +80,25 @@ pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<u
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::channel::Channel;
     use super::super::super::fixtures::SineTest;
     use super::super::{finish, repair};
     use super::*;
+
+    #[test]
+    fn every_channel_takes_a_factor() {
+        let mut short = SineTest::default().samples();
+        let sound = repair(short.clone(), &Options::default()).unwrap();
+        short.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x /= 1.25);
+        short.velocity = None;
+        let mut options = Options::default();
+        options.gains.insert(Channel::Displacement, 1.25);
+        let found = repair(short, &options).unwrap();
+        let peak = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        assert!((peak(&found.velocity) / peak(&sound.velocity) - 1.0).abs() < 0.01);
+        assert!((peak(&found.displacement) / peak(&sound.displacement) - 1.0).abs() < 1e-9);
+        assert!(found.notes.iter().any(|n| n.text.to_string().contains("displacement multiplied by 1.25")));
+    }
 
     #[test]
     fn a_late_force_finds_its_motion_again() {

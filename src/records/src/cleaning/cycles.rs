@@ -10,6 +10,7 @@ use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
 use super::super::numbers::{median, quantile, range, sample_time};
 use super::drift::time_mean;
+use crate::numbers::restrict;
 
 /// Allowed deviation of stroke and period from their medians: what the bulk scatters, but at least and at most this.
 const TOLERANCE: (f64, f64) = (0.03, 0.15);
@@ -190,7 +191,7 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
 fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
     let scatter = 1.4826 * median(&mut cycles.iter().map(|c| (of(c) - centre).abs()).collect::<Vec<_>>());
-    (centre, (4.0 * scatter / centre).clamp(least, TOLERANCE.1))
+    (centre, restrict(4.0 * scatter / centre, least, TOLERANCE.1))
 }
 
 /// Everything between two upward crossings, alike or not.
@@ -321,7 +322,7 @@ fn shape(time: &[f64], x: &[f64], cycle: &Cycle) -> [f64; PHASES] {
     let mut shape = [0.0; PHASES];
     for (k, value) in shape.iter_mut().enumerate() {
         let at = cycle.start_time + cycle.period() * (k as f64 + 0.5) / PHASES as f64;
-        let after = time.partition_point(|&t| t <= at).clamp(1, time.len() - 1);
+        let after = restrict(time.partition_point(|&t| t <= at), 1, time.len() - 1);
         let weight = (at - time[after - 1]) / (time[after] - time[after - 1]);
         *value = x[after - 1] + weight * (x[after] - x[after - 1]);
     }

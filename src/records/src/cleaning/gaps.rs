@@ -1,11 +1,14 @@
 //! Gaps in time: a logger that paused, a buffer that was lost. What lies on both sides are tests of their own.
 
-use super::super::numbers::median;
+use super::super::cycle::Cycle;
+use super::super::numbers::{median, range};
 use super::super::phrases;
 use super::super::record::Note;
 use super::super::samples::Samples;
 use super::super::sentence::Sentence;
 use super::FEWEST;
+use super::cycles::{self, turning_points};
+use std::ops::Range;
 
 /// How many times longer than the steps around it a step is that counts as a gap. Loggers that change their rate do so for
 /// many samples; lost telegrams cost a few.
@@ -34,7 +37,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let more = (more > 0).then(|| Sentence::from(phrases::MORE_GAPS).with("count", more));
     let bounds: Vec<usize> = std::iter::once(0).chain(gaps).chain([samples.len()]).collect();
     let pieces: Vec<std::ops::Range<usize>> = bounds.windows(2).map(|w| w[0]..w[1]).collect();
-    let kept: Vec<&std::ops::Range<usize>> = pieces.iter().filter(|p| p.len() >= FEWEST).collect();
+    let mut kept: Vec<&std::ops::Range<usize>> = pieces.iter().filter(|p| p.len() >= FEWEST).collect();
+    let stumps = leave_out_stumps(&samples, &mut kept);
     let dropped: usize = pieces.iter().filter(|p| p.len() < FEWEST).map(std::iter::ExactSizeIterator::len).sum();
     let rest = (dropped > 0).then(|| Sentence::from(phrases::TOO_FEW_BETWEEN).with("count", dropped));
     let text = Sentence::from(phrases::GAPS)
@@ -43,6 +47,9 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         .with("count", kept.len())
         .with_any("rest", rest);
     samples.notes.insert(0, Note { kind: "gap", text });
+    if let Some(text) = stumps {
+        samples.notes.insert(1, Note { kind: "gap", text });
+    }
     if kept.len() < 2 {
         if let [only] = kept[..] {
             samples.select(&only.clone().collect::<Vec<_>>());
@@ -52,14 +59,47 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     kept.iter()
         .enumerate()
         .map(|(k, range)| {
-            let mut piece = samples.clone();
-            piece.select(&(*range).clone().collect::<Vec<_>>());
+            let mut piece = samples.piece((*range).clone());
             piece.name = format!("{} part {}", samples.name, k + 1);
             let part = format!("part {} of {}", k + 1, kept.len());
             piece.at.part = Some(samples.at.part.as_ref().map_or(part.clone(), |p| format!("{p}, {part}")));
             piece
         })
         .collect()
+}
+
+/// Takes out pieces without a whole cycle beside pieces that have some, and says so: on its own such a stump would be a motion whose ends
+/// are where the gap is. A longer piece is a motion of another kind.
+fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<Sentence> {
+    /// By how much a stump may go beyond the strokes of the cycles, and the turns that it has at most: a motion of another kind has more.
+    const BEYOND: f64 = 1.1;
+    const TURNS: usize = 5;
+    let x = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite()))?;
+    let stroke = |span: &Range<usize>| {
+        let cycles = cycles::find(&samples.time[span.clone()], &x[span.clone()]);
+        cycles.iter().map(Cycle::stroke).reduce(f64::max)
+    };
+    let strokes: Vec<Option<f64>> = kept.iter().map(|span| stroke(span)).collect();
+    let largest = strokes.iter().flatten().copied().fold(0.0, f64::max);
+    let is_stump = |span: &Range<usize>| {
+        let x = &x[span.clone()];
+        range(x) <= BEYOND * largest && turning_points(x, 0.3 * largest).len() <= TURNS
+    };
+    let without = kept.iter().zip(&strokes).filter(|(span, stroke)| stroke.is_none() && is_stump(span));
+    let stumps: Vec<Range<usize>> = without.map(|(span, _)| (*span).clone()).collect();
+    kept.retain(|span| !stumps.contains(span));
+    let place = |span: &Range<usize>| {
+        Sentence::from(phrases::FROM_TO)
+            .with("from", format!("{:.4}", samples.time[span.start]))
+            .with("to", format!("{:.4}", samples.time[span.end - 1]))
+    };
+    (!stumps.is_empty()).then(|| {
+        Sentence::from(phrases::STUMPS).with("count", stumps.len()).with_list(
+            "places",
+            stumps.iter().take(5).map(place).collect(),
+            phrases::COMMA,
+        )
+    })
 }
 
 /// Indices of the samples that follow a gap.
@@ -130,5 +170,25 @@ mod tests {
         assert_eq!(pieces.len(), 1);
         assert_eq!(pieces[0].len(), n - 5);
         assert!(pieces[0].notes[0].text.to_string().contains("too few"));
+    }
+
+    #[test]
+    fn a_stump_without_a_whole_cycle_is_left_out() {
+        let sine = SineTest { frequency: 4.0, ..SineTest::default() };
+        let mut samples = sine.samples();
+        // From a third of the first cycle on something is missing.
+        let at = ((sine.steady_from() + 0.3) * 200.0) as usize;
+        let (from, to) = (at.min(samples.len() / 4), samples.len());
+        let step = samples.time[1] - samples.time[0];
+        samples.time[from..to].iter_mut().for_each(|t| *t += 40.0 * step);
+        let pieces = split(samples.clone());
+        assert_eq!(pieces.len(), 1, "{:?}", pieces.iter().map(Samples::len).collect::<Vec<_>>());
+        assert_eq!(pieces[0].len(), to - from);
+        assert!(pieces[0].notes[1].text.to_string().contains("no whole cycle"), "{}", pieces[0].notes[1].text);
+        // A test that goes on behind the gap is two.
+        let mut halves = sine.samples();
+        let middle = halves.len() / 2;
+        halves.time[middle..].iter_mut().for_each(|t| *t += 40.0 * step);
+        assert_eq!(split(halves).len(), 2);
     }
 }

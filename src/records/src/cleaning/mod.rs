@@ -13,21 +13,24 @@ mod order;
 mod outliers;
 mod rests;
 mod settings;
+mod stairs;
 mod still;
 mod trim;
 
+use super::channel::Channel;
 use super::consistency;
 use super::cycle::Cycle;
 use super::derive;
 use super::error::RecordError;
 use super::noise;
-use super::numbers::range;
+use super::numbers::{range, sample_time};
 use super::off::Off;
 use super::options::Options;
 use super::phrases;
 use super::record::Record;
 use super::samples::Samples;
 use super::sentence::Sentence;
+use super::setting_value::Setting;
 use super::swapped;
 use super::taken_out::take_mass;
 use super::whole_motion::{Motion, steady};
@@ -56,9 +59,15 @@ pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Sa
     enough(&samples)?;
     swapped::refuse(&samples, options)?;
     missing::drop_rows(&mut samples)?;
+    order::drop_stale(&mut samples);
     duplicates::remove(&mut samples);
     order::restore(&mut samples)?;
-    Ok(gaps::split(samples).into_iter().flat_map(rests::split).flat_map(settings::split).collect())
+    Ok(gaps::split(samples)
+        .into_iter()
+        .flat_map(rests::split)
+        .flat_map(stairs::split)
+        .flat_map(settings::split)
+        .collect())
 }
 
 /// First half, before the sign is known, of a test without gaps and rests between tests.
@@ -78,7 +87,9 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     still::refuse_constant_force(&samples)?;
     let without_force = clipped::deal(&mut samples, reach)?;
     outliers::replace(&mut samples);
+    corrections::calibrate(&mut samples, options);
     let (displacement, velocity, cycles) = complete(&mut samples, options)?;
+    let setting = set_to(&mut samples);
     let mut motion = Motion {
         at: samples.at,
         name: samples.name,
@@ -90,6 +101,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         force: samples.force,
         side_force: samples.side_force,
         temperature: samples.temperature,
+        setting,
         cycles,
         given: Off::NONE,
         notes: samples.notes,
@@ -116,6 +128,17 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     Ok(motion)
 }
 
+/// What the damper was set to, by the channel of its current.
+fn set_to(samples: &mut Samples) -> Option<Setting> {
+    let current = samples.current.take()?;
+    Setting::of_current(&current).unwrap_or_else(|(low, high)| {
+        let text =
+            Sentence::from(phrases::CURRENT_VARIES).with("low", format!("{low:.2}")).with("high", format!("{high:.2}"));
+        samples.note("settings", text);
+        None
+    })
+}
+
 fn enough(samples: &Samples) -> Result<(), RecordError> {
     if samples.len() < FEWEST {
         return Err(RecordError::TooFew { at: samples.at.clone(), samples: samples.len(), needed: FEWEST });
@@ -135,6 +158,20 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
             let agreement =
                 consistency::compare(&samples.time[span.clone()], &displacement[span.clone()], &velocity[span]);
             if let Some(agreement) = agreement {
+                let period = cycles
+                    .first()
+                    .zip(cycles.last())
+                    .map(|(first, last)| (last.end_time - first.start_time) / cycles.len() as f64);
+                if consistency::is_late(&agreement, sample_time(&samples.time), period) {
+                    samples.note(
+                        "late_velocity",
+                        Sentence::from(phrases::VELOCITY_LATE)
+                            .with("column", samples.heading(Channel::Velocity))
+                            .with("lag", format!("{:.2}", 1e3 * agreement.lag.abs()))
+                            .with_said("side", if agreement.lag > 0.0 { phrases::BEHIND } else { phrases::AHEAD }),
+                    );
+                    return Ok(differentiated(samples, displacement));
+                }
                 if let Some(cause) = consistency::contradiction(&agreement) {
                     return Err(RecordError::Contradiction { at: samples.at.clone(), cause });
                 }
@@ -148,29 +185,32 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
             }
             Ok((displacement, velocity, cycles))
         }
-        (Some(displacement), None) => {
-            let cycles = cycles::find(&samples.time, &displacement);
-            let window = match cycles.len() {
-                0 => WINDOW_NO_CYCLE,
-                n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
-            };
-            let (velocity, filter) = derive::differentiate(&samples.time, &displacement, window);
-            let shorter = (filter.shorter > BY_CHANCE)
-                .then(|| Sentence::from(phrases::SHORTER).with("percent", format!("{:.0}", 100.0 * filter.shorter)));
-            samples.note(
-                "derived",
-                Sentence::from(phrases::DIFFERENTIATED)
-                    .with("points", filter.points)
-                    .with("window", format!("{:.4}", filter.window))
-                    .with("frequency", format!("{:.1}", filter.bandwidth))
-                    .with_any("shorter", shorter),
-            );
-            Ok((displacement, velocity, cycles))
-        }
+        (Some(displacement), None) => Ok(differentiated(samples, displacement)),
         (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
         // The layout admits no table without motion, and cleaning gives up at most one of two channels.
         (None, None) => Err(RecordError::NoData { at: samples.at.clone() }),
     }
+}
+
+/// Velocity from displacement.
+fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMotion {
+    let cycles = cycles::find(&samples.time, &displacement);
+    let window = match cycles.len() {
+        0 => WINDOW_NO_CYCLE,
+        n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
+    };
+    let (velocity, filter) = derive::differentiate(&samples.time, &displacement, window);
+    let shorter = (filter.shorter > BY_CHANCE)
+        .then(|| Sentence::from(phrases::SHORTER).with("percent", format!("{:.0}", 100.0 * filter.shorter)));
+    samples.note(
+        "derived",
+        Sentence::from(phrases::DIFFERENTIATED)
+            .with("points", filter.points)
+            .with("window", format!("{:.4}", filter.window))
+            .with("frequency", format!("{:.1}", filter.bandwidth))
+            .with_any("shorter", shorter),
+    );
+    (displacement, velocity, cycles)
 }
 
 /// Displacement from velocity. A velocity offset would drift away with it; it is the mean over whole cycles, since the
@@ -205,10 +245,21 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
     (displacement, velocity, cycles)
 }
 
+/// Sample ranges of the whole cycles of a motion.
+pub(crate) fn cycles_of(time: &[f64], displacement: &[f64]) -> Vec<std::ops::Range<usize>> {
+    cycles::find(time, displacement).iter().map(|c| c.start..c.end).collect()
+}
+
 /// Second half, rebound positive: rest and ramps cut off, whole cycles found, figures of the test taken.
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    let untrimmed = motion.time.len() >= FEWEST;
+    let whole = motion.clone();
     trim::trim(&mut motion);
+    // A slow logger has few samples of a short test: then what lies around its whole cycles counts too.
+    if motion.time.len() < FEWEST && untrimmed {
+        motion = whole;
+    }
     let Motion {
         at,
         name,
@@ -220,6 +271,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         force,
         side_force,
         temperature,
+        setting,
         cycles,
         given,
         mut notes,
@@ -249,6 +301,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         time,
         begins,
         about,
+        setting,
         clock_s: 0.0,
         displacement,
         velocity,
@@ -407,6 +460,7 @@ mod tests {
                 velocity: (motion != 1).then(|| rows.iter().map(|r| f64::from(r.1)).collect()),
                 side_force: None,
                 temperature: None,
+                current: None,
                 notes: Vec::new(),
             };
             let options = Options::default();

@@ -9,6 +9,36 @@ use super::super::sentence::Sentence;
 /// How far, in samples, a row may be out of its place to be put back; further is another block of data.
 const REACH: usize = 10;
 
+/// Most rows of an earlier run that a logger's buffer may still hold, as a share of all: more may be a test of its own.
+const STALE: f64 = 0.1;
+
+/// Takes out rows at the beginning that belong to an earlier run: a logger that writes its buffer before it is filled anew begins with them,
+/// on a clock that the rows behind them do not go on with.
+pub(crate) fn drop_stale(samples: &mut Samples) {
+    let time = &samples.time;
+    let mut back = (1..time.len()).filter(|&i| time[i] < time[i - 1]);
+    let (Some(first), None) = (back.next(), back.next()) else { return };
+    // Rows that are a little out of order lie among those behind them.
+    if time[first] >= time[0] || first as f64 > STALE * time.len() as f64 {
+        return;
+    }
+    // The clock behind them must not come back to theirs as if it had only been interrupted.
+    let step = sample_time(&time[first..]);
+    if first <= REACH && time[0] - time[first] <= REACH as f64 * step {
+        return;
+    }
+    let (line, from) = (samples.lines[first - 1], time[first - 1]);
+    samples.retain(|i| i >= first);
+    samples.note(
+        "stale",
+        Sentence::from(phrases::STALE_ROWS)
+            .with("count", first)
+            .with("line", line)
+            .with("from", from)
+            .with("to", samples.time[0]),
+    );
+}
+
 /// Makes time strictly increasing: puts single rows back in order, spreads rows that share a time stamp.
 ///
 /// # Errors
@@ -64,6 +94,39 @@ fn spread(samples: &mut Samples) {
 mod tests {
     use super::super::super::fixtures::SineTest;
     use super::*;
+
+    #[test]
+    fn rows_of_an_earlier_run_are_left_out() {
+        let sound = SineTest::default().samples();
+        for (stale, from) in [(7, 33.45), (1, 1e4), (30, 5.0)] {
+            let mut samples = sound.clone();
+            for k in 0..stale {
+                samples.time.insert(k, from + 0.011 * k as f64);
+                samples.lines.insert(k, 0);
+                samples.force.insert(k, 0.02);
+                samples.displacement.as_mut().unwrap().insert(k, 0.04);
+                samples.velocity.as_mut().unwrap().insert(k, 0.0);
+            }
+            drop_stale(&mut samples);
+            assert_eq!((samples.time.clone(), samples.force.clone()), (sound.time.clone(), sound.force.clone()));
+            let note = samples.notes.last().unwrap();
+            assert!(
+                note.kind == "stale" && note.text.to_string().contains(&format!("the first {stale} rows")),
+                "{}",
+                note.text
+            );
+        }
+        // Two tests one after the other are not one with stale rows, nor are rows that are a little out of order.
+        let mut two = sound.clone();
+        for i in 0..two.len() / 2 {
+            two.time[i] += 100.0;
+        }
+        drop_stale(&mut two);
+        let mut swapped = sound.clone();
+        swapped.time.swap(0, 1);
+        drop_stale(&mut swapped);
+        assert!(two.len() == sound.len() && swapped.len() == sound.len());
+    }
 
     #[test]
     fn swapped_rows_are_put_back() {

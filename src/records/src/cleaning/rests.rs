@@ -3,7 +3,7 @@
 
 use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
-use super::super::numbers::{median, quantile, quantum, sample_time};
+use super::super::numbers::{median, quantile, quantum, range, sample_time};
 use super::super::phrases;
 use super::super::record::Note;
 use super::super::samples::Samples;
@@ -18,6 +18,8 @@ const REST: f64 = 1.0;
 const PIECES: usize = 4;
 /// Range of a channel at rest in standard deviations of its noise: ten thousand samples stay within eight.
 const STILL: f64 = 10.0;
+/// The same as a fraction of all that the channel moves: sensors are good to a few ten thousandths of their range.
+const STILL_OF_RANGE: f64 = 3e-4;
 /// Share of a piece's samples on either side that may be spikes.
 const SPIKES: f64 = 0.02;
 /// Share of the stroke by which the ends of two motions may differ, and of the mean speed, to be the same motion again: amplitudes and
@@ -49,7 +51,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
     };
-    let still = STILL * difference_noise(x).max(quantum(x) / STILL);
+    // Channels that hold their last value at rest show no noise there.
+    let still = (STILL * difference_noise(x)).max(quantum(x)).max(STILL_OF_RANGE * range(x));
     let moving = between(&rests(&samples.time, x, still), x.len());
     if moving.len() < 2 {
         return vec![samples];
@@ -86,8 +89,7 @@ pub(super) fn part(
     stroke: f64,
 ) -> Samples {
     let (from, to) = (span.start, span.end);
-    let mut piece = samples.clone();
-    piece.select(&span.collect::<Vec<_>>());
+    let mut piece = samples.piece(span);
     let mut strokes: Vec<f64> = cycles.iter().map(Cycle::stroke).collect();
     let stroke = if strokes.is_empty() { stroke } else { median(&mut strokes) };
     let (digits, amplitude) = (of.to_string().len(), 1e3 * 0.5 * stroke);
@@ -328,6 +330,26 @@ mod tests {
         assert!(parts.windows(2).all(|w| w[0].time.last() < w[1].time.first()), "one clock goes on");
         assert!(parts[1].at.to_string().starts_with("long.txt (2 of 4, 1"), "{}", parts[1].at);
         assert!(parts.iter().all(|p| p.notes[0].kind == "rests"));
+    }
+
+    #[test]
+    fn a_channel_that_holds_its_value_at_rest_is_split_too() {
+        let course =
+            Course::new().rest(2.0).sine(50.0, 0.5, 3.0).rest(2.0).sine(10.0, 2.0, 5.0).rest(2.0).sine(1.0, 5.0, 9.0);
+        let mut random = Random::new(9);
+        let mut held = 0.0;
+        let x = course.rest(2.0).x;
+        // Noise of some micrometres in motion, of which rest keeps the last value of every quarter of a second.
+        let mut out = Vec::new();
+        for (i, x) in x.iter().enumerate() {
+            if *x != 0.0 || i % 125 == 0 {
+                held = (1e3 * (x + 3e-3 * random.normal())).round() / 1e3;
+            }
+            out.push(1e-3 * held);
+        }
+        let parts = split(moving(500.0, out));
+        let names: Vec<&str> = parts.iter().map(|p| p.name.as_str()).collect();
+        assert_eq!(names, ["long 1 50mm 0.5Hz", "long 2 10mm 2Hz", "long 3 1mm 5Hz"]);
     }
 
     #[test]

@@ -4,20 +4,23 @@
 mod version73;
 
 use std::io::Read as _;
-use std::path::Path;
 
 use matfile::{Array, MatFile, NumericData};
 
 use super::channel::Channel;
-use super::error::{Place, RecordError};
+use super::error::RecordError;
 use super::heading::{Heading, HeadingUnit, heading};
 use super::options::Options;
 use super::samples::Samples;
+use super::source::{Budget, Source};
 use super::table::{Layout, Rows, is_header, no_header};
 use super::unit::{Dimension, Unit};
 
 /// Signature of an HDF5 file, which is what version 7.3 writes after a header block of 512 bytes.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
+
+/// Work of understanding the name of a variable, in steps of the budget.
+const NAMING: u64 = 10_000;
 
 /// A vector or a single number of a file.
 struct Variable {
@@ -27,12 +30,12 @@ struct Variable {
 }
 
 /// Reads the test of one MAT file.
-pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
-    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
+pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let at = source.place();
+    let Source { file, bytes, budget } = source;
     let is_hdf5 = bytes.starts_with(HDF5) || bytes.get(512..520) == Some(HDF5) || bytes.starts_with(b"MATLAB 7.3");
-    let variables = if is_hdf5 { version73::variables(bytes) } else { variables(bytes) };
-    let variables = variables.map_err(|cause| RecordError::Mat { file: file.into(), cause })?;
-    let at = Place::file(file);
+    let variables = if is_hdf5 { version73::variables(&bytes, &budget) } else { variables(bytes, &budget) };
+    let variables = variables.map_err(|cause| RecordError::Mat { file: file.clone(), cause })?;
     let vectors: Vec<(&str, &[f64])> =
         variables.iter().filter(|v| v.is_vector).map(|v| (v.name.as_str(), v.values.as_slice())).collect();
     let scalars: Vec<(&str, f64)> =
@@ -46,7 +49,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
     if !is_header(&header, options) {
         if variables.is_empty() {
             let cause = "it holds no vector of numbers; of a struct or a timeseries save the fields as variables, with save(..., '-struct', 's')";
-            return Err(RecordError::Mat { file: file.into(), cause: cause.into() });
+            return Err(RecordError::Mat { file: file.clone(), cause: cause.into() });
         }
         let all: Vec<&str> = variables.iter().map(|v| v.name.as_str()).collect();
         return Err(no_header(&at, &all));
@@ -58,7 +61,7 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
         let found = vectors[column.index].1.len();
         if found != length {
             return Err(RecordError::Mat {
-                file: file.into(),
+                file: file.clone(),
                 cause: format!("'{}' has {found} values where another channel has {length}", column.heading),
             });
         }
@@ -75,29 +78,35 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
             let step = unit.to_si(value);
             if !(step.is_finite() && step > 0.0) {
                 let cause = format!("the sample time '{name}' is {value}, which is no time step");
-                return Err(RecordError::Mat { file: file.into(), cause });
+                return Err(RecordError::Mat { file: file.clone(), cause });
             }
             Some(step)
         }
     };
-    let mut rows = Rows::new(at, name.to_string(), layout);
+    let mut rows = Rows::new(at, name.to_string(), layout, &budget);
     for i in 0..length {
         let row: Vec<f64> = rows.layout().columns.iter().map(|c| vectors[c.index].1[i]).collect();
         let test = rows.layout().test.map(|index| vectors[index].1.get(i).map(f64::to_string).unwrap_or_default());
-        rows.push(i + 1, row.into_iter(), test.as_deref());
+        rows.push(i + 1, row.into_iter(), test.as_deref())?;
     }
     rows.finish(sample_time)
 }
 
 /// Vectors and single numbers of a file up to version 7.
-fn variables(bytes: Vec<u8>) -> Result<Vec<Variable>, String> {
+fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     let bytes = unpack(bytes)?;
+    // Small numbers become numbers of eight bytes.
+    budget.hold(4 * bytes.len() as u64)?;
     if let Some(cause) = damage(&bytes) {
         return Err(cause.into());
     }
     let mat = MatFile::parse(bytes.as_slice()).map_err(|cause| cause.to_string())?;
     let is_number = |a: &Array| a.size().iter().all(|&n| n == 1);
     let of = |a: &Array| Variable { name: a.name().to_owned(), is_vector: is_vector(a), values: values(a.data()) };
+    // Every name is compared with those of the channels of a rig.
+    budget.work(NAMING * mat.arrays().len() as u64)?;
+    let numbers: usize = mat.arrays().iter().map(|a| a.size().iter().product::<usize>()).sum();
+    budget.numbers(2 * numbers as u64)?;
     let mut found: Vec<Variable> = mat.arrays().iter().filter(|a| is_vector(a) || is_number(a)).map(of).collect();
     mat.arrays().iter().for_each(|a| found.extend(columns(a)));
     Ok(found)
@@ -259,7 +268,7 @@ mod tests {
     fn read_bytes(bytes: &[u8], options: &Options) -> Result<Vec<Samples>, RecordError> {
         let mut file = tempfile::Builder::new().suffix(".mat").tempfile().unwrap();
         file.write_all(bytes).unwrap();
-        read(file.path(), "rig", options)
+        read(Source::read(file.path())?, "rig", options)
     }
 
     #[test]

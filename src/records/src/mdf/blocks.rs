@@ -1,12 +1,22 @@
 //! Blocks of an MDF file: an identification, a length, links to other blocks, data. Nothing is believed that the file cannot
 //! hold.
 
+use super::super::source::Budget;
+
 /// Blocks that are followed in one chain: more is a circle or no measurement.
 const CHAIN: usize = 1 << 16;
+
+/// Work of visiting a block, in steps of the budget.
+const VISIT: u64 = 100;
+/// Letters of a text that are read.
+const LETTERS: usize = 200;
+/// Bytes of a comment in XML in which its text is looked for.
+const COMMENT: usize = 1 << 16;
 
 /// A whole file.
 pub(super) struct Mdf<'a> {
     bytes: &'a [u8],
+    pub budget: &'a Budget,
 }
 
 /// One block.
@@ -20,7 +30,7 @@ pub(super) struct Block<'a> {
 
 impl<'a> Mdf<'a> {
     /// Looks at the identification.
-    pub fn new(bytes: &'a [u8]) -> Result<Self, String> {
+    pub fn new(bytes: &'a [u8], budget: &'a Budget) -> Result<Self, String> {
         let begins = |text: &[u8]| bytes.starts_with(text);
         if begins(b"UnFinMF ") {
             return Err("its recording was never finished; open it in the tool that wrote it and save it again".into());
@@ -33,7 +43,7 @@ impl<'a> Mdf<'a> {
         if !version.starts_with('4') {
             return Err(format!("it is of version {}; save it as MDF 4", version.trim()));
         }
-        Ok(Mdf { bytes })
+        Ok(Mdf { bytes, budget })
     }
 
     pub fn len(&self) -> usize {
@@ -58,6 +68,7 @@ impl<'a> Mdf<'a> {
     /// The block at a place.
     pub fn any(&self, at: u64) -> Result<Block<'a>, String> {
         let outside = || format!("a block at byte {at} lies outside the file");
+        self.budget.work(VISIT)?;
         let from = usize::try_from(at).map_err(|_| outside())?;
         let head = self.bytes.get(from..from.checked_add(24).ok_or_else(outside)?).ok_or_else(outside)?;
         if &head[..2] != b"##" {
@@ -75,14 +86,19 @@ impl<'a> Mdf<'a> {
     /// A text, plain or as the first text of a comment in XML; empty where there is none.
     pub fn text(&self, at: u64) -> String {
         let Ok(block) = self.any(at) else { return String::new() };
-        let end = block.data.iter().position(|b| *b == 0).unwrap_or(block.data.len());
-        let text = String::from_utf8_lossy(&block.data[..end]);
+        // Many channels may point at one long text.
+        let data = &block.data[..block.data.len().min(COMMENT)];
+        let end = data.iter().position(|b| *b == 0).unwrap_or(data.len());
+        if self.budget.work(end as u64).is_err() {
+            return String::new();
+        }
+        let text = String::from_utf8_lossy(&data[..end]);
         let text = if block.id == b"MD" {
             text.split_once("<TX>").and_then(|(_, rest)| rest.split_once("</TX>")).map_or("", |(text, _)| text)
         } else {
             &text
         };
-        text.trim().chars().take(200).collect()
+        text.trim().chars().take(LETTERS).collect()
     }
 }
 

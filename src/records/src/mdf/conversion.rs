@@ -50,6 +50,7 @@ impl Conversion {
             }
             4 | 5 => {
                 few(2)?;
+                mdf.budget.numbers(count as u64)?;
                 let pairs: Vec<[f64; 2]> =
                     (0..count / 2).map(|k| Ok([value(2 * k)?, value(2 * k + 1)?])).collect::<Result<_, String>>()?;
                 Rule::Table { pairs, straight: kind == 4 }

@@ -1,14 +1,19 @@
 //! The records of a data group: one block, a list of blocks, each plain or compressed.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::io::Read as _;
 
+use super::super::source::Budget;
 use super::blocks::{Block, Mdf};
 
 /// Bytes that the data of a file may unpack to, whatever its size.
 const UNPACKED: usize = 48 << 20;
 /// Larger files may unpack to this many times their size: slowly moving channels, transposed, pack well.
 const RATIO: usize = 4;
+
+/// Work per byte that is unpacked or copied, in steps of the budget.
+const UNPACKING: u64 = 6;
 
 /// Records that a file may hold: two hours at 2 kHz. More places than this would not fit beside their values.
 const RECORDS: usize = 16 << 20;
@@ -26,9 +31,9 @@ pub(super) struct Record {
     pub count: u64,
 }
 
-/// All bytes of a data group.
+/// All bytes of a data group. What is not borrowed is charged to the budget.
 pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String> {
-    let limit = UNPACKED.max(RATIO * mdf.len());
+    let limit = UNPACKED.max(RATIO * mdf.len()).min(mdf.budget.memory_left() as usize);
     let first = mdf.any(at)?;
     if first.id == b"DT" {
         return Ok(Cow::Borrowed(first.data));
@@ -39,6 +44,8 @@ pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String>
         b"DL" => list(mdf, at, limit, &mut out)?,
         _ => append(&first, limit, &mut out)?,
     }
+    mdf.budget.hold(out.len() as u64)?;
+    mdf.budget.work(UNPACKING * out.len() as u64)?;
     Ok(Cow::Owned(out))
 }
 
@@ -116,7 +123,12 @@ fn turn_back(bytes: &mut [u8], columns: usize) {
 }
 
 /// Where the records of every channel group begin.
-pub(super) fn places(bytes: &[u8], id_size: usize, groups: &[Record]) -> Result<Vec<Vec<usize>>, String> {
+pub(super) fn places(
+    bytes: &[u8],
+    id_size: usize,
+    groups: &[Record],
+    budget: &Budget,
+) -> Result<Vec<Vec<usize>>, String> {
     let mut places: Vec<Vec<usize>> = vec![Vec::new(); groups.len()];
     if id_size == 0 {
         let [only] = groups else { return Err("its groups share records without numbers to tell them apart".into()) };
@@ -127,9 +139,11 @@ pub(super) fn places(bytes: &[u8], id_size: usize, groups: &[Record]) -> Result<
         if only.count > held {
             return Err(format!("it announces {} records and holds {held}", only.count));
         }
+        budget.numbers(only.count)?;
         places[0] = (0..only.count as usize).map(|k| k * only.bytes).collect();
         return Ok(places);
     }
+    let by_id: HashMap<u64, usize> = groups.iter().enumerate().rev().map(|(k, group)| (group.id, k)).collect();
     let (mut at, mut records) = (0, 0);
     while at + id_size <= bytes.len() {
         records += 1;
@@ -140,7 +154,10 @@ pub(super) fn places(bytes: &[u8], id_size: usize, groups: &[Record]) -> Result<
         raw[..id_size].copy_from_slice(&bytes[at..at + id_size]);
         let id = u64::from_le_bytes(raw);
         at += id_size;
-        let Some(k) = groups.iter().position(|g| g.id == id) else {
+        // The place, and finding it.
+        budget.numbers(1)?;
+        budget.work(50)?;
+        let Some(&k) = by_id.get(&id) else {
             return Err(format!("a record has the number {id}, which no group has"));
         };
         let size = if groups[k].variable {

@@ -16,7 +16,8 @@ mod conversion;
 mod data;
 mod version3;
 
-use std::path::Path;
+use std::borrow::Cow;
+use std::collections::HashMap;
 
 use super::channel::Channel as Kind;
 use super::error::{Place, RecordError};
@@ -24,6 +25,7 @@ use super::options::Options;
 use super::phrases;
 use super::samples::Samples;
 use super::sentence::Sentence;
+use super::source::{Budget, Exhausted, Source};
 use super::table::{Layout, Rows, channel_of, is_header, no_header};
 use blocks::{Block, Mdf};
 use conversion::Conversion;
@@ -32,32 +34,35 @@ use conversion::Conversion;
 const KIND: &str = "an MDF file";
 /// Groups and channels of a group that a file may have: a rig has tens.
 const MOST: usize = 4096;
-/// Values that a file may hold beyond what its size explains, over all channels that are read.
-const VALUES: usize = 16 << 20;
+/// Memory of a channel without its values, bytes; comparing its name with those of the channels of a rig costs more than that in work.
+const CHANNEL: u64 = 1024;
+const NAMING: u64 = 20_000;
+/// Work of making a physical value of a stored one.
+const CONVERTING: u64 = 10;
 
 /// Whether a file begins as these do, whatever its name.
-pub(crate) fn is_one(file: &Path) -> bool {
-    let mut begin = [0; 8];
-    let read = std::fs::File::open(file).and_then(|mut file| std::io::Read::read_exact(&mut file, &mut begin));
-    read.is_ok() && &begin == b"MDF     "
+pub(crate) fn is_one(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"MDF     ")
 }
 
 /// Reads the tests of one file.
-pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
-    let bytes = std::fs::read(file).map_err(|source| RecordError::Read { file: file.into(), source })?;
-    if bytes.is_empty() {
-        return Err(RecordError::EmptyFile { file: file.into() });
-    }
-    let wrong = |cause: String| RecordError::Binary { file: file.into(), kind: KIND, cause };
-    let found = if version3::is_one(&bytes) {
-        version3::groups(&bytes)
+pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let Source { file, bytes, budget } = &source;
+    let wrong = |cause: String| RecordError::Binary { file: file.clone(), kind: KIND, cause };
+    let found = if version3::is_one(bytes) {
+        version3::groups(bytes, budget)
     } else {
-        Mdf::new(&bytes).and_then(|mdf| Ok((groups(&mdf)?, begins(&mdf).ok().flatten())))
+        Mdf::new(bytes, budget).and_then(|mdf| Ok((groups(&mdf)?, begins(&mdf).ok().flatten())))
     };
     let (groups, begins) = found.map_err(wrong)?;
     let mut joined = joined(groups);
+    let of_two_rates = join_rates(&mut joined, options, budget).map_err(|exhausted| wrong(exhausted.into()))?;
     let slow = take_slow(&mut joined, options);
-    let resampled: Vec<Vec<String>> = joined.iter_mut().map(|test| with_slow(test, &slow, options)).collect();
+    let resampled: Vec<Vec<String>> = joined
+        .iter_mut()
+        .map(|test| with_slow(test, &slow, options, budget))
+        .collect::<Result<_, _>>()
+        .map_err(|exhausted| wrong(exhausted.into()))?;
     let headers: Vec<Vec<&str>> = joined.iter().map(|g| g.channels.iter().map(|c| c.name.as_str()).collect()).collect();
     let recorded: Vec<usize> = (0..joined.len()).filter(|k| is_header(&headers[*k], options)).collect();
     if recorded.is_empty() {
@@ -70,20 +75,25 @@ pub(crate) fn read(file: &Path, name: &str, options: &Options) -> Result<Vec<Sam
             (Place::file(file), name.to_owned())
         } else {
             let part = format!("group {}", number + 1);
-            (Place { file: file.into(), part: Some(part) }, format!("{name} {}", number + 1))
+            (Place { file: file.clone(), part: Some(part) }, format!("{name} {}", number + 1))
         };
         let channels = &joined[*k].channels;
         let units: Vec<&str> = channels.iter().map(|c| c.unit.as_str()).collect();
         let layout = Layout::new(&at, 1, &headers[*k], Some(&units), options, false)?;
-        let mut rows = Rows::new(at, name, layout);
+        let mut rows = Rows::new(at, name, layout, budget);
         rows.begins = begins;
+        let times: Option<&[f64]> = channels.iter().find(|c| c.is_time).map(|c| c.values.as_slice());
+        if let Some((_, names)) = of_two_rates.iter().find(|(time, _)| times.is_some_and(|own| own == time)) {
+            let text = Sentence::from(phrases::TWO_RATES).with_names("names", names, phrases::COMMA);
+            rows.note("resampled", text);
+        }
         if !resampled[*k].is_empty() {
             let text = Sentence::from(phrases::RESAMPLED).with_names("names", &resampled[*k], phrases::COMMA);
             rows.note("resampled", text);
         }
         let columns: Vec<usize> = rows.layout().columns.iter().map(|c| c.index).collect();
         for row in 0..joined[*k].rows {
-            rows.push(row + 1, columns.iter().map(|c| channels[*c].values[row]), None);
+            rows.push(row + 1, columns.iter().map(|c| channels[*c].values[row]), None)?;
         }
         tests.extend(rows.finish(None)?);
     }
@@ -136,7 +146,6 @@ fn begins(mdf: &Mdf<'_>) -> Result<Option<f64>, String> {
 /// All groups of the file, channels read.
 fn groups(mdf: &Mdf<'_>) -> Result<Vec<Group>, String> {
     let mut found = Vec::new();
-    let mut budget = VALUES.max(3 * mdf.len());
     let header = mdf.block(64, "HD")?;
     let mut next = header.link(0);
     let mut steps = 0;
@@ -144,12 +153,12 @@ fn groups(mdf: &Mdf<'_>) -> Result<Vec<Group>, String> {
         mdf.count(&mut steps)?;
         let group = mdf.block(next, "DG")?;
         next = group.link(0);
-        read_data_group(mdf, &group, &mut budget, &mut found)?;
+        read_data_group(mdf, &group, &mut found)?;
     }
     Ok(found)
 }
 
-fn read_data_group(mdf: &Mdf<'_>, group: &Block<'_>, budget: &mut usize, found: &mut Vec<Group>) -> Result<(), String> {
+fn read_data_group(mdf: &Mdf<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Result<(), String> {
     let id_size = usize::from(group.u8(0)?);
     if ![0, 1, 2, 4, 8].contains(&id_size) {
         return Err(format!("its record numbers have {id_size} bytes; 0, 1, 2, 4 or 8 are possible"));
@@ -180,13 +189,15 @@ fn read_data_group(mdf: &Mdf<'_>, group: &Block<'_>, budget: &mut usize, found: 
     }
     let layout: Vec<data::Record> = channel_groups.iter().map(|(record, _)| *record).collect();
     let bytes = data::bytes(mdf, group.link(2))?;
-    let places = data::places(&bytes, id_size, &layout)?;
+    let places = data::places(&bytes, id_size, &layout, mdf.budget)?;
+    let places_held: u64 = places.iter().map(|starts| 8 * starts.len() as u64).sum();
     for ((record, channels), starts) in channel_groups.into_iter().zip(places) {
         if channels.is_empty() || starts.is_empty() {
             continue;
         }
         let values = starts.len().saturating_mul(channels.len());
-        *budget = budget.checked_sub(values).ok_or("it announces more values than it has room for")?;
+        mdf.budget.numbers(values as u64)?;
+        mdf.budget.work(CONVERTING * values as u64)?;
         let channels = channels
             .into_iter()
             .filter(|c| c.counted || c.format.fits(record.bytes))
@@ -200,6 +211,10 @@ fn read_data_group(mdf: &Mdf<'_>, group: &Block<'_>, budget: &mut usize, found: 
             })
             .collect();
         found.push(Group { rows: starts.len(), channels });
+    }
+    mdf.budget.free(places_held);
+    if let Cow::Owned(bytes) = bytes {
+        mdf.budget.free(bytes.len() as u64);
     }
     Ok(())
 }
@@ -218,6 +233,8 @@ fn channels(mdf: &Mdf<'_>, first: u64) -> Result<Vec<Stored>, String> {
         mdf.count(&mut steps)?;
         let block = mdf.block(next, "CN")?;
         next = block.link(0);
+        mdf.budget.hold(CHANNEL)?;
+        mdf.budget.work(NAMING)?;
         let (kind, sync, data_type) = (block.u8(0)?, block.u8(1)?, block.u8(2)?);
         let numeric = data_type <= 5;
         if !numeric || ![FIXED, MASTER, VIRTUAL_MASTER, VIRTUAL].contains(&kind) {
@@ -308,10 +325,11 @@ fn take_slow(groups: &mut Vec<Group>, options: &Options) -> Vec<Group> {
 }
 
 /// Puts the slow channels that a test lacks onto its times, by straight lines; their names.
-fn with_slow(test: &mut Group, slow: &[Group], options: &Options) -> Vec<String> {
-    let Some(time) = test.channels.iter().find(|c| c.is_time).map(|c| c.values.clone()) else { return Vec::new() };
+fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budget) -> Result<Vec<String>, Exhausted> {
+    let Some(time) = test.channels.iter().find(|c| c.is_time).map(|c| c.values.clone()) else { return Ok(Vec::new()) };
     let mut names = Vec::new();
     for group in slow {
+        budget.work(NAMING * group.channels.len() as u64)?;
         let Some(theirs) = group.channels.iter().find(|c| c.is_time) else { continue };
         let (Some(from), Some(to), Some(begin), Some(end)) =
             (theirs.values.first(), theirs.values.last(), time.first(), time.last())
@@ -327,6 +345,7 @@ fn with_slow(test: &mut Group, slow: &[Group], options: &Options) -> Vec<String>
             if test.channels.iter().any(|c| channel_of(&c.name, options) == Some(kind)) {
                 continue;
             }
+            budget.numbers(time.len() as u64)?;
             let values = time.iter().map(|t| at_time(&theirs.values, &channel.values, *t)).collect();
             names.push(channel.name.clone());
             test.channels.push(Channel {
@@ -337,7 +356,7 @@ fn with_slow(test: &mut Group, slow: &[Group], options: &Options) -> Vec<String>
             });
         }
     }
-    names
+    Ok(names)
 }
 
 /// The value at a time between two samples; before the first and after the last, that of these.
@@ -353,24 +372,85 @@ fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
     }
 }
 
+/// Times that two groups were joined at, and the names of the channels that were put onto them.
+type JoinedAt = (Vec<f64>, Vec<String>);
+
+/// Joins groups that hold the force alone with those that hold the motion alone over the same time: loggers write channels of different rates
+/// into groups of their own. The slower one's times are kept, for between its samples nothing is known.
+fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Result<Vec<JoinedAt>, Exhausted> {
+    /// Fraction of the shorter time that both must cover.
+    const TOGETHER: f64 = 0.5;
+    let holds = |group: &Group, kinds: &[Kind]| {
+        group.channels.iter().any(|c| channel_of(&c.name, options).is_some_and(|kind| kinds.contains(&kind)))
+    };
+    budget.work(NAMING * groups.iter().map(|g| 2 * g.channels.len() as u64).sum::<u64>())?;
+    let is_timed = |group: &Group| group.channels.iter().any(|c| c.is_time) && group.rows > 1;
+    let kinds: Vec<(bool, bool)> = groups
+        .iter()
+        .map(|g| (holds(g, &[Kind::Force]), holds(g, &[Kind::Displacement, Kind::Velocity]), is_timed(g)))
+        .map(|(force, motion, timed)| if timed { (force, motion) } else { (false, false) })
+        .collect();
+    let span = |group: &Group| {
+        let time = &group.channels.iter().find(|c| c.is_time)?.values;
+        Some((*time.first()?, *time.last()?))
+    };
+    let overlap = |a: &Group, b: &Group| {
+        let ((a0, a1), (b0, b1)) = (span(a)?, span(b)?);
+        let shared = a1.min(b1) - a0.max(b0);
+        (shared > TOGETHER * (a1 - a0).min(b1 - b0)).then_some(shared)
+    };
+    let of_kind = |kind: (bool, bool)| (0..kinds.len()).filter(|k| kinds[*k] == kind).collect::<Vec<usize>>();
+    let (forces, motions) = (of_kind((true, false)), of_kind((false, true)));
+    budget.work(20 * (forces.len() as u64).saturating_mul(motions.len() as u64))?;
+    let (mut told, mut taken) = (Vec::new(), vec![false; groups.len()]);
+    for force in forces {
+        let shared = |k: &usize| if taken[*k] { None } else { overlap(&groups[force], &groups[*k]).map(|s| (s, *k)) };
+        let Some((_, motion)) = motions.iter().filter_map(shared).max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+        let rate = |k: usize| span(&groups[k]).map_or(0.0, |(from, to)| (groups[k].rows - 1) as f64 / (to - from));
+        let (slow, fast) = if rate(motion) <= rate(force) { (motion, force) } else { (force, motion) };
+        let clock = |k: usize| groups[k].channels.iter().find(|c| c.is_time).map(|c| c.values.clone());
+        let (Some(from), Some(time)) = (clock(fast), clock(slow)) else { continue };
+        let other = std::mem::replace(&mut groups[fast], Group { rows: 0, channels: Vec::new() });
+        (taken[fast], taken[slow]) = (true, true);
+        // Where the faster one has begun, and not ended yet.
+        let inside =
+            |t: f64| from.first().is_some_and(|first| t >= *first) && from.last().is_some_and(|last| t <= *last);
+        let kept: Vec<usize> = (0..time.len()).filter(|i| inside(time[*i])).collect();
+        let group = &mut groups[slow];
+        group.channels.iter_mut().for_each(|c| c.values = kept.iter().map(|i| c.values[*i]).collect());
+        group.rows = kept.len();
+        let time: Vec<f64> = kept.iter().map(|i| time[*i]).collect();
+        let mut names = Vec::new();
+        for channel in other.channels.into_iter().filter(|c| !c.is_time) {
+            budget.numbers(time.len() as u64)?;
+            names.push(channel.name.clone());
+            let values = time.iter().map(|t| at_time(&from, &channel.values, *t)).collect();
+            group.channels.push(Channel { values, ..channel });
+        }
+        told.push((time, names));
+    }
+    let mut places = 0..groups.len();
+    groups.retain(|group| places.next().is_some_and(|k| !taken[k] || group.rows > 0));
+    Ok(told)
+}
+
 /// Groups whose time axes are the same as one group; those without a time axis stay alone.
 fn joined(groups: Vec<Group>) -> Vec<Group> {
     let mut joined: Vec<Group> = Vec::new();
+    // Bits, not values: a missing time is no time axis of another. Thousands of groups are compared by a map, not one by one.
+    let mut by_time: HashMap<Vec<u64>, usize> = HashMap::new();
     for group in groups {
-        let own = group.channels.iter().position(|c| c.is_time);
-        let same = own.and_then(|own| {
-            let time = &group.channels[own].values;
-            joined.iter().position(|other| {
-                let theirs = other.channels.iter().find(|c| c.is_time);
-                // Bits, not values: a missing time is no time axis of another.
-                theirs.is_some_and(|t| {
-                    t.values.len() == time.len() && t.values.iter().zip(time).all(|(a, b)| a.to_bits() == b.to_bits())
-                })
-            })
-        });
-        match same {
-            Some(place) => joined[place].channels.extend(group.channels.into_iter().filter(|c| !c.is_time)),
-            None => joined.push(group),
+        let time = group.channels.iter().find(|c| c.is_time);
+        let Some(bits) = time.map(|time| time.values.iter().map(|t| t.to_bits()).collect::<Vec<u64>>()) else {
+            joined.push(group);
+            continue;
+        };
+        match by_time.get(&bits) {
+            Some(&place) => joined[place].channels.extend(group.channels.into_iter().filter(|c| !c.is_time)),
+            None => {
+                by_time.insert(bits, joined.len());
+                joined.push(group);
+            }
         }
     }
     joined
@@ -391,8 +471,26 @@ mod tests {
     }
 
     #[test]
+    fn force_and_motion_of_two_rates_are_joined_at_the_slower_times() {
+        let fine: Vec<f64> = (0..101).map(|k| 0.01 * f64::from(k)).collect();
+        let coarse: Vec<f64> = (0..30).map(|k| 0.05 * f64::from(k) - 0.1).collect();
+        let force: Vec<f64> = fine.iter().map(|t| 10.0 * t).collect();
+        let mut groups = vec![
+            group(&[("time", "s", &fine), ("Force", "N", &force), ("Pump", "bar", &fine)]),
+            group(&[("time", "s", &coarse), ("Stroke", "mm", &coarse)]),
+            group(&[("time", "s", &[8.0, 9.0]), ("Weg", "mm", &[1.0, 2.0])]),
+        ];
+        let told = join_rates(&mut groups, &Options::default(), &Budget::new(0)).unwrap();
+        assert_eq!((told.len(), &told[0].1[..]), (1, &["Force".to_owned(), "Pump".to_owned()][..]));
+        assert_eq!(groups.len(), 2, "the later group stays alone");
+        let [time, stroke, force, _] = &groups[0].channels[..] else { panic!() };
+        assert!(time.values.len() > 18 && time.values == stroke.values && time.values == told[0].0);
+        assert!(time.values.iter().zip(&force.values).all(|(t, f)| (f - 10.0 * t).abs() < 1e-9));
+    }
+
+    #[test]
     fn a_slow_temperature_is_put_onto_the_times_of_the_test() {
-        let mut options = Options::default();
+        let (mut options, budget) = (Options::default(), Budget::new(0));
         options.columns.insert(Kind::Temperature, "Rohr".into());
         let times = [0.0, 1.0, 2.0, 3.0, 4.0];
         let test = || group(&[("time", "s", &times), ("force", "N", &times), ("displacement", "mm", &times)]);
@@ -400,11 +498,11 @@ mod tests {
         let mut groups = vec![slow(), test()];
         let taken = take_slow(&mut groups, &options);
         assert_eq!((taken.len(), groups.len()), (1, 1));
-        assert_eq!(with_slow(&mut groups[0], &taken, &options), ["Rohr"]);
+        assert_eq!(with_slow(&mut groups[0], &taken, &options, &budget).unwrap(), ["Rohr"]);
         assert_eq!(groups[0].channels[3].values, [20.0, 20.0, 22.0, 24.0, 24.0]);
         // One that nobody asks for stays where it is, as does one of another time.
         assert!(take_slow(&mut vec![slow(), test()], &Options::default()).is_empty());
         let later = group(&[("time", "s", &[8.0, 9.0]), ("Rohr", "degC", &[20.0, 24.0])]);
-        assert!(with_slow(&mut test(), &[later], &options).is_empty());
+        assert!(with_slow(&mut test(), &[later], &options, &budget).unwrap().is_empty());
     }
 }

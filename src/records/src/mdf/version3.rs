@@ -2,14 +2,16 @@
 //! the file states. What is found goes the same way as of MDF 4.
 
 use super::super::clock;
+use super::super::source::Budget;
 use super::conversion::Conversion;
 use super::data::{self, Record};
-use super::{Channel, Format, Group, MOST, Stored, VALUES};
+use super::{CHANNEL, Channel, Format, Group, MOST, NAMING, Stored};
 
 /// A whole file.
 struct File<'a> {
     bytes: &'a [u8],
     big_endian: bool,
+    budget: &'a Budget,
 }
 
 /// One block, its numbers addressed from its first byte as the standard does.
@@ -29,14 +31,13 @@ pub(super) fn is_one(bytes: &[u8]) -> bool {
 }
 
 /// All groups of the file, channels read, and when time was nought, s since 1970.
-pub(super) fn groups(bytes: &[u8]) -> Result<(Vec<Group>, Option<f64>), String> {
+pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Option<f64>), String> {
     let order = bytes.get(24..26).ok_or("it ends in its identification")?;
-    let file = File { bytes, big_endian: order != [0, 0] };
+    let file = File { bytes, big_endian: order != [0, 0], budget };
     let header = file.block(HEADER, "HD")?;
     let mut found = Vec::new();
-    let mut budget = VALUES.max(3 * bytes.len());
     for group in file.chain(header.u32(4)?, "DG")? {
-        data_group(&file, &group, &mut budget, &mut found)?;
+        data_group(&file, &group, &mut found)?;
     }
     // `25:11:2026` and `10:03:22`; a writer that knows no time puts the first instant of 1980.
     let text = header.bytes.get(18..36).map(latin).unwrap_or_default();
@@ -45,7 +46,7 @@ pub(super) fn groups(bytes: &[u8]) -> Result<(Vec<Group>, Option<f64>), String> 
     Ok((found, begins.filter(|begins| *begins != clock::FIRST_OF_1980)))
 }
 
-fn data_group(file: &File<'_>, group: &Block<'_>, budget: &mut usize, found: &mut Vec<Group>) -> Result<(), String> {
+fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Result<(), String> {
     // Two record numbers: one stands behind the record as well.
     let ids = usize::from(group.u16(22)?);
     if ids > 2 {
@@ -78,13 +79,14 @@ fn data_group(file: &File<'_>, group: &Block<'_>, budget: &mut usize, found: &mu
     let end = end.ok_or("it announces more records than the file holds")?;
     let bytes = &file.bytes[from..end];
     let layout: Vec<Record> = channel_groups.iter().map(|(record, _)| *record).collect();
-    let places = data::places(bytes, ids.min(1), &layout)?;
+    let places = data::places(bytes, ids.min(1), &layout, file.budget)?;
+    let places_held: u64 = places.iter().map(|starts| 8 * starts.len() as u64).sum();
     for ((record, channels), starts) in channel_groups.into_iter().zip(places) {
         if channels.is_empty() || starts.is_empty() {
             continue;
         }
         let values = starts.len().saturating_mul(channels.len());
-        *budget = budget.checked_sub(values).ok_or("it announces more values than it has room for")?;
+        file.budget.numbers(values as u64)?;
         let whole = channels.into_iter().filter(|c| c.format.fits(record.bytes));
         let channels = whole.map(|c| {
             let value = |start: &usize| c.conversion.physical(c.format.number(&bytes[*start..*start + record.bytes]));
@@ -93,6 +95,7 @@ fn data_group(file: &File<'_>, group: &Block<'_>, budget: &mut usize, found: &mu
         });
         found.push(Group { rows: starts.len(), channels: channels.collect() });
     }
+    file.budget.free(places_held);
     Ok(())
 }
 
@@ -100,6 +103,8 @@ fn data_group(file: &File<'_>, group: &Block<'_>, budget: &mut usize, found: &mu
 fn channels(file: &File<'_>, first: u32) -> Result<Vec<Stored>, String> {
     let mut found = Vec::new();
     for block in file.chain(first, "CN")? {
+        file.budget.hold(CHANNEL)?;
+        file.budget.work(NAMING)?;
         let is_time = block.u16(24)? == 1;
         // Unsigned, signed, two widths of floating point; then the same in a byte order of their own; the rest are texts.
         let (kind, big_endian) = match block.u16(190)? {
@@ -151,6 +156,7 @@ fn conversion(file: &File<'_>, at: u32) -> Result<Conversion, String> {
     Ok(match block.u16(42)? {
         0 => Conversion::linear(&numbers(2)?, unit),
         kind @ (1 | 2) => {
+            file.budget.numbers(2 * count as u64)?;
             let pairs = (0..count).map(|k| Ok([number(2 * k)?, number(2 * k + 1)?]));
             Conversion::table(pairs.collect::<Result<_, String>>()?, kind == 1, unit)
         }
@@ -191,6 +197,8 @@ impl<'a> File<'a> {
         while next != 0 {
             let block = self.block(next, id)?;
             next = block.u32(4)?;
+            self.budget.hold(32)?;
+            self.budget.work(100)?;
             blocks.push(block);
             if blocks.len() > CHAIN.min(self.bytes.len() / 4 + 1) {
                 return Err("its blocks lead in a circle".into());
@@ -202,6 +210,7 @@ impl<'a> File<'a> {
     /// The text that a link leads to, where it does.
     fn text(&'a self, at: u32) -> Option<String> {
         let block = if at == 0 { None } else { self.block(at, "TX").ok() }?;
+        self.budget.hold(block.bytes.len() as u64).ok()?;
         Some(latin(block.bytes.get(4..)?)).filter(|text| !text.is_empty())
     }
 

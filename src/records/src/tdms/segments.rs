@@ -2,10 +2,13 @@
 
 use std::collections::HashMap;
 
+use super::super::source::Budget;
 use super::value::{Cursor, Number, Property};
 
 /// Objects that a file may have: a rig has tens of channels, some files a group for each test.
 const MOST: usize = 1 << 14;
+/// Memory of an object or a property beside its name, bytes, and the work of finding it.
+const OBJECT: u64 = 256;
 /// Flags of a segment.
 const META: u32 = 1 << 1;
 const NEW_LIST: u32 = 1 << 2;
@@ -37,11 +40,13 @@ struct Object {
     properties: HashMap<String, Property>,
     /// How its data stand in a segment: kind of number and how many in a chunk.
     index: Option<(Number, usize)>,
+    /// Whether it has data in the segment.
+    is_active: bool,
     values: Vec<f64>,
 }
 
-/// All channels of a file.
-pub(super) fn channels(bytes: &[u8]) -> Result<Vec<Channel>, String> {
+/// All channels of a file, and whether it broke off while it was written.
+pub(super) fn channels(bytes: &[u8], budget: &Budget) -> Result<(Vec<Channel>, bool), String> {
     if !bytes.starts_with(b"TDSm") {
         return Err("it does not begin with TDSm".into());
     }
@@ -49,7 +54,7 @@ pub(super) fn channels(bytes: &[u8]) -> Result<Vec<Channel>, String> {
     let mut by_path: HashMap<String, usize> = HashMap::new();
     // Objects with data in the segment, in the order of their data; the next may leave it as it is.
     let mut active: Vec<usize> = Vec::new();
-    let mut at = 0;
+    let (mut at, mut cut) = (0, false);
     while at + LEAD_IN <= bytes.len() {
         let lead = &bytes[at..at + LEAD_IN];
         if &lead[..4] != b"TDSm" {
@@ -67,7 +72,9 @@ pub(super) fn channels(bytes: &[u8]) -> Result<Vec<Channel>, String> {
             usize::try_from(next).ok().and_then(|n| from.checked_add(n))
         };
         // Data that the file lost are left out; properties that it lost are not.
-        let end = end.ok_or("a segment ends outside the file")?.min(bytes.len());
+        let stated = end.ok_or("a segment ends outside the file")?;
+        cut |= next == u64::MAX || stated > bytes.len();
+        let end = stated.min(bytes.len());
         let raw = usize::try_from(raw).ok().and_then(|n| from.checked_add(n)).filter(|raw| *raw <= end);
         let raw = raw.ok_or("a segment's data begin outside the segment")?;
         if flags & DAQMX != 0 {
@@ -75,17 +82,20 @@ pub(super) fn channels(bytes: &[u8]) -> Result<Vec<Channel>, String> {
         }
         if flags & META != 0 {
             if flags & NEW_LIST != 0 {
-                active.clear();
+                active.drain(..).for_each(|k| objects[k].is_active = false);
             }
             let mut cursor = Cursor::new(&bytes[from..raw], flags & BIG_ENDIAN != 0);
-            meta(&mut cursor, &mut objects, &mut by_path, &mut active)?;
+            meta(&mut cursor, &mut objects, &mut by_path, &mut active, budget)?;
         }
         if flags & RAW != 0 {
-            data(&bytes[raw..end], flags, &mut objects, &active)?;
+            cut |= data(&bytes[raw..end], flags, &mut objects, &active, budget)?;
         }
         at = end;
     }
-    objects.into_iter().filter_map(|object| channel(object).transpose()).collect()
+    // The beginning of a segment that was not written to its end.
+    cut |= at < bytes.len();
+    let channels = objects.into_iter().filter_map(|object| channel(object).transpose()).collect::<Result<_, _>>()?;
+    Ok((channels, cut))
 }
 
 /// The objects that a segment tells of.
@@ -94,15 +104,18 @@ fn meta(
     objects: &mut Vec<Object>,
     by_path: &mut HashMap<String, usize>,
     active: &mut Vec<usize>,
+    budget: &Budget,
 ) -> Result<(), String> {
     for _ in 0..cursor.u32()? {
         let path = cursor.text()?;
+        budget.work(OBJECT)?;
         let place = match by_path.get(&path) {
             Some(place) => *place,
             None => {
                 if objects.len() == MOST {
                     return Err(format!("it has more than {MOST} objects"));
                 }
+                budget.hold(2 * path.len() as u64 + OBJECT)?;
                 by_path.insert(path.clone(), objects.len());
                 objects.push(Object { path, ..Object::default() });
                 objects.len() - 1
@@ -129,31 +142,39 @@ fn meta(
                 true
             }
         };
-        if has_data && !active.contains(&place) {
+        if has_data && !objects[place].is_active {
+            objects[place].is_active = true;
             active.push(place);
         }
         for _ in 0..cursor.u32()? {
             let name = cursor.text()?;
             let value = cursor.property()?;
+            budget.hold(name.len() as u64 + value.size() + OBJECT)?;
             objects[place].properties.insert(name, value);
         }
     }
     Ok(())
 }
 
-/// The data of a segment: chunks, each with the values of every object one after the other, or value by value in turn.
-fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize]) -> Result<(), String> {
-    let shapes: Vec<(usize, Number, usize)> =
-        active.iter().filter_map(|k| objects[*k].index.map(|(number, count)| (*k, number, count))).collect();
+/// The data of a segment; whether its last chunk is not whole. Chunks, each with the values of every object one after the other, or value by value in turn.
+fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize], budget: &Budget) -> Result<bool, String> {
+    // A segment may leave the list as it is, and then costs as much as a longer one.
+    budget.work(10 * active.len() as u64)?;
+    let shapes: Vec<(usize, Number, usize)> = active
+        .iter()
+        .filter_map(|k| objects[*k].index.map(|(number, count)| (*k, number, count)))
+        .filter(|(_, _, count)| *count > 0)
+        .collect();
     let size = |(_, number, count): &(usize, Number, usize)| number.width().checked_mul(*count);
     let chunk = shapes.iter().try_fold(0_usize, |sum, shape| sum.checked_add(size(shape)?));
     let Some(chunk) = chunk else { return Err("its channels announce more than any file holds".into()) };
     if chunk == 0 {
-        return Ok(());
+        return Ok(false);
     }
     let big_endian = flags & BIG_ENDIAN != 0;
     if flags & INTERLEAVED != 0 {
         let row: usize = shapes.iter().map(|(_, number, _)| number.width()).sum();
+        budget.numbers((bytes.len() / row * shapes.len()) as u64)?;
         for row in bytes.chunks_exact(row) {
             let mut at = 0;
             for (k, number, _) in &shapes {
@@ -161,18 +182,20 @@ fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize]) -> R
                 at += number.width();
             }
         }
-        return Ok(());
+        return Ok(bytes.len() % row != 0);
     }
     for part in bytes.chunks_exact(chunk) {
         let mut at = 0;
         for (k, number, count) in &shapes {
+            budget.numbers(*count as u64)?;
+            budget.work(10)?;
             let end = at + number.width() * count;
             let values = part[at..end].chunks_exact(number.width()).map(|v| number.value(v, big_endian));
             objects[*k].values.extend(values);
             at = end;
         }
     }
-    Ok(())
+    Ok(bytes.len() % chunk != 0)
 }
 
 /// The channel that an object is; `None` for the file itself and its groups.

@@ -126,6 +126,16 @@ impl<'a> Cursor<'a> {
 /// Seconds from the first instant of 1904, from which these files count, to that of 1970.
 const FROM_1904_TO_1970: f64 = 24_107.0 * DAY;
 
+impl Property {
+    /// Memory beside the value itself, bytes.
+    pub fn size(&self) -> u64 {
+        match self {
+            Property::Text(text) => text.len() as u64,
+            _ => 0,
+        }
+    }
+}
+
 /// The value of a property.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Property {

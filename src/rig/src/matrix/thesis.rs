@@ -118,6 +118,9 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
     })
 }
 
+/// Amplitudes, m, and peak velocities, m/s, that a rig may be asked for: below a micrometre is noise of its sensors, above 20 m/s no rig goes.
+const VALUES: (f64, f64) = (1e-6, 20.0);
+
 fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), RigError> {
     let fail = |problem| Err(RigError::Option { option, problem });
     if values.is_empty() {
@@ -126,6 +129,10 @@ fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), 
     for (index, value) in values.iter().enumerate() {
         if !(value.is_finite() && *value > 0.0) {
             return fail(format!("{} {unit}; give positive numbers", value * 1e3));
+        }
+        if !(VALUES.0..=VALUES.1).contains(value) {
+            let (low, high) = (1e3 * VALUES.0, 1e3 * VALUES.1);
+            return fail(format!("{:e} {unit}; a rig drives {low} to {high} {unit}", value * 1e3));
         }
         if values[..index].contains(value) {
             return fail(format!("{} {unit} is listed twice", value * 1e3));
@@ -230,6 +237,8 @@ mod tests {
         assert!(with(|o| o.amplitudes_m = vec![]).contains("amplitudes"));
         assert!(with(|o| o.amplitudes_m = vec![0.05, 0.05]).contains("50 mm is listed twice"));
         assert!(with(|o| o.peak_velocities_m_s = vec![-0.1]).contains("peak velocities"));
+        assert!(with(|o| o.peak_velocities_m_s = vec![1e305]).contains("0.001 to 20000 mm/s"));
+        assert!(with(|o| o.amplitudes_m = vec![1e-308]).contains("0.001 to 20000 mm"));
         assert!(with(|o| o.frequency_limit_hz = f64::NAN).contains("frequency limit"));
         assert!(with(|o| o.frequency_limit_hz = 1e-6).contains("raise the limit"));
         assert!(with(|o| o.amplitudes_m = vec![0.2]).contains("mid-stroke"));

@@ -168,7 +168,7 @@ impl Knots {
     }
 
     fn interval(&self, force: f64) -> usize {
-        self.force_n.partition_point(|f| *f <= force).clamp(1, self.force_n.len() - 1)
+        self.force_n.partition_point(|f| *f <= force).min(self.force_n.len() - 1).max(1)
     }
 
     fn line(&self, force: f64) -> f64 {

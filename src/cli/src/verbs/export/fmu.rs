@@ -116,10 +116,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
     let compiles = args.from_source || !holds_one && library(None).is_ok();
     if compiles && !args.from_source {
-        eprintln!(
+        dashpot_output::warn(&format!(
             "note: this command holds no compiled FMU runtime, so it is compiled here for this platform alone; {}",
             runtimes::HOW
-        );
+        ));
     }
     let library = if compiles { Some(library(args.library.as_deref())?) } else { None };
     let name = handed_out::fmu_name(&args.models[0], corners.len() > 1);

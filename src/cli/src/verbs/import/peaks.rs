@@ -1,10 +1,10 @@
 //! `dashpot import peaks`: a model to begin with, from a table of peak force over peak velocity.
 
-use anyhow::Context as _;
+use anyhow::{Context as _, bail};
 use dashpot_identification::of_peaks::of_peaks;
 use dashpot_output::Kind;
-use dashpot_records::{PeakOptions, Positive, assignment};
-use std::path::PathBuf;
+use dashpot_records::{PeakOptions, Positive, assignment, peak_clicks};
+use std::path::{Path, PathBuf};
 
 /// Make a model file from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel
 ///
@@ -30,6 +30,9 @@ pub struct Args {
     /// Heading of a column, with or without its unit, or its number from 1; columns are velocity and force, and of one stroke rebound_velocity, rebound_force, compression_velocity and compression_force
     #[arg(long, value_name = "COLUMN=HEADING")]
     column: Vec<String>,
+    /// Of a table of an adjustable damper, the click whose curve is read; all makes a model of each, with the click behind its name
+    #[arg(long, value_name = "N|all")]
+    clicks: Option<String>,
     /// Gas force in the table's forces, N
     #[arg(long, value_name = "N", default_value_t = 0.0)]
     gas_force: f64,
@@ -40,15 +43,49 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    dashpot_output::check_kinds([(Some(args.output.as_path()), Kind::Model)])?;
-    let begun = of_peaks(&args.input, &args.options()?, args.gas_force, args.friction)?;
-    dashpot_output::write(&args.output, &begun.text)?;
+    let models: Vec<(Option<f64>, PathBuf)> = match args.clicks.as_deref() {
+        None => vec![(None, args.output.clone())],
+        Some("all") => {
+            if dashpot_output::is_stdout(&args.output) {
+                bail!("--clicks all writes several models: give -o a file name");
+            }
+            let clicks = peak_clicks(&args.input)?;
+            if clicks.is_empty() {
+                bail!("{}: has no column that names clicks; leave --clicks out", args.input.display());
+            }
+            clicks.into_iter().map(|click| (Some(click), of_click(&args.output, click))).collect()
+        }
+        Some(text) => {
+            let click = text.parse().ok().filter(|c: &f64| c.is_finite());
+            let click = click.with_context(|| format!("--clicks takes a number or all, not {text:?}"))?;
+            vec![(Some(click), args.output.clone())]
+        }
+    };
+    dashpot_output::check_kinds(models.iter().map(|(_, path)| (Some(path.as_path()), Kind::Model)))?;
+    for (clicks, path) in &models {
+        one(args, *clicks, path)?;
+    }
+    Ok(())
+}
+
+/// The file of a click's model: `damper.toml` becomes `damper_10.toml`.
+fn of_click(output: &Path, click: f64) -> PathBuf {
+    let stem = output.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = output.extension().map_or_else(String::new, |ending| format!(".{}", ending.to_string_lossy()));
+    output.with_file_name(format!("{stem}_{click}{ending}"))
+}
+
+/// Makes one model.
+fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
+    let options = PeakOptions { clicks, ..args.options()? };
+    let begun = of_peaks(&args.input, &options, args.gas_force, args.friction)?;
+    dashpot_output::write(output, &begun.text)?;
     dashpot_output::say(
-        Some(&args.output).filter(|p| dashpot_output::is_stdout(p)).map(PathBuf::as_path),
+        Some(output).filter(|p| dashpot_output::is_stdout(p)),
         &format!(
             "{} points in {}; {}; {}; hysteresis needs records (dashpot fit)",
             begun.points,
-            args.output.display(),
+            output.display(),
             begun.columns,
             begun.direction
         ),

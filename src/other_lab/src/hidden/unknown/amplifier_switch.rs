@@ -20,7 +20,7 @@ impl Hidden for AutoRange {
         let mut stands = 0.0f64;
         for f in force {
             // Between the force less the backlash and the force: it is pushed up by the one, down by the other.
-            stands = stands.clamp(f.abs() - self.backlash, f.abs());
+            stands = stands.max(f.abs() - self.backlash).min(f.abs());
             let beyond = (stands - (self.up - self.backlash)) / self.band;
             *f *= 1.0 + self.error * 0.5 * (1.0 + libm::tanh(beyond));
         }

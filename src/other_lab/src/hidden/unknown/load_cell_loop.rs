@@ -20,7 +20,7 @@ impl Hidden for Stops {
             let moved = *f - last;
             last = *f;
             for (stop, width) in stops.iter_mut().zip(self.widths) {
-                *stop = (*stop + moved).clamp(-width, width);
+                *stop = (*stop + moved).min(width).max(-width);
             }
             *f += self.share * stops.iter().sum::<f64>();
         }

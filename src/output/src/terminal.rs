@@ -1,0 +1,56 @@
+//! The one place that writes words to the terminal. Names of files, headings and entries of tables come from strangers, so what would
+//! move the cursor, color or reorder the text is shown and not done.
+
+use anyhow::Context as _;
+use std::borrow::Cow;
+use std::io::Write;
+
+/// Whether a character acts on a terminal or on the order of the text around it: controls but for line feed and tab, and the marks of
+/// direction of Unicode's annex 9, with the separators of lines and paragraphs.
+fn acts(c: char) -> bool {
+    let is_mark = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    (c.is_control() && c != '\n' && c != '\t') || is_mark
+}
+
+/// The text with every character that acts on a terminal written as `\u{1b}`.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    if !text.chars().any(acts) {
+        return text.into();
+    }
+    let mut shown = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if acts(c) {
+            shown.extend(c.escape_unicode());
+        } else {
+            shown.push(c);
+        }
+    }
+    shown.into()
+}
+
+/// Prints a line on standard output.
+pub(crate) fn line(text: &str) -> anyhow::Result<()> {
+    writeln!(std::io::stdout().lock(), "{}", printable(text)).context("cannot write to standard output")
+}
+
+/// Prints a line on standard error. There is nobody to tell where that fails.
+pub fn warn(text: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "{}", printable(text));
+}
+
+/// Prints a line on standard error, and says where that fails.
+pub(crate) fn warn_or_fail(text: &str) -> anyhow::Result<()> {
+    writeln!(std::io::stderr().lock(), "{}", printable(text)).context("cannot write to standard error")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_acts_on_a_terminal_is_shown() {
+        assert_eq!(printable("Kraft [N]\tµ 减振器\n"), "Kraft [N]\tµ 减振器\n");
+        assert_eq!(printable("a\u{1b}[31mred\r\u{7}"), "a\\u{1b}[31mred\\u{d}\\u{7}");
+        assert_eq!(printable("\u{9b}2J\u{202e}vsc.exe\u{2066}"), "\\u{9b}2J\\u{202e}vsc.exe\\u{2066}");
+    }
+}

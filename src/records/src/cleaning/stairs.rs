@@ -1,0 +1,170 @@
+//! Friction programs: strokes of constant speed to and fro, a few at each of several speeds, without a rest between them. Each speed is a test.
+//! Too few cycles of each are whole for a comparison of cycles, so the strokes themselves are compared.
+
+use super::super::cycle::Cycle;
+use super::super::noise::difference_noise;
+use super::super::numbers::range;
+use super::super::phrases;
+use super::super::record::Note;
+use super::super::samples::Samples;
+use super::super::sentence::Sentence;
+use super::FEWEST;
+use super::cycles::{self, turning_points};
+use super::rests::part;
+use std::ops::Range;
+
+/// Fraction of the whole range that a stroke has at least: the slowest speeds may have short ones.
+const STROKE: f64 = 0.1;
+/// Root mean square by which a stroke may be off a straight line, as a fraction of its length: half a sine is off by 0.043.
+const STRAIGHT: f64 = 0.015;
+/// Fraction of all strokes that must be straight.
+const MOST: f64 = 0.9;
+/// By how much speeds of one test may differ, as a ratio: drives keep them to a few percent, time stamps of slow loggers are rounded.
+const SAME: f64 = 1.15;
+/// Strokes of a test: one to and one fro.
+const FEWEST_STROKES: usize = 2;
+/// Samples of a stroke up to which its speed is that of the whole stroke: a window of a few samples would reach around both its turns.
+const COARSE: usize = 40;
+
+/// A stroke between two turns.
+struct Stroke {
+    samples: Range<usize>,
+    /// Signed, m/s.
+    speed: f64,
+    /// Root mean square off a straight line, m.
+    off: f64,
+    is_straight: bool,
+}
+
+/// Splits a record into its speeds; says so first.
+pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
+    let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
+        return vec![samples];
+    };
+    let strokes = strokes(&samples.time, x);
+    let straight = strokes.iter().filter(|stroke| stroke.is_straight).count();
+    if strokes.len() < 2 * FEWEST_STROKES || (straight as f64) < MOST * strokes.len() as f64 {
+        return vec![samples];
+    }
+    let runs = runs(&strokes);
+    let spans: Vec<Range<usize>> =
+        runs.iter().map(|run| strokes[run.start].samples.start..strokes[run.end - 1].samples.end).collect();
+    let is_test = |(run, span): (&Range<usize>, &Range<usize>)| run.len() >= FEWEST_STROKES && span.len() >= FEWEST;
+    if runs.len() < 2 || !runs.iter().zip(&spans).all(is_test) {
+        return vec![samples];
+    }
+    let coarse = samples.velocity.is_none() && strokes.iter().any(|stroke| stroke.samples.len() <= COARSE);
+    let count = runs.len();
+    let found: Vec<(Vec<Cycle>, f64)> = spans
+        .iter()
+        .map(|span| (cycles::find(&samples.time[span.clone()], &x[span.clone()]), range(&x[span.clone()])))
+        .collect();
+    if coarse {
+        let mut velocity = vec![0.0; samples.len()];
+        for stroke in &strokes {
+            velocity[stroke.samples.clone()].fill(stroke.speed);
+        }
+        samples.velocity = Some(velocity);
+        samples.note("derived", Sentence::from(phrases::SPEED_OF_STROKES));
+    }
+    samples.notes.insert(0, Note { kind: "rests", text: Sentence::from(phrases::AT_SPEEDS).with("count", count) });
+    let parts = spans.into_iter().zip(found).enumerate();
+    parts.map(|(k, (span, (cycles, stroke)))| part(&samples, span, (k, count), &cycles, stroke)).collect()
+}
+
+/// The strokes from turn to turn. A turn between two samples leaves one on either side.
+fn strokes(time: &[f64], x: &[f64]) -> Vec<Stroke> {
+    let threshold = (STROKE * range(x)).max(10.0 * difference_noise(x));
+    let turns = turning_points(x, threshold);
+    let inner = turns.get(1..turns.len().saturating_sub(1)).unwrap_or_default();
+    let mut bounds = vec![0];
+    for (k, &turn) in inner.iter().enumerate() {
+        // Of two samples beside a turn noise makes either the highest; it belongs to the stroke that it lies straight with.
+        let (from, to) = (bounds[k], inner.get(k + 1).copied().unwrap_or(x.len()));
+        let off = |cut: &usize| stroke(time, x, from..*cut).off + stroke(time, x, *cut..to).off;
+        let cuts = [turn + 1, turn, turn + 2].into_iter().filter(|cut| *cut > from + 2 && *cut + 2 < to);
+        bounds.push(cuts.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(turn + 1));
+    }
+    bounds.push(x.len());
+    bounds.windows(2).filter(|pair| pair[1] >= pair[0] + 3).map(|pair| stroke(time, x, pair[0]..pair[1])).collect()
+}
+
+fn stroke(time: &[f64], x: &[f64], samples: Range<usize>) -> Stroke {
+    let n = samples.len() as f64;
+    let (mt, mx) = (time[samples.clone()].iter().sum::<f64>() / n, x[samples.clone()].iter().sum::<f64>() / n);
+    let (mut tt, mut tx, mut xx) = (0.0, 0.0, 0.0);
+    for i in samples.clone() {
+        let (t, x) = (time[i] - mt, x[i] - mx);
+        (tt, tx, xx) = (tt + t * t, tx + t * x, xx + x * x);
+    }
+    let speed = if tt > 0.0 { tx / tt } else { 0.0 };
+    let off = ((xx - speed * tx).max(0.0) / n).sqrt();
+    let is_straight = off <= STRAIGHT * range(&x[samples.clone()]);
+    Stroke { samples, speed, off, is_straight }
+}
+
+/// Strokes of one speed, one after the other.
+fn runs(strokes: &[Stroke]) -> Vec<Range<usize>> {
+    let mut runs: Vec<Range<usize>> = Vec::new();
+    for (k, stroke) in strokes.iter().enumerate() {
+        let is_same = |first: &Stroke| {
+            let ratio = (stroke.speed / first.speed).abs();
+            ratio < SAME && ratio > 1.0 / SAME
+        };
+        match runs.last_mut() {
+            Some(run) if is_same(&strokes[run.start]) => run.end = k + 1,
+            _ => runs.push(k..k + 1),
+        }
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixtures::{Random, moving};
+    use super::*;
+
+    /// Two cycles of a triangle at each speed, mm/s, over 35 mm or at least half a second.
+    fn program(rate: f64, speeds: &[f64]) -> Samples {
+        let mut random = Random::new(4);
+        let mut x = Vec::new();
+        for speed in speeds {
+            let steps = ((35.0 / speed).max(0.5) * rate).round() as usize;
+            for stroke in 0..4 {
+                for k in 0..steps {
+                    let way = (k as f64 + 0.5) * speed / rate;
+                    let top = steps as f64 * speed / rate;
+                    x.push(1e-3 * if stroke % 2 == 0 { way } else { top - way } + 2e-6 * random.normal());
+                }
+            }
+        }
+        moving(rate, x)
+    }
+
+    #[test]
+    fn every_speed_of_a_friction_program_is_a_test() {
+        for rate in [10.0, 500.0] {
+            let speeds = [10.0, 20.0, 30.0, 50.0, 75.0, 100.0, 150.0];
+            let parts = split(program(rate, &speeds));
+            assert_eq!(parts.len(), 7, "{rate}: {:?}", parts.iter().map(|p| &p.name).collect::<Vec<_>>());
+            assert!(
+                parts.iter().all(|p| p.notes[0].kind == "rests" && p.notes[0].text.to_string().contains("7 tests"))
+            );
+            if rate == 10.0 {
+                for (part, speed) in parts.iter().zip(speeds) {
+                    let v = part.velocity.as_ref().unwrap();
+                    assert!(v.iter().all(|v| (v.abs() / (1e-3 * speed) - 1.0).abs() < 0.02), "{speed}: {v:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_speed_and_sines_are_not_split() {
+        assert_eq!(split(program(100.0, &[50.0, 50.0, 51.0])).len(), 1);
+        let sine = |rate: f64| -> Vec<f64> {
+            (0..4000).map(|i| 0.02 * libm::sin(1e-3 * f64::from(i) * rate * (1.0 + 1e-4 * f64::from(i)))).collect()
+        };
+        assert_eq!(split(moving(500.0, sine(10.0))).len(), 1);
+    }
+}

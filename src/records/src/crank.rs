@@ -1,0 +1,160 @@
+//! Records over the angle of a crank instead of time, as dynos with a crank drive write them: with the speed of the crank among the lines above
+//! the table, the angle is a clock.
+
+use super::heading::words;
+use super::table::number;
+
+/// What a column of the crank's angle is called, in words without accents.
+const ANGLES: [&str; 11] = [
+    "crank angle",
+    "crankangle",
+    "crank",
+    "crank position",
+    "angle",
+    "phase angle",
+    "kurbelwinkel",
+    "winkel",
+    "drehwinkel",
+    "angle vilebrequin",
+    "曲柄转角",
+];
+/// What the speed of the crank is called.
+const SPEEDS: [&str; 10] = [
+    "speed",
+    "crank speed",
+    "motor speed",
+    "rpm",
+    "rotational speed",
+    "drehzahl",
+    "kurbeldrehzahl",
+    "vitesse de rotation",
+    "转速",
+    "frequency",
+];
+/// What the heading of time is replaced by.
+const TIME: &str = "Time [s]";
+
+/// The crank as a clock.
+#[derive(Debug, Clone)]
+pub(crate) struct Crank {
+    /// The column of its angle.
+    pub index: usize,
+    /// Speed, revolutions per minute.
+    pub rpm: f64,
+    seconds: f64,
+    /// A whole turn in the column's unit.
+    turn: f64,
+    /// Whole turns so far, and the angle before.
+    turns: f64,
+    last: Option<f64>,
+}
+
+/// Finds a column of angles in a heading without a time, and the speed in the lines above; the heading then names it a time.
+pub(crate) fn find<'a>(
+    header: &mut [String],
+    units: Option<&mut Vec<String>>,
+    above: impl Iterator<Item = &'a str>,
+) -> Option<Crank> {
+    let (mut index, mut turn) = (None, 360.0);
+    for (k, heading) in header.iter().enumerate() {
+        let (name, unit) = parted(heading);
+        let below = units.as_ref().and_then(|units| units.get(k)).map(String::as_str);
+        let turn_of = |unit: &str| match unit.trim().trim_matches(|c| "[]()".contains(c)).to_lowercase().as_str() {
+            "deg" | "°" | "degree" | "degrees" | "grad" | "度" => Some(360.0),
+            "rad" => Some(std::f64::consts::TAU),
+            "rev" | "turns" => Some(1.0),
+            _ => None,
+        };
+        let found = unit.or(below).and_then(turn_of);
+        if ANGLES.contains(&name.as_str()) && (found.is_some() || unit.or(below).unwrap_or_default().trim().is_empty())
+        {
+            (index, turn) = (Some(k), found.unwrap_or(360.0));
+            break;
+        }
+    }
+    let index = index?;
+    let rpm = above.filter_map(speed).last()?;
+    header[index] = TIME.to_owned();
+    if let Some(units) = units
+        && let Some(unit) = units.get_mut(index)
+    {
+        *unit = "s".to_owned();
+    }
+    Some(Crank { index, rpm, seconds: 60.0 / (rpm * turn), turn, turns: 0.0, last: None })
+}
+
+impl Crank {
+    /// The time of an angle, s. An angle that begins anew is that of the next turn.
+    pub fn time(&mut self, angle: f64) -> f64 {
+        if self.last.is_some_and(|last| angle < last - 0.5 * self.turn) {
+            self.turns += 1.0;
+        }
+        if angle.is_finite() {
+            self.last = Some(angle);
+        }
+        (angle + self.turns * self.turn) * self.seconds
+    }
+}
+
+/// A heading's words, and the unit in its brackets.
+fn parted(heading: &str) -> (String, Option<&str>) {
+    match heading.trim().split_once(['[', '(']) {
+        Some((name, unit)) => (words(name).join(" "), Some(unit.trim_end_matches([']', ')']))),
+        None => (words(heading).join(" "), None),
+    }
+}
+
+/// The speed of a crank in a line such as `Speed: 120.0 rpm` or `Drehzahl [1/min];120`, revolutions per minute.
+fn speed(line: &str) -> Option<f64> {
+    let separator = line.chars().find(|c| "\t;:=".contains(*c)).unwrap_or(',');
+    let mut cells = line.split(separator).map(|c| c.trim().trim_matches('"'));
+    let (name, in_name) = parted(cells.next()?);
+    let value = cells.find(|c| !c.is_empty())?;
+    let (value, unit) = match value.split_once(' ') {
+        Some((value, unit)) => (value, Some(unit.trim())),
+        None => (value, cells.find(|c| !c.is_empty()).or(in_name)),
+    };
+    let value = number(value, true).filter(|v| v.is_finite() && *v > 0.0)?;
+    let per_minute = match unit.map(|unit| unit.trim_matches(|c| "[]()".contains(c)).to_lowercase()).as_deref() {
+        Some("rpm" | "1/min" | "u/min" | "min-1" | "r/min" | "tr/min" | "rev/min") => 1.0,
+        Some("hz" | "1/s" | "rev/s") => 60.0,
+        None if name == "rpm" => 1.0,
+        _ => return None,
+    };
+    SPEEDS.contains(&name.as_str()).then_some(value * per_minute)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speeds_of_cranks_are_read_and_others_are_not() {
+        for (line, wanted) in [
+            ("Speed: 120.0 rpm", Some(120.0)),
+            ("Drehzahl [1/min];18,5", Some(18.5)),
+            ("RPM,90", Some(90.0)),
+            ("Frequency = 2 Hz", Some(120.0)),
+            ("Speed: 0.5 m/s", None),
+            ("Stroke: 50 mm", None),
+            ("Speed: fast", None),
+        ] {
+            assert_eq!(speed(line), wanted, "{line}");
+        }
+    }
+
+    #[test]
+    fn angles_are_a_clock_over_many_turns() {
+        let mut header = vec!["Crank angle [deg]".to_owned(), "Force [N]".to_owned()];
+        let mut crank = find(&mut header, None, ["Speed: 60 rpm"].into_iter()).unwrap();
+        assert_eq!(header[0], "Time [s]");
+        let times: Vec<f64> = [0.0, 90.0, 359.0, 0.0, 180.0].iter().map(|angle| crank.time(*angle)).collect();
+        assert!(
+            times.iter().zip([0.0, 0.25, 359.0 / 360.0, 1.0, 1.5]).all(|(a, b)| (a - b).abs() < 1e-12),
+            "{times:?}"
+        );
+        // Without a speed it is no clock, nor is a column of something else.
+        assert!(find(&mut vec!["Angle".to_owned()], None, std::iter::empty()).is_none());
+        assert!(find(&mut vec!["Force [N]".to_owned()], None, ["RPM: 60"].into_iter()).is_none());
+    }
+}

@@ -1,0 +1,74 @@
+//! Tests of several settings of an adjustable damper. One model holds one setting, so they are not fitted as one damper without a word.
+
+use std::collections::BTreeMap;
+
+use super::other_settings::together;
+use super::phrases;
+use super::record::{Note, Record};
+use super::sentence::Sentence;
+use super::setting_value::{SAME, Setting};
+
+/// Takes settings from names where all tests state one and no channel does. A letter behind a number may as well number the tests, so
+/// names of which each states another value, and no two the same, count only where they have decimals or the unit of clicks.
+pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
+    if records.iter().all(|record| record.setting.is_none()) {
+        let named: Option<Vec<Setting>> = records.iter().map(|record| Setting::of_name(&record.name)).collect();
+        let names_tests = |all: &[Setting]| {
+            let whole = all.iter().all(|s| s.name == "current" && s.value.fract() == 0.0);
+            whole && all.iter().enumerate().all(|(i, a)| all[..i].iter().all(|b| !a.is_same(b)))
+        };
+        if let Some(named) = named.filter(|all| !all.is_empty() && !names_tests(all)) {
+            records.iter_mut().zip(named).for_each(|(record, setting)| record.setting = Some(setting));
+        }
+    }
+    tell(records, notes);
+}
+
+/// Warns where the tests of a campaign have several settings.
+fn tell(records: &[Record], notes: &mut Vec<Note>) {
+    let mut settings: BTreeMap<(String, i64), (Setting, Vec<usize>)> = BTreeMap::new();
+    for (k, record) in records.iter().enumerate() {
+        let Some(setting) = &record.setting else { continue };
+        let key = (setting.name.clone(), (setting.value / SAME).round() as i64);
+        settings.entry(key).or_insert_with(|| (setting.clone(), Vec::new())).1.push(k);
+    }
+    let Some((first, _)) = settings.values().next().filter(|_| settings.len() > 1) else { return };
+    let names: Vec<&str> = records.iter().map(|record| record.name.as_str()).collect();
+    let listed = settings.values().map(|(setting, tests)| {
+        Sentence::from(phrases::SETTING_AT)
+            .with("value", format!("{} {}", setting.value, setting.unit).trim_end())
+            .with_said("names", together(&names, tests))
+    });
+    let text = Sentence::from(phrases::SEVERAL_SETTINGS)
+        .with("count", settings.len())
+        .with_word("name", if first.name == "current" { "current" } else { "clicks" })
+        .with_list("settings", listed.collect(), phrases::SEMICOLON);
+    notes.push(Note { kind: "settings", text });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(name: &str) -> Record {
+        Record { name: name.into(), ..Record::default() }
+    }
+
+    #[test]
+    fn tests_of_several_settings_are_told_and_numbered_tests_are_not() {
+        let settled = |names: &[&str]| {
+            let mut records: Vec<Record> = names.iter().map(|name| record(name)).collect();
+            let mut notes = Vec::new();
+            settle(&mut records, &mut notes);
+            (records, notes)
+        };
+        let (records, notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);
+        assert_eq!(records[2].setting.as_ref().map(|s| s.value), Some(1.6));
+        let told = notes[0].text.to_string();
+        assert!(notes[0].kind == "settings" && told.contains("2 settings of current"), "{told}");
+        assert!(told.contains("0 A: all of '*0A' (2)") || told.contains("0 A: all of '*_0A' (2)"), "{told}");
+        for names in [&["t_1A", "t_2A", "t_3A"][..], &["a_0.4A", "b_0.4A"], &["a_0.4A", "b"]] {
+            assert!(settled(names).1.is_empty(), "{names:?}");
+        }
+    }
+}

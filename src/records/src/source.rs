@@ -1,0 +1,216 @@
+//! The bytes of a record file, and the budget of work and memory for reading them.
+//!
+//! Every reader gets its bytes here. A file that states a size, points twice at one block or repeats a text pays for each use, so
+//! the cost of reading is bounded by the size of the file.
+
+use std::fs::File;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+use super::error::{Place, RecordError};
+
+/// Largest record file, bytes: an hour of four channels at 1 kHz as text has 130 MB.
+pub(crate) const LARGEST: u64 = 256 << 20;
+/// Memory for what a reader makes of a file, bytes: this much for any file, and so many times its size. 16-bit numbers become numbers of
+/// eight bytes, compressed ones pack three to one. Cleaning then needs up to three times as much; a file of 10 MiB stays within 1 GiB.
+const MEMORY: (u64, u64) = (192 << 20, 10);
+/// Work for a file, in steps of about a nanosecond: this many for any file, and so many per byte. A text costs 30 per byte.
+const WORK: (u64, u64) = (2_000_000_000, 200);
+
+/// A record file in memory.
+pub(crate) struct Source {
+    pub file: PathBuf,
+    pub bytes: Vec<u8>,
+    pub budget: Budget,
+}
+
+impl Source {
+    /// Reads a whole file.
+    ///
+    /// # Errors
+    /// Where it cannot be read, is no regular file, is empty, or is larger than [`LARGEST`].
+    pub fn read(file: &Path) -> Result<Source, RecordError> {
+        let bytes = bytes(file, LARGEST)?;
+        if bytes.is_empty() {
+            return Err(RecordError::EmptyFile { file: file.into() });
+        }
+        Ok(Source { file: file.into(), budget: Budget::new(bytes.len() as u64), bytes })
+    }
+
+    /// The file as a place of messages.
+    pub fn place(&self) -> Place {
+        Place::file(&self.file)
+    }
+}
+
+/// The bytes of a regular file of at most `largest` bytes.
+///
+/// # Errors
+/// Where the file cannot be read, is no regular file (a pipe blocks for ever, a device never ends), or is larger.
+pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
+    let unreadable = |source| RecordError::Read { file: file.into(), source };
+    let metadata = std::fs::metadata(file).map_err(unreadable)?;
+    if !metadata.is_file() {
+        return Err(RecordError::NotRegular { file: file.into() });
+    }
+    let too_large = |bytes| RecordError::TooLarge { file: file.into(), bytes, largest };
+    if metadata.len() > largest {
+        return Err(too_large(metadata.len()));
+    }
+    // A file may grow while it is read, and some state no size.
+    let mut bytes = Vec::with_capacity(metadata.len() as usize + 1);
+    File::open(file).map_err(unreadable)?.take(largest + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > largest {
+        return Err(too_large(bytes.len() as u64));
+    }
+    Ok(bytes)
+}
+
+/// The text of a regular file of at most `largest` bytes, in UTF-8.
+///
+/// # Errors
+/// As [`bytes`], and where the file is no text.
+pub(crate) fn text(file: &Path, largest: u64) -> Result<String, RecordError> {
+    String::from_utf8(bytes(file, largest)?).map_err(|error| {
+        let source = std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error());
+        RecordError::Read { file: file.into(), source }
+    })
+}
+
+/// Largest file that is no record but a table, a model or a description, bytes.
+const LARGEST_SMALL: u64 = 16 << 20;
+
+/// The bytes of a table, a model or a description: a regular file of at most 16 MiB.
+///
+/// # Errors
+/// Where it cannot be read, is a pipe or a device, or is larger.
+pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
+    bytes(file, LARGEST_SMALL).map_err(|error| match error {
+        RecordError::Read { source, .. } => source,
+        RecordError::NotRegular { .. } => std::io::Error::other("it is no regular file"),
+        _ => std::io::Error::other(format!("it is larger than {} MiB", LARGEST_SMALL >> 20)),
+    })
+}
+
+/// The text of a table, a model or a description, in UTF-8.
+///
+/// # Errors
+/// As [`read_small`], and where it is no text.
+pub fn read_small_text(file: &Path) -> std::io::Result<String> {
+    String::from_utf8(read_small(file)?)
+        .map_err(|error| std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error()))
+}
+
+/// Work and memory that are left for reading one file. Clones share what is left.
+#[derive(Debug, Clone)]
+pub(crate) struct Budget(Arc<Left>);
+
+#[derive(Debug)]
+struct Left {
+    work: AtomicU64,
+    memory: AtomicU64,
+}
+
+/// The budget of a file is used up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Exhausted;
+
+impl Budget {
+    /// The budget of a file of so many bytes.
+    pub fn new(bytes: u64) -> Budget {
+        let of = |(any, per_byte): (u64, u64)| AtomicU64::new(any + per_byte * bytes);
+        Budget(Arc::new(Left { work: of(WORK), memory: of(MEMORY) }))
+    }
+
+    /// Charges work, in steps of about a nanosecond: a block that is visited, a byte that is unpacked.
+    pub fn work(&self, steps: u64) -> Result<(), Exhausted> {
+        charge(&self.0.work, steps)
+    }
+
+    /// Charges memory that is held until the file has been read, bytes, and the work of filling it.
+    pub fn hold(&self, bytes: u64) -> Result<(), Exhausted> {
+        charge(&self.0.memory, bytes)?;
+        self.work(bytes)
+    }
+
+    /// Gives back memory that was held for a while.
+    pub fn free(&self, bytes: u64) {
+        self.0.memory.fetch_add(bytes, Relaxed);
+    }
+
+    /// Charges so many numbers of eight bytes.
+    pub fn numbers(&self, count: u64) -> Result<(), Exhausted> {
+        self.hold(count.saturating_mul(8))
+    }
+
+    /// Memory that is left, bytes.
+    pub fn memory_left(&self) -> u64 {
+        self.0.memory.load(Relaxed)
+    }
+}
+
+fn charge(left: &AtomicU64, amount: u64) -> Result<(), Exhausted> {
+    // One thread reads a file; the atomic only lets parts of a reader share the budget.
+    let rest = left.load(Relaxed).checked_sub(amount);
+    left.store(rest.unwrap_or(0), Relaxed);
+    rest.map(|_| ()).ok_or(Exhausted)
+}
+
+impl Exhausted {
+    /// The cause in messages of readers.
+    pub const CAUSE: &'static str = "it unpacks to more than a file of its size may, or uses its parts too often";
+
+    /// As an error of a place.
+    pub fn at(self, at: &Place) -> RecordError {
+        RecordError::TooCostly { at: at.clone() }
+    }
+}
+
+impl From<Exhausted> for String {
+    fn from(_: Exhausted) -> String {
+        Exhausted::CAUSE.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_budget_is_charged_at_every_use_and_shared_by_clones() {
+        let budget = Budget::new(0);
+        let part = budget.clone();
+        part.hold(MEMORY.0 - 8).unwrap();
+        budget.numbers(1).unwrap();
+        assert_eq!(part.hold(1), Err(Exhausted));
+        budget.free(16);
+        assert_eq!(part.memory_left(), 16);
+        assert_eq!(Budget::new(0).work(u64::MAX), Err(Exhausted));
+        assert_eq!(Budget::new(0).numbers(u64::MAX), Err(Exhausted));
+    }
+
+    #[test]
+    fn only_regular_files_of_the_stated_size_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let message = |error: RecordError| error.to_string();
+        assert!(message(bytes(folder.path(), 10).unwrap_err()).contains("no regular file"));
+        let file = folder.path().join("a.csv");
+        std::fs::write(&file, "12345678901").unwrap();
+        assert_eq!(bytes(&file, 11).unwrap().len(), 11);
+        assert!(message(bytes(&file, 10).unwrap_err()).contains("a.csv: has 11 bytes"));
+        // A hole takes no room on the disk.
+        std::fs::File::create(&file).unwrap().set_len(2 << 30).unwrap();
+        assert!(message(Source::read(&file).err().unwrap()).contains("2048 MiB"));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn pipes_and_devices_are_no_records() {
+        let folder = tempfile::tempdir().unwrap();
+        let device = folder.path().join("zero.csv");
+        std::os::unix::fs::symlink("/dev/zero", &device).unwrap();
+        assert!(Source::read(&device).err().unwrap().to_string().contains("no regular file"));
+    }
+}
