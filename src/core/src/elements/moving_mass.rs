@@ -72,29 +72,37 @@ impl MovingMass {
     /// velocities bear out by the growth of the acceleration since the start of the step, where it was (v_0 − z)/τ. A host that samples a
     /// motion keeps its order. A semi-implicit host advances displacement with the velocity of one end, and so gives a curvature of three
     /// times the change of velocity: 2 kg would act as −2 or as 6 kg.
+    ///
+    /// Where a displacement of nanometres decides between the two, derivatives are one-sided: those of straight velocities, or of the growth where
+    /// that is as small.
     #[inline(always)]
     fn velocity<R: Real>(&self, path: &Path, z: f64, x1: R, v1: R) -> [R; 3] {
         let [start, _, by_displacement] = path.velocity(x1, v1);
         let change = v1 - start;
+        // The step's own integral of the velocity tells nothing that the velocity does not.
+        if path.is_integrated() {
+            return [start, change, R::constant(0.0)];
+        }
         let growth = change.plus((z - start.value()) * (self.per_time * path.length()));
-        let slack = change.abs() * SLACK;
-        let none = R::constant(0.0);
-        let (low, high) = if growth.value() < 0.0 { (growth, none) } else { (none, growth) };
-        let (low, high) = (low - slack, high + slack);
-        let curvature = if by_displacement.value() < low.value() {
-            low
-        } else if by_displacement.value() > high.value() {
-            high
-        } else {
+        let (given, most) = (by_displacement.value(), growth.value());
+        let small = NEAR * (6.0 / path.length());
+        let curvature = if !(given * most > 0.0) {
+            if most.abs() <= small { growth.chain(0.0, 1.0) } else { R::constant(0.0) }
+        } else if given.abs() >= most.abs() {
+            growth
+        } else if given.abs() > small {
             by_displacement
+        } else if most.abs() <= small {
+            growth.chain(given, 1.0)
+        } else {
+            R::constant(given)
         };
         [start, change - curvature, curvature]
     }
 }
 
-/// What the displacement may add to the change of velocity in any case, as a fraction of it. The growth lags by τ and is 0 too late; without slack
-/// the step would be of second order there. A semi-implicit host gets so much more or less mass.
-const SLACK: f64 = 0.01;
+/// Displacements nearer than this, m, are one: a host's own arithmetic knows them no better, and no next iterate lies so near.
+const NEAR: f64 = 1e-9;
 
 impl Memory for MovingMass {
     fn recall(&self, at: &Motion, z: f64) -> Recall {
