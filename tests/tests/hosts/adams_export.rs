@@ -513,7 +513,8 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
         assert!(said.contains("is of an earlier export"), "{said}");
         assert!(read_me.contains(&format!("cannot hold {element}.")), "{read_me}");
         // Ahead of all else but what must be known of this damper.
-        let (why, list) = (read_me.find("There is no native.adm").unwrap(), read_me.find("the identified damper").unwrap());
+        let (why, list) =
+            (read_me.find("There is no native.adm").unwrap(), read_me.find("the identified damper").unwrap());
         assert!(why < list, "{read_me}");
     }
     let (said, _) = export(&HELD, "series_load = \"whole\"\n");

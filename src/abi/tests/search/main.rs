@@ -140,8 +140,17 @@ fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     (compared, off)
 }
 
+/// Where one derivative is all that can be had, a step gives that of one side or one between both (step.md): so it is but for a part that the book
+/// tells. Cases far from all dampers come in clumps, hence the margin: seeds 5, 6 and 7 had 23 of 40351, 52 of 41656 and 56 of 41410.
 #[test]
 fn derivatives_of_steps_are_differences() {
     let (compared, off) = slopes(3000, 60, of_the_code());
-    assert!(compared > 10_000 && off == 0, "{off} of {compared}");
+    assert!(compared > 30_000 && 250 * off <= compared, "{off} of {compared}");
+}
+
+#[test]
+#[ignore = "a hundred thousand cases, for the night"]
+fn derivatives_of_many_steps_are_differences() {
+    let (compared, off) = slopes(100_000, 60, of_the_clock());
+    assert!(500 * off <= compared, "{off} of {compared}");
 }

@@ -9,7 +9,8 @@ use std::mem::zeroed;
 
 /// Widths of the differences: displacement m, velocity m/s. A knee is inside the wide ones and outside the narrow ones, a void of nanometres the
 /// other way round.
-const WIDTHS: [[f64; 7]; 2] = [[1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11], [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]];
+const WIDTHS: [[f64; 7]; 2] =
+    [[1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11], [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]];
 /// How near a derivative is to a difference, as a fraction of the largest of them: what a host's Newton does not feel.
 const NEAR: f64 = 0.02;
 /// Of the forces: what rounding leaves in a difference of two.
@@ -36,7 +37,11 @@ fn one_step(model: &dashpot_model, from: &dashpot_state, given: &Given) -> Optio
 fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -> Option<Result<(), String>> {
     let at = force(0.0)?;
     let narrowest = widths.iter().fold(f64::MAX, |a, b| a.min(*b));
-    let noise = AS_GOOD_AS_STILL.iter().filter_map(|share| force(share * narrowest)).map(|f| (f - at).abs()).fold(0.0, f64::max);
+    let noise = AS_GOOD_AS_STILL
+        .iter()
+        .filter_map(|share| force(share * narrowest))
+        .map(|f| (f - at).abs())
+        .fold(0.0, f64::max);
     let mut sides = Vec::new();
     for width in widths {
         let (Some(low), Some(high)) = (force(-width), force(*width)) else { continue };
