@@ -34,10 +34,11 @@ pub fn files(
     let native = native::fragment(params, model, length);
     let read_me = match &native {
         Ok(_) => fill(include_str!("templates/README.txt")).replace("{native}", NATIVE),
-        // First: who came for it need not read on.
+        // Below the title, by which the file is known as an older version of itself: who came for it need not read on.
         Err(reason) => {
             let lacks = wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}."));
-            format!("{lacks}\n\n{}", fill(include_str!("templates/README.txt")).replace("{native}\n", ""))
+            let text = fill(include_str!("templates/README.txt")).replace("{native}\n", "");
+            text.replacen("\n\n", &format!("\n\n{lacks}\n\n"), 1)
         }
     };
     let mut files = vec![

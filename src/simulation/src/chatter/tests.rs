@@ -143,6 +143,7 @@ fn a_moving_mass_above_the_wheels_is_no_quiet_damper() {
         let told = found.told(HOST, false);
         assert!(!rings || told.contains("moving_mass makes it") && !told.contains("does not chatter"), "{told}");
         assert!(found.gain > 0.0 || told.contains("says nothing by itself"), "{told}");
+        assert!(told.contains("advanced with the new velocity"), "{told}");
     }
 }
 
