@@ -24,9 +24,10 @@
 // force, gas that pushes the rod out is a negative one. This is stated here once and holds everywhere below.
 //
 // Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
-// program.c libdashpot.a, and nothing behind it; a linker takes in what is called. Neither needs another library. The shared one
-// imports no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
-// runtime has; there is no allocator, file, lock or thread behind it.
+// program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object whose names are local
+// but for dashpot_*; a build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
+// import no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
+// runtime has; there is no allocator, file, lock or thread behind them.
 //
 // Memory. The library allocates nothing and keeps nothing: all blocks are the caller's, as globals, on the stack or
 // on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may
@@ -408,8 +409,15 @@ static inline dashpot_input dashpot_input_motion(double displacement, double vel
 
 // All that a damper remembers, friction hysteresis included, is in its state: fourteen numbers that the host owns. To
 // try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
-// repeats the first to the last bit. A state may be used with another model, as when a model is prepared anew while it
+// repeats the first to the last bit.
+//
+// A state may be used with another model, as when a model is prepared anew while it
 // runs: what an element remembers goes with it, and an element that was off before begins settled.
+//
+// Derivatives of a step are exact where its force is smooth. At a knee (a point of a straight-line curve, a stop, a
+// reversal, a void that closes) they are one-sided, of the side on which the step was solved, or lie between both sides.
+// An implicit host should bound its Newton steps there. In a search over drawn steps, most of them far from what
+// dampers do, one derivative in a thousand is off by more than 2 %.
 
 // State of one damper.
 typedef struct dashpot_state {

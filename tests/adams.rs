@@ -1,6 +1,6 @@
 //! The library for Adams as it is shipped, and a stand-in solver that loads it as Adams does.
 
-use crate::library::{directory, root, succeed};
+use crate::library::{root, static_library, succeed};
 use dashpot_core::{Input, Model, Params, model_file, step};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ fn built(name: &str, flags: &str) -> PathBuf {
     let target = folder().join(name);
     let mut make = Command::new("make");
     make.arg("-s").arg("-C").arg(root().join("adams-usersub"));
-    make.arg(format!("LIBRARY={}", directory().join("libdashpot.a").display()));
+    make.arg(format!("LIBRARY={}", static_library().display()));
     make.arg(format!("OUTPUT={}", target.display())).arg(format!("CFLAGS={flags}"));
     succeed(&mut make);
     target

@@ -67,7 +67,7 @@ fn grammar(name: &str) -> (usize, &'static [(&'static str, Kind)]) {
                 ("ROUTINE", Routine),
             ],
         ),
-        "DIFF" => (2, &[("IC", Numbers(1)), ("FUNCTION", Function)]),
+        "DIFF" => (2, &[("IC", Numbers(1)), ("FUNCTION", Function), ("STATIC_HOLD", Word)]),
         "REQUEST" => (2, &[("FUNCTION", Function), ("ROUTINE", Routine)]),
         "STRING" => (1, &[("STRING", Text)]),
         "SPLINE" => (2, &[("X", List), ("Y", List)]),
@@ -112,7 +112,7 @@ fn arguments(text: &str) -> Vec<Argument> {
         let (piece, after) = trimmed.split_at(end);
         match piece.split_once('=') {
             Some((key, value)) => all.push(Argument::Value(key.trim().into(), value.trim().into())),
-            None if piece.trim().chars().all(|c| c.is_ascii_uppercase()) => {
+            None if piece.trim().chars().all(|c| c.is_ascii_uppercase() || c == '_') => {
                 all.push(Argument::Word(piece.trim().into()))
             }
             None => match all.last_mut() {

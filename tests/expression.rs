@@ -39,15 +39,27 @@ impl Reader<'_> {
     }
 
     fn product(&mut self) -> f64 {
-        let mut value = self.atom();
+        let mut value = self.power();
         loop {
             if self.take('*') {
-                value *= self.atom();
+                value *= self.power();
             } else if self.take('/') {
-                value /= self.atom();
+                value /= self.power();
             } else {
                 return value;
             }
+        }
+    }
+
+    /// Binds stronger than a product, and from the right.
+    fn power(&mut self) -> f64 {
+        let base = self.atom();
+        match self.rest.strip_prefix("**") {
+            Some(rest) => {
+                self.rest = rest;
+                base.powf(self.power())
+            }
+            None => base,
         }
     }
 
@@ -80,6 +92,11 @@ impl Reader<'_> {
             arguments.push(self.sum());
         }
         assert!(self.take(')'), "{name} lacks a bracket before \"{}\"", self.rest);
-        (self.call)(name, &arguments)
+        match (name, &arguments[..]) {
+            ("SQRT", [x]) => x.sqrt(),
+            ("ABS", [x]) => x.abs(),
+            ("SIGN", [size, of]) => size.abs() * if *of < 0.0 { -1.0 } else { 1.0 },
+            _ => (self.call)(name, &arguments),
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! section, its module documentation the text that opens it. What C alone needs (guards, initialisers) comes from
 //! `src/abi/header/`; the last section is the parameter table.
 
-use dashpot_core::parameter::{Element, Params, Shape};
+use dashpot_core::parameter::{Element, Parameter, Params, Shape};
 use std::path::{Path, PathBuf};
 
 use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
@@ -123,10 +123,8 @@ fn parameters() -> String {
                 Shape::Choice(words) => {
                     words.iter().enumerate().map(|(i, w)| format!("{i} {w}")).collect::<Vec<_>>().join(", ")
                 }
-                Shape::Scalar => {
-                    format!("{}, {} to {}, default {}", p.unit, short(p.low), short(p.high), short(p.default[0]))
-                }
-                Shape::List(n) => format!("{}, {} to {}, at most {n} numbers", p.unit, short(p.low), short(p.high)),
+                Shape::Scalar => format!("{}, {}, default {}", p.unit, bounds(p), short(p.default[0])),
+                Shape::List(n) => format!("{}, {}, at most {n} numbers", p.unit, bounds(p)),
             };
             text += &format!("  {:<28} {} [{range}]\n", p.name, p.meaning);
         }
@@ -134,8 +132,13 @@ fn parameters() -> String {
     text
 }
 
+/// The bounds of a number, or of each of a list, as header and parameter page say them: those that setting it checks.
+pub fn bounds(p: &Parameter) -> String {
+    format!("{} to {}", short(p.low), short(p.high))
+}
+
 /// A number as a person writes it.
-fn short(number: f64) -> String {
+pub fn short(number: f64) -> String {
     let magnitude = number.abs();
     if magnitude != 0.0 && !(1e-3..1e5).contains(&magnitude) { format!("{number:e}") } else { number.to_string() }
 }

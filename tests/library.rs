@@ -36,15 +36,33 @@ pub fn directory() -> &'static Path {
         build.args(["build", "--release", "--quiet", "-p", "dashpot-dll"]).current_dir(root());
         succeed(&mut build);
         let release = target_folder().join("release");
+        let packed = target_folder().join("lib");
+        std::fs::create_dir_all(&packed).expect("a folder of the target");
+        pack(&release.join("libdashpot.a"), &packed.join("libdashpot.a"), "");
         if release != profile_folder() {
             // The command takes the library that lies beside it. A file of its own: cargo's is another name of one that it keeps.
             let mut copy = tempfile::NamedTempFile::new_in(profile_folder()).expect("room beside the command");
-            let mut library = std::fs::File::open(release.join("libdashpot.a")).expect("the library");
+            let mut library = std::fs::File::open(static_library_in(&packed)).expect("the library");
             std::io::copy(&mut library, &mut copy).expect("room beside the command");
             copy.persist(profile_folder().join("libdashpot.a")).expect("the library beside the command");
         }
         release
     })
+}
+
+fn static_library_in(folder: &Path) -> PathBuf {
+    folder.join("libdashpot.a")
+}
+
+/// Packs a static library that cargo has built as it is shipped, by binutils with a prefix.
+pub fn pack(from: &Path, to: &Path, prefix: &str) {
+    succeed(Command::new("sh").arg(root().join("src/dll/static.sh")).args([from, to]).arg(prefix));
+}
+
+/// The static library, as it is shipped.
+pub fn static_library() -> PathBuf {
+    directory();
+    static_library_in(&target_folder().join("lib"))
 }
 
 /// The shared library.
@@ -89,7 +107,7 @@ pub fn host(source: &str, language: Language, linkage: Linkage, flags: &[&str], 
             compiler.arg(shared()).arg(format!("-Wl,-rpath,{}", directory().display()));
         }
         Linkage::Static => {
-            compiler.arg(directory().join("libdashpot.a"));
+            compiler.arg(static_library());
         }
     }
     compiler.arg("-lm");

@@ -20,16 +20,11 @@ mkdir -p "$to"
 face="vi-crt-bridge/fmu/*.c vi-crt-bridge/bridge/corner.c"
 flags="-std=c99 -O2 -fvisibility=hidden -Iinclude -Ivi-crt-bridge/bridge -Ivi-crt-bridge/fmu"
 
-# The whole interface is one object of the archive: one function pulls it in.
-pack() { # compiler, archive, object
-    "$1" -r -nostdlib -Wl,--strip-debug -Wl,-u,dashpot_step -o "$3" "$2"
-}
-
 linux() {
     here=$to/linux64
     mkdir -p "$here"
     cargo build --quiet --release -p dashpot-dll
-    pack "${CC:-cc}" "$build/release/libdashpot.a" "$here/kernel.o"
+    sh src/dll/static.sh "$build/release/libdashpot.a" "$here/kernel.o"
     # shellcheck disable=SC2086
     ${CC:-cc} $flags -fPIC -shared $face "$here/kernel.o" -Wl,--exclude-libs,ALL -s \
         -o "$here/dashpot_damper.so"

@@ -43,14 +43,16 @@ int axial_parameters(int element, int npar, const double *par, int iflag, axial_
     return 0;
 }
 
-void axial_progress(const axial_damper *damper, int *is_static, double *accepted)
+int axial_progress(const axial_damper *damper, double *accepted)
 {
     int mode = 0;
     double time = 0.0;
     solver()->getmod(&mode);
     solver()->timget(&time);
-    *is_static = mode == SOLVER_STATICS || mode == SOLVER_QUASI_STATICS;
     *accepted = units_time(&damper->damper->units, time);
+    if (mode == SOLVER_LINEAR)
+        return ANALYSIS_LINEAR;
+    return mode == SOLVER_STATICS || mode == SOLVER_QUASI_STATICS ? ANALYSIS_STATIC : ANALYSIS_DYNAMIC;
 }
 
 int axial_wants_partials(void)
@@ -68,7 +70,7 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     const solver_functions *s = solver();
     const char *lacks = solver_lacks(SOLVER_FOR_LINE);
     const unit_scales *u;
-    int markers[2], failed = 0, is_static, wanted, what;
+    int markers[2], failed = 0, analysis, is_static, wanted, what;
     double length = 0.0, speed = 0.0, accepted;
     axial_damper damper;
     force_answer answer;
@@ -95,7 +97,8 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     if (axial_parameters(element, npar, par, iflag, &damper) || what == AXIAL_ASK_ONLY)
         return;
     u = &damper.damper->units;
-    axial_progress(&damper, &is_static, &accepted);
+    analysis = axial_progress(&damper, &accepted);
+    is_static = analysis == ANALYSIS_STATIC;
     asked.time = units_time(u, time);
     asked.input = dashpot_input_motion(units_displacement(u, length) - damper.zero_length,
                                        is_static ? 0.0 : units_velocity(u, speed));
@@ -104,7 +107,7 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     if (is_static)
         asked.time = accepted;
     wanted = axial_wants_partials();
-    if (committed_force(kind, element, damper.damper, &asked, accepted, is_static, dflag != 0, wanted, &answer))
+    if (committed_force(kind, element, damper.damper, &asked, accepted, analysis, dflag != 0, wanted, &answer))
         return;
     *result = units_sforce(u, answer.force);
     if (wanted) {

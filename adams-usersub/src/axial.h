@@ -21,8 +21,8 @@ int axial_begin(int kind, int element, int iflag);
 /* Reads the USER values. Returns 0, or -1 after a message. */
 int axial_parameters(int element, int npar, const double *par, int iflag, axial_damper *damper);
 
-/* Whether the solver is in statics, and the time it has accepted, in s. */
-void axial_progress(const axial_damper *damper, int *is_static, double *accepted);
+/* What the solver analyses (ANALYSIS_...), and the time it has accepted, in s. */
+int axial_progress(const axial_damper *damper, double *accepted);
 
 /* Whether the solver wants partials now and can take them. */
 int axial_wants_partials(void);

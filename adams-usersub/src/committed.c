@@ -156,11 +156,52 @@ static int32_t answer_from(const damper_model *damper, const committed *d, const
     return advance(damper, &d->state, &asked->input, dt, state, output);
 }
 
+/* Steps of the differences: displacement m, velocity m/s, side force N. */
+static const double NUDGE[3] = {1e-8, 1e-6, 1e-3};
+
+static double *nudged(dashpot_input *input, int i)
+{
+    return i == 0 ? &input->displacement : i == 1 ? &input->velocity : &input->side_force;
+}
+
+/* The force of steady motion without dry friction: a function of the motion alone, whose derivatives are stiffness and damping. */
+static int32_t linear_force(const damper_model *damper, const dashpot_input *input, double *force)
+{
+    dashpot_state state;
+    dashpot_output output;
+    int32_t status = dashpot_state_init_motion(&damper->linear, input, &state);
+    if (status >= 0)
+        status = dashpot_step(&damper->linear, &state, input, 0.0, &state, &output);
+    if (status >= 0)
+        *force = output.force;
+    return status;
+}
+
+/* Where the curve has a knee, the mean of both sides. */
+static int32_t linear_partials(const damper_model *damper, const dashpot_input *input, force_answer *answer)
+{
+    double *by[3], f[2] = {0.0, 0.0};
+    int i, k;
+    by[0] = &answer->by_displacement;
+    by[1] = &answer->by_velocity;
+    by[2] = &answer->by_side_force;
+    for (i = 0; i < 3; i++) {
+        for (k = 0; k < 2; k++) {
+            dashpot_input other = *input;
+            int32_t status;
+            *nudged(&other, i) += k == 0 ? -NUDGE[i] : NUDGE[i];
+            status = linear_force(damper, &other, &f[k]);
+            if (status < 0)
+                return status;
+        }
+        *by[i] = (f[1] - f[0]) / (2 * NUDGE[i]);
+    }
+    return 0;
+}
+
 /* Partials of the whole answer, by differences of what the answer is computed from. */
 static int32_t partials(const damper_model *damper, const committed *d, const request *asked, force_answer *answer)
 {
-    /* m, m/s, N. */
-    static const double NUDGE[3] = {1e-8, 1e-6, 1e-3};
     double by[3];
     int i, k;
     for (i = 0; i < 3; i++) {
@@ -170,10 +211,7 @@ static int32_t partials(const damper_model *damper, const committed *d, const re
             dashpot_state state;
             dashpot_output output;
             int32_t status;
-            double *moved = i == 0   ? &other.input.displacement
-                            : i == 1 ? &other.input.velocity
-                                     : &other.input.side_force;
-            *moved += k == 0 ? -NUDGE[i] : NUDGE[i];
+            *nudged(&other.input, i) += k == 0 ? -NUDGE[i] : NUDGE[i];
             status = answer_from(damper, d, &other, &state, &output);
             if (status < 0)
                 return status;
@@ -188,16 +226,26 @@ static int32_t partials(const damper_model *damper, const committed *d, const re
 }
 
 int committed_force(int kind, int element, const damper_model *damper, const request *asked, double accepted,
-                    int is_static, int is_difference, int with_partials, force_answer *answer)
+                    int analysis, int is_difference, int with_partials, force_answer *answer)
 {
     committed *stored = damper_of(kind, element);
     committed d;
     dashpot_state state;
     dashpot_output output;
     int32_t status = 0;
+    int is_static = analysis == ANALYSIS_STATIC;
     if (!stored)
         return -1;
     d = *stored;
+    if (analysis == ANALYSIS_LINEAR) {
+        memset(answer, 0, sizeof *answer);
+        status = linear_force(damper, &asked->input, &answer->force);
+        if (d.has_output)
+            answer->force += d.output.friction_force;
+        if (status >= 0 && with_partials)
+            status = linear_partials(damper, &asked->input, answer);
+        return refused(element, status);
+    }
     /* A run begins, begins anew, or goes back to where this damper's past is not known. */
     if (!d.is_set || is_static || accepted < d.time - same_time(accepted)) {
         status = steady(damper, &asked->input, &d.state, &output);

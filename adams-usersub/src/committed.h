@@ -26,11 +26,14 @@ typedef struct {
     double by_side_force;    /* - */
 } force_answer;
 
-/* The force of element `element` at `asked`, when the solver has accepted the time `accepted`. `is_static`: velocities
- * are zero and time stands still. `is_difference`: the solver differences; nothing is stored. `with_partials`: the
+/* What the solver analyses. Statics: velocities are zero and time stands still. LINEAR: the force is that of steady motion without dry
+ * friction, whose last force is added as a constant. */
+enum { ANALYSIS_DYNAMIC, ANALYSIS_STATIC, ANALYSIS_LINEAR };
+
+/* The force of element `element` at `asked`, when the solver has accepted the time `accepted`. `is_difference`: the solver differences; nothing is stored. `with_partials`: the
  * partials are wanted too. Returns 0, or -1 after a message. */
 int committed_force(int kind, int element, const damper_model *damper, const request *asked, double accepted,
-                    int is_static, int is_difference, int with_partials, force_answer *answer);
+                    int analysis, int is_difference, int with_partials, force_answer *answer);
 
 /* The last answer of an element that was no difference, and the state there; for requests. Returns 0, or -1 where the
  * element was never asked. */

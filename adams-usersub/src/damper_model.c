@@ -51,6 +51,21 @@ static int path_of(int element, int string, char *path)
     return 0;
 }
 
+/* Forces of dry friction; at 0 its elements keep their states and have no force. */
+static const char *const DRY_FRICTION[] = {"coulomb_force", "stribeck_breakaway_force", "stribeck_coulomb_force", "presliding_force",
+                                           "side_force_coefficient"};
+
+static int32_t without_friction(dashpot_params *params, dashpot_model *model)
+{
+    size_t i;
+    for (i = 0; i < sizeof DRY_FRICTION / sizeof DRY_FRICTION[0]; i++) {
+        int32_t status = dashpot_params_set(params, DRY_FRICTION[i], 0.0);
+        if (status < 0)
+            return status;
+    }
+    return dashpot_model_init(model, params);
+}
+
 static int read_model(int element, int string, damper_model *damper)
 {
     static dashpot_params params; /* under models_lock */
@@ -94,6 +109,9 @@ static int read_model(int element, int string, damper_model *damper)
     if (status < 0)
         return fail_at(element, path, &fault, status);
     status = dashpot_model_init(&damper->model, &params);
+    if (status < 0)
+        return fail_at(element, path, &fault, status);
+    status = without_friction(&params, &damper->linear);
     if (status < 0)
         return fail_at(element, path, &fault, status);
     damper_model_find_states(damper);

@@ -13,6 +13,8 @@ enum {
 
 typedef struct {
     dashpot_model model;
+    /* The same without dry friction, for LINEAR: stuck friction is no linear element, and its slope would lock the damper. Same states. */
+    dashpot_model linear;
     unit_scales units;
     /* States that a GSE integrates: the internal mass and the private states that the model uses. */
     int states;

@@ -70,7 +70,7 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
 {
     const char *lacks = solver_lacks(SOLVER_FOR_SPACE);
     const unit_scales *u;
-    int ends[4], joint[3], j, what, is_static, wanted, k;
+    int ends[4], joint[3], j, what, analysis, is_static, wanted, k;
     double from_j[3], accepted;
     line_force f;
     axial_damper damper;
@@ -122,7 +122,8 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
         return;
     }
     u = &damper.damper->units;
-    axial_progress(&damper, &is_static, &accepted);
+    analysis = axial_progress(&damper, &accepted);
+    is_static = analysis == ANALYSIS_STATIC;
     for (k = 0; k < 3; k++) {
         f.axis[k] = from_j[k] / f.length;
         if (is_static)
@@ -137,7 +138,7 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
     asked.input.side_force = units_force(u, f.side);
     asked.input.temperature = damper.temperature;
     wanted = axial_wants_partials();
-    if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, is_static, dflag != 0, wanted, &answer))
+    if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, analysis, dflag != 0, wanted, &answer))
         return;
     /* Tension pulls I towards J. */
     f.force = units_sforce(u, answer.force);

@@ -32,6 +32,7 @@ static const double DECAY = 100.0;
 
 typedef struct {
     const damper_model *damper;
+    const dashpot_model *model; /* the damper's, or that without dry friction */
     int ns, ni, no, is_static;
     dashpot_input input;
     dashpot_state state;
@@ -103,6 +104,8 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
         now->state.memory[i - 2] = x[i] / state_scale(u, i);
     memcpy(now->x, x, sizeof now->x);
     s->getmod(&mode);
+    /* LINEAR: no dry friction, which would lock the damper where it stands. All states stay, and those of friction move nothing. */
+    now->model = mode == SOLVER_LINEAR ? &now->damper->linear : &now->damper->model;
     now->is_static = mode == SOLVER_STATICS || mode == SOLVER_QUASI_STATICS;
     if (now->is_static) {
         now->input.velocity = 0.0;
@@ -197,10 +200,10 @@ static void give_rate_partials(const instant *now, const dashpot_partials *p)
         member = j == 2 ? &other.input.side_force : &other.input.temperature;
         h = 1e-4 * (1.0 + fabs(*member));
         *member -= h;
-        if (dashpot_evaluate(&now->damper->model, &now->state, &other.input, &unused, &low) < 0)
+        if (dashpot_evaluate(now->model, &now->state, &other.input, &unused, &low) < 0)
             return;
         *member += 2 * h;
-        if (dashpot_evaluate(&now->damper->model, &now->state, &other.input, &unused, &high) < 0)
+        if (dashpot_evaluate(now->model, &now->state, &other.input, &unused, &high) < 0)
             return;
         for (i = 0; i < now->ns; i++) {
             double a = i == 0 ? low.mass_displacement : i == 1 ? low.mass_velocity : low.memory[i - 2];
@@ -234,7 +237,7 @@ void Dashpot_gse_deriv(const adams_gse *gse, double time, int dflag, int iflag, 
     if (iflag != SOLVER_EVALUATE)
         return;
     status = now.is_static ? static_rates(&now, rates, wants_partials())
-                           : dashpot_evaluate(&now.damper->model, &now.state, &now.input, &output, &rate);
+                           : dashpot_evaluate(now.model, &now.state, &now.input, &output, &rate);
     if (status < 0) {
         message_stop(gse->id, "rates: %s", dashpot_status_text(status));
         return;
@@ -248,7 +251,7 @@ void Dashpot_gse_deriv(const adams_gse *gse, double time, int dflag, int iflag, 
                              : rate.memory[i - 2];
         rates[i] = now.damper->used[i] ? si * state_scale(u, i) * u->time : -DECAY * u->time * now.x[i];
     }
-    if (wants_partials() && dashpot_jacobian(&now.damper->model, &now.state, &now.input, &partials) >= 0)
+    if (wants_partials() && dashpot_jacobian(now.model, &now.state, &now.input, &partials) >= 0)
         give_rate_partials(&now, &partials);
 }
 
@@ -300,12 +303,12 @@ static void output_column(const instant *now, const dashpot_partials *p, int sta
     int i;
     instant other = *now;
     nudge(&other, state, input, -h);
-    if (dashpot_evaluate(&now->damper->model, &other.state, &other.input, &output, &rate) < 0)
+    if (dashpot_evaluate(now->model, &other.state, &other.input, &output, &rate) < 0)
         return;
     outputs_of(&other, &output, low);
     other = *now;
     nudge(&other, state, input, h);
-    if (dashpot_evaluate(&now->damper->model, &other.state, &other.input, &output, &rate) < 0)
+    if (dashpot_evaluate(now->model, &other.state, &other.input, &output, &rate) < 0)
         return;
     outputs_of(&other, &output, high);
     for (i = 0; i < now->no; i++)
@@ -339,14 +342,14 @@ void Dashpot_gse_output(const adams_gse *gse, double time, int dflag, int iflag,
         solver()->declare_threadsafe();
     if (iflag != SOLVER_EVALUATE)
         return;
-    status = dashpot_evaluate(&now.damper->model, &now.state, &now.input, &output, &rate);
+    status = dashpot_evaluate(now.model, &now.state, &now.input, &output, &rate);
     if (status < 0) {
         message_stop(gse->id, "force: %s", dashpot_status_text(status));
         return;
     }
     outputs_of(&now, &output, y);
     memcpy(outputs, y, (size_t)n * sizeof(double));
-    if (wants_partials() && dashpot_jacobian(&now.damper->model, &now.state, &now.input, &partials) >= 0) {
+    if (wants_partials() && dashpot_jacobian(now.model, &now.state, &now.input, &partials) >= 0) {
         double by_x[MOST_OUTPUTS * MOST_STATES], by_u[MOST_OUTPUTS * MOST_INPUTS];
         memset(by_x, 0, sizeof by_x);
         memset(by_u, 0, sizeof by_u);

@@ -74,7 +74,7 @@ enum {
 };
 
 /* Analysis modes, as c_getmod() tells them. */
-enum { SOLVER_STATICS = 5, SOLVER_QUASI_STATICS = 6 };
+enum { SOLVER_STATICS = 5, SOLVER_QUASI_STATICS = 6, SOLVER_LINEAR = 7 };
 
 /* The utility functions, resolved from the process at run time. Those that a caller needs are named to solver_has(). */
 typedef struct {

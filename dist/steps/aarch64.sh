@@ -10,7 +10,8 @@ put() { install -D -m "$1" "$2" "$tree/$3"; }
 built=$CARGO_TARGET_DIR/$arm_target/release
 put 755 "$built/dashpot" bin/dashpot
 put 644 "$built/libdashpot.so" lib/libdashpot.so
-put 644 "$built/libdashpot.a" lib/libdashpot.a
+sh src/dll/static.sh "$built/libdashpot.a" "$work/libdashpot.arm.a" aarch64-linux-gnu-
+put 644 "$work/libdashpot.arm.a" lib/libdashpot.a
 mkdir -p "$work/said"
 python3 dist/licences.py texts $arm_target dashpot-cli dashpot-dll >"$work/said/licences.arm"
 put 644 "$work/said/licences.arm" share/doc/dashpot/THIRD-PARTY.txt

@@ -8,7 +8,8 @@ put() { install -D -m "$1" "$2" "$tree/$3"; }
 put 755 "$CARGO_TARGET_DIR/$linux_target/release/dashpot" bin/dashpot
 put 755 "$CARGO_TARGET_DIR/$linux_target/release/dashpot-window" bin/dashpot-window
 put 644 "$CARGO_TARGET_DIR/release/libdashpot.so" lib/libdashpot.so
-put 644 "$CARGO_TARGET_DIR/release/libdashpot.a" lib/libdashpot.a
+sh src/dll/static.sh "$CARGO_TARGET_DIR/release/libdashpot.a" "$work/libdashpot.a"
+put 644 "$work/libdashpot.a" lib/libdashpot.a
 put 644 include/dashpot.h include/dashpot.h
 put 644 "$DASHPOT_RUNTIMES/linux64/dashpot_adams.so" lib/dashpot/dashpot_adams.so
 put 644 "$DASHPOT_RUNTIMES/linux64/dashpot_damper.so" lib/dashpot/dashpot_damper.so

@@ -33,7 +33,7 @@ static double RM_AXES[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0.0}, {0.48, 0.64
 /* Settings. */
 static char routine[16], string_text[4096];
 static int with_mass, with_partials, has_string = 1, ns = 2, ni = 2, no = 7, npar_change, only_iflag = -1, threads, save_at_half,
-    bad_first_step, has_units = 1, units_given, release = 2023, late, space, request_page, simulations = MOST_COMMANDS;
+    bad_first_step, linear_mode, has_units = 1, units_given, release = 2023, late, space, request_page, simulations = MOST_COMMANDS;
 static double request_element = 1, request_kind, temperature = 20, joint_marker = GUIDE_I, end_marker = 12, amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, told_length = -1;
 /* SI in one unit of the model. */
 static double length_unit = 1e-3, force_unit = 1, time_unit = 1;
@@ -718,6 +718,26 @@ static void statics(integrator *s)
     print_state(0);
 }
 
+/* LINEAR at the operating point: the matrix of the linear system, by the partials that are handed over and by differences. `linear` is the mode
+ * that the routine is told. */
+static void linearise(const integrator *s)
+{
+    double J[2][MOST][MOST];
+    int n = unknowns(), i, j, k;
+    mode = linear_mode;
+    memset(J, 0, sizeof J);
+    differenced_jacobian(s->t, s->y, J[0]);
+    handed_jacobian(s->t, s->y, J[1]);
+    for (k = 0; k < 2; k++) {
+        printf(k ? "handed" : "differenced");
+        for (i = 0; i < n; i++)
+            for (j = 0; j < n; j++)
+                printf(" %.17g", J[k][i][j]);
+        puts("");
+    }
+    mode = 4;
+}
+
 static void dynamics(integrator *s, double until)
 {
     double h = 1e-5;
@@ -897,7 +917,7 @@ static void set(const char *setting)
         {"save", &save_at_half, 0}, {"bad", &bad_first_step, 0}, {"units", &has_units, 0}, {"amplitude", 0, &amplitude},
         {"frequency", 0, &frequency}, {"end", 0, &end_time}, {"hmax", 0, &hmax}, {"tolerance", 0, &tolerance},
         {"side", 0, &side_force}, {"par", 0, &first_par}, {"request", 0, &request_element}, {"told", 0, &told_length},
-        {"given", &units_given, 0}, {"simulations", &simulations, 0}, {"release", &release, 0}, {"late", &late, 0}, {"space", &space, 0}, {"page", &request_page, 0},
+        {"given", &units_given, 0}, {"linear", &linear_mode, 0}, {"simulations", &simulations, 0}, {"release", &release, 0}, {"late", &late, 0}, {"space", &space, 0}, {"page", &request_page, 0},
         {"kind", 0, &request_kind}, {"temperature", 0, &temperature}, {"joint", 0, &joint_marker}, {"other", 0, &end_marker},
         {"length_unit", 0, &length_unit}, {"force_unit", 0, &force_unit}, {"time_unit", 0, &time_unit}};
     size_t i, length = strcspn(setting, "=");
@@ -996,6 +1016,12 @@ int main(int argc, char **argv)
         return 0;
     }
     statics(&s);
+    if (linear_mode) {
+        /* The actuator stands where it stood in statics; the friction is stuck. */
+        frequency = 0;
+        linearise(&s);
+        return 0;
+    }
     if (save_at_half) {
         dynamics(&s, end_time / 2);
         half = s;

@@ -42,11 +42,11 @@ for told in (True, False):
     # An importer may hand over the length before it begins, or not before the first step.
     at = motion(0.0)
     damper = begun(description, folder, False,
-                   lambda u: told and (u.setFloat64 if three else u.setReal)(place, [zero + at[0], at[1]]))
+                   lambda u: told and (u.setFloat64 if three else u.setReal)(place, [zero + at[0], 0.0]))
     get, put = (damper.getFloat64, damper.setFloat64) if three else (damper.getReal, damper.setReal)
     own = Damper(library, model_file, at[0])
     rest, power, worst, top = get(force)[0], 0.0, 0.0, 0.0
-    # It begins at rest, where the gas pushes the rod out.
+    # With velocity 0 it begins at rest, where the gas pushes the rod out.
     assert abs(rest + own.step(at[0], 0.0, 0.0)) < 1e-9 and rest > 50.0, rest
     for k in range(1500):
         x, v = motion((k + 1) * STEP)

@@ -47,15 +47,19 @@ def motion(t):
 
 
 def compare(what, got, at, size):
-    """Against central differences; the step is the one that suits the curvature there. `size` of the known."""
+    """Against central differences, or at a knee against those of both sides, between which the derivative lies (step.md, "Which derivative"); the step
+    is the one that suits the curvature there. `size` of the known."""
     global worst
     best = None
+    here = at(0.0)
     for by in (1e-4, 1e-5, 1e-6, 1e-7):
         up, down = at(by * size), at(-by * size)
         wanted = (up - down) / (2 * by * size)
+        sides = sorted(((up - here) / (by * size), (here - down) / (by * size)))
         # What rounding leaves of a difference.
         noise = 1e-9 * (1.0 + abs(up)) / (by * size) * 1e-3
-        miss = max(0.0, abs(got - wanted) - noise) / max(abs(wanted), abs(got), 1e-3 / size)
+        off = 0.0 if sides[0] <= got <= sides[1] else min(abs(got - side) for side in (*sides, wanted))
+        miss = max(0.0, off - noise) / max(abs(wanted), abs(got), 1e-3 / size)
         if best is None or miss < best[0]:
             best = (miss, wanted)
         if miss < 1e-4:

@@ -1,6 +1,6 @@
 /* A long drive: four quarter cars on a rough road at 1 ms with the bridge's dampers. Arguments: model file, simulated seconds.
  *
- *   cc -O2 -I include -I vi-crt-bridge/bridge -o soak tests/hosts/soak.c BRIDGE_SOURCES target/release/libdashpot.a -lm
+ *   cc -O2 -I include -I vi-crt-bridge/bridge -o soak tests/hosts/soak.c BRIDGE_SOURCES target/lib/libdashpot.a -lm
  *   ./soak damper.toml 1800
  *
  * The loop runs under a seccomp filter: the kernel ends the process at any system call but read, write and exit, so a run

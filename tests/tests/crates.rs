@@ -1,26 +1,101 @@
 //! The crates that the project is built from: their licences, where they come from, and what is known against them, as
-//! `deny.toml` allows and cargo-deny looks it up. Without the tool these are counted as skipped.
+//! `deny.toml` allows and cargo-deny looks it up. Without the tool these are counted as skipped. Where advisories cannot be fetched, those of the
+//! checkout are used (`tests/advisories`), and it is said where they are old.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
-use std::process::Command;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::SystemTime;
+
+/// Age from which the advisories of the checkout are called old, days: RustSec publishes several a week, and cargo-deny's own limit is this too.
+const OLD: i64 = 90;
+
+/// cargo-deny in the project's folder; `None` where it is not installed.
+fn deny(args: &[&str]) -> Option<Output> {
+    let run = |args: &[&str]| Command::new("cargo").arg("deny").args(args).current_dir(root()).output();
+    run(&["--version"]).ok().filter(|out| out.status.success())?;
+    run(args).ok()
+}
+
+/// Days from 1970-01-01 to a date as 2026-08-21.
+fn days(date: &str) -> i64 {
+    let part = |range: std::ops::Range<usize>| date[range].parse::<i64>().expect("a date");
+    let (y, m, d) = (part(0..4), part(5..7), part(8..10));
+    // Months from March on, so that the leap day is the last of a year.
+    let (y, m) = if m > 2 { (y, m - 3) } else { (y - 1, m + 9) };
+    365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + d - 1 - 719_468
+}
+
+/// Date and commit of the advisories in the checkout.
+fn snapshot() -> String {
+    std::fs::read_to_string(root().join("tests/advisories/snapshot")).expect("tests/advisories/snapshot")
+}
+
+/// Says where the advisories of the checkout are old on a day.
+fn stale(snapshot: &str, today: i64) -> Option<String> {
+    let date = snapshot.split(' ').next().unwrap_or_default();
+    let age = today - days(date);
+    (age > OLD).then(|| {
+        format!("advisories after {date}: those of the checkout are {age} days old; sh tests/advisories/update fetches newer ones")
+    })
+}
+
+fn run(program: &str, args: &[&str], at: &Path) {
+    let out =
+        Command::new(program).args(args).current_dir(at).output().unwrap_or_else(|error| panic!("{program}: {error}"));
+    assert!(out.status.success(), "{program} {args:?}: {}", String::from_utf8_lossy(&out.stderr));
+}
+
+/// What cargo-deny finds in the advisories of the checkout: it takes them from a repository below a folder of its own, which is made here.
+fn by_the_checkout(configuration: &str) -> Output {
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    let (databases, file) = (at.join("databases"), at.join("deny.toml"));
+    std::fs::create_dir(&databases).expect("a directory");
+    let mut deny_toml: toml::Table = configuration.parse().expect("deny.toml");
+    let advisories = deny_toml["advisories"].as_table_mut().expect("[advisories]");
+    advisories.insert("db-path".into(), databases.to_str().expect("a path in UTF-8").into());
+    // The registry's index would have to be fetched.
+    advisories.insert("yanked".into(), "allow".into());
+    std::fs::write(&file, deny_toml.to_string()).expect("a file");
+    let file = file.to_str().expect("a path in UTF-8");
+    let check = ["--offline", "--color", "never", "--config", file, "check", "advisories"];
+    // It says where it looks for the repository, whose name it makes of the address.
+    let said = String::from_utf8_lossy(&deny(&check).expect("cargo-deny").stderr).into_owned();
+    let path = said
+        .split('"')
+        .find(|part| part.starts_with(databases.to_str().unwrap()) && part.len() > databases.as_os_str().len());
+    let repository = PathBuf::from(path.unwrap_or_else(|| panic!("where does cargo-deny look? {said}")));
+    std::fs::create_dir(&repository).expect("a directory");
+    let archive = root().join("tests/advisories/advisory-db.tar.gz");
+    run("tar", &["xzf", archive.to_str().expect("a path in UTF-8")], &repository);
+    run("git", &["init", "-q"], &repository);
+    run("git", &["add", "-A"], &repository);
+    let named = ["-c", "user.name=dashpot", "-c", "user.email=dashpot@localhost", "-c", "commit.gpgsign=false"];
+    run("git", &[&named[..], &["commit", "-q", "-m", "advisories"]].concat(), &repository);
+    deny(&check).expect("cargo-deny")
+}
 
 /// Runs one kind of check. Where it cannot run, a line says that it was skipped.
 fn holds(kind: &str) {
-    let deny = |args: &[&str]| Command::new("cargo").arg("deny").args(args).current_dir(root()).output();
-    if !deny(&["--version"]).is_ok_and(|out| out.status.success()) {
-        skipped("no cargo-deny (cargo install cargo-deny)");
+    let Some(out) = deny(&["--color", "never", "check", kind]) else {
+        skipped(WITHOUT);
         return;
-    }
-    let out = deny(&["--color", "never", "check", kind]).unwrap();
+    };
     let told = String::from_utf8_lossy(&out.stderr);
-    // The list of known weaknesses is fetched, which not every machine may do.
-    let not_fetched = ["failed to fetch", "unable to fetch", "failed to load advisory database"];
-    if not_fetched.iter().any(|sign| told.contains(sign)) {
+    if !was_fetched(&told) {
         skipped(format!("{kind} needs what cannot be fetched here"));
         return;
     }
     assert!(out.status.success(), "cargo deny check {kind}:\n{told}");
+}
+
+const WITHOUT: &str = "no cargo-deny (cargo install cargo-deny)";
+
+/// Whether cargo-deny got what it looked for from elsewhere, which not every machine may.
+fn was_fetched(told: &str) -> bool {
+    !["failed to fetch", "unable to fetch", "failed to load advisory database"].iter().any(|sign| told.contains(sign))
 }
 
 #[test]
@@ -40,7 +115,53 @@ fn every_crate_comes_from_the_registry() {
 
 #[test]
 fn nothing_is_known_against_a_crate() {
-    holds("advisories");
+    let Some(fetched) = deny(&["--color", "never", "check", "advisories"]) else {
+        skipped(WITHOUT);
+        return;
+    };
+    let told = String::from_utf8_lossy(&fetched.stderr).into_owned();
+    if was_fetched(&told) {
+        assert!(fetched.status.success(), "cargo deny check advisories:\n{told}");
+        return;
+    }
+    let today = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).expect("a clock").as_secs() / 86_400;
+    if let Some(what) = stale(&snapshot(), today as i64) {
+        skipped(what);
+    }
+    let configuration = std::fs::read_to_string(root().join("deny.toml")).expect("deny.toml");
+    let out = by_the_checkout(&configuration);
+    assert!(out.status.success(), "cargo deny check advisories:\n{}", String::from_utf8_lossy(&out.stderr));
+}
+
+/// The advisories of the checkout are looked at: without the exceptions of `deny.toml` the crates that they stand for are named.
+#[test]
+fn the_advisories_of_the_checkout_are_used() {
+    if deny(&[]).is_none() {
+        skipped(WITHOUT);
+        return;
+    }
+    let mut configuration: toml::Table =
+        std::fs::read_to_string(root().join("deny.toml")).expect("deny.toml").parse().expect("deny.toml");
+    let ignored =
+        configuration["advisories"].as_table_mut().expect("[advisories]").remove("ignore").expect("exceptions");
+    let out = by_the_checkout(&configuration.to_string());
+    let told = String::from_utf8_lossy(&out.stderr);
+    assert!(!out.status.success());
+    for exception in ignored.as_array().expect("a list") {
+        let id = exception["id"].as_str().expect("an id");
+        assert!(told.contains(id), "{id} is no longer found: take it out of deny.toml");
+    }
+}
+
+#[test]
+fn old_advisories_are_said_to_be_old() {
+    assert_eq!((days("1970-01-01"), days("2000-03-01"), days("2026-08-21")), (0, 11_017, 20_686));
+    let of = |today: &str| stale("2026-08-21 bf5c0d2", days(today));
+    assert_eq!((of("2026-08-21"), of("2026-11-19")), (None, None));
+    assert!(
+        of("2026-11-20").is_some_and(|what| what.contains("91 days old") && what.contains("tests/advisories/update"))
+    );
+    assert!(days(&snapshot()[..10]) > days("2026-01-01"));
 }
 
 /// The packages put the texts of the same licences beside the programs.

@@ -2,9 +2,10 @@
 
 use dashpot_core::Params;
 use dashpot_core::parameter::GROUPS;
-use dashpot_core::parameter::{self, Element, Number, Row, Shape};
+use dashpot_core::parameter::{self, Element, Number, Parameter, Row, Shape};
 use dashpot_estimation::priors::{self, PRIORS, Usual};
 use dashpot_estimation::scale::Scale;
+use dashpot_tests::header::{bounds, short};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -18,6 +19,12 @@ fn usual(row: Row) -> String {
     }
 }
 
+/// Of a number with a force in its unit: what it may be beside forces of a car's damper.
+fn in_proportion(p: &Parameter) -> String {
+    let (low, high) = p.of_a_car;
+    if (low, high) == (p.low, p.high) { String::new() } else { format!(" (car: {} to {})", short(low), short(high)) }
+}
+
 fn page() -> String {
     let default = Params::new();
     let mut out = String::from(
@@ -26,6 +33,8 @@ fn page() -> String {
          SI units; extension (rebound) velocity and tension force positive. Names are those of the model file, of\n\
          `dashpot_params_set` in C, and of reports. A model file names the elements that are on; parameters that it does\n\
          not name keep their defaults.\n\n\
+         Bounds are those of `dashpot.h`, which setting a number checks. Numbers with a force in their unit (N, kg, J or W) must also be of one size: each\n\
+         within what it may be in a car's damper (in brackets), all of them a thousandth to a hundred times as large.\n\n\
          Usual is what dampers show before any record is seen: a size (median, and the factor by which one damper in three lies\n\
          off it), a strength (median of those that have the effect, and the factor by which one in six lies above it) or a place\n\
          (mean ± standard deviation). A fit or a diagnosis stays there where records leave a number open. All of it was learned of the dampers of passenger\n\
@@ -44,10 +53,10 @@ fn page() -> String {
             let p = row.parameter;
             let (default, bounds) = match p.shape {
                 Shape::Choice(words) => (words[0].to_owned(), words.join(", ")),
-                Shape::Scalar => (format!("{}", p.default[0]), format!("{} … {}", p.of_a_car.0, p.of_a_car.1)),
+                Shape::Scalar => (short(p.default[0]), bounds(p) + &in_proportion(p)),
                 Shape::List(n) => (
                     if p.default.is_empty() { "none".to_owned() } else { format!("{} points", p.default.len()) },
-                    format!("up to {n}, each {} … {}", p.low, p.high),
+                    format!("up to {n}, each {}", bounds(p)),
                 ),
             };
             let _ = writeln!(
@@ -83,4 +92,29 @@ fn the_page_follows_the_table() {
     }
     let written = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(written == page(), "docs/parameters.md is out of date; run this test with UPDATE_DOCS=1");
+}
+
+/// The page and the header name the same bounds for every number.
+#[test]
+fn the_header_and_the_page_have_the_same_bounds() {
+    let header = std::fs::read_to_string(dashpot_tests::header::path()).unwrap();
+    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parameters.md")).unwrap();
+    let mut compared = 0;
+    for p in parameter::table().map(|row| row.parameter).filter(|p| !matches!(p.shape, Shape::Choice(_))) {
+        let line = header
+            .lines()
+            .find(|l| l.starts_with(&format!("//   {} ", p.name)))
+            .unwrap_or_else(|| panic!("{}", p.name));
+        let range = line.rsplit_once('[').unwrap().1;
+        let in_header = range.split(", ").find(|part| part.contains(" to ")).unwrap();
+        let row =
+            page.lines().find(|l| l.starts_with(&format!("| `{}` ", p.name))).unwrap_or_else(|| panic!("{}", p.name));
+        let in_page = row.replace("\\|", "").split('|').nth(5).unwrap().trim().replace("up to ", "");
+        let in_page = in_page.split(" (car").next().unwrap().rsplit("each ").next().unwrap().to_owned();
+        assert_eq!(in_header, in_page, "{}", p.name);
+        let ends: Vec<f64> = in_page.split(" to ").map(|end| end.parse().unwrap()).collect();
+        assert_eq!(ends, [p.low, p.high], "{}", p.name);
+        compared += 1;
+    }
+    assert!(compared > 100, "{compared}");
 }

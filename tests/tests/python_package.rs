@@ -5,7 +5,7 @@
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::cli::program;
-use dashpot_tests::library::{directory, root};
+use dashpot_tests::library::{root, static_library};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -69,7 +69,7 @@ fn the_wheel_does_what_the_command_does() {
     let mut pytest = Command::new(bin.join("python"));
     pytest.args(["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider"]).arg(sources.join("tests"));
     pytest.current_dir(wheels.path()).env("PYTHONDONTWRITEBYTECODE", "1").env("DASHPOT_COMMAND", program());
-    pytest.env("DASHPOT_LIBRARY", directory().join("libdashpot.a"));
+    pytest.env("DASHPOT_LIBRARY", static_library());
     let ran = pytest.output().expect("pytest");
     let said = String::from_utf8_lossy(&ran.stdout);
     println!("{said}");

@@ -49,15 +49,21 @@ int32_t dashpot_corner_load(dashpot_corner *corner, const char *path, dashpot_fa
 
 int32_t dashpot_corner_rest(dashpot_corner *corner, double position)
 {
-    dashpot_corner_memory rest;
     dashpot_input still = dashpot_input_motion(position, 0.0);
-    int32_t status = dashpot_state_init(&corner->model, position, &rest.state);
+
+    return dashpot_corner_begin(corner, &still);
+}
+
+int32_t dashpot_corner_begin(dashpot_corner *corner, const dashpot_input *input)
+{
+    dashpot_corner_memory start;
+    int32_t status = dashpot_state_init_motion(&corner->model, input, &start.state);
 
     if (status < 0)
         return status;
-    status = dashpot_step(&corner->model, &rest.state, &still, 0.0, &rest.state, &rest.output);
+    status = dashpot_step(&corner->model, &start.state, input, 0.0, &start.state, &start.output);
     if (status >= 0)
-        corner->now = rest;
+        corner->now = start;
     return status;
 }
 

@@ -33,6 +33,10 @@ int32_t dashpot_corner_read(dashpot_corner *corner, const char *text, size_t len
 /* Puts the corner at rest at `position` (m, extension positive), settled, and works out its static force. */
 int32_t dashpot_corner_rest(dashpot_corner *corner, double position);
 
+/* Puts the corner where it would be after a long steady motion as the input says, and works out its force there. With velocity 0 that is
+ * dashpot_corner_rest() under the input's side force and temperature. */
+int32_t dashpot_corner_begin(dashpot_corner *corner, const dashpot_input *input);
+
 /* One step of dt to `input`; dt = 0 answers statically and leaves the states. Always returns, allocates nothing, and
  * answers with a warning of dashpot.h or DASHPOT_BRIDGE_HELD, never with a refusal. */
 int32_t dashpot_corner_step(dashpot_corner *corner, const dashpot_input *input, double dt);

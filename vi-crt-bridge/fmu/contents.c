@@ -83,6 +83,13 @@ static int read_line(struct contents *contents, const char *line)
         contents->displacement = of_bits(start);
         return 1;
     }
+    if (!strcmp(word, "solver")) {
+        if (sscanf(line, "solver %23s %23s", motion, force) != 2)
+            return 0;
+        contents->between_points = of_bits(motion);
+        contents->explicit_step = of_bits(force);
+        return contents->between_points >= 0.0 && contents->between_points <= 2.0;
+    }
     if (!strcmp(word, "nominal")) {
         if (sscanf(line, "nominal %d %d %23s", &corner, &index, motion) != 3 || corner < 0 || corner >= MOST_CORNERS ||
             index < 0 || index >= MOST_STATES)
@@ -157,7 +164,7 @@ static int read_table(struct contents *contents, char *text)
         return 0;
     line = next_line(&text);
     /* The first line names the format: a runtime refuses what a later command has written. */
-    if (!line || strcmp(line, "dashpot-fmu 2"))
+    if (!line || strcmp(line, "dashpot-fmu 3"))
         return 0;
     while ((line = next_line(&text)))
         if (!read_line(contents, line))

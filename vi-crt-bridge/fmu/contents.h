@@ -55,6 +55,8 @@ struct contents {
     char guid[64];
     int corners;
     double motion_scale, force_scale, position_offset, displacement; /* start values */
+    double between_points; /* start value of BETWEEN_POINTS */
+    double explicit_step;  /* longest step, s, of an explicit solver that integrates the states; 0: not known */
     int states;                       /* of all corners */
     double nominal[MOST_CORNERS][MOST_STATES]; /* what a state is usually like, for the tolerances of hosts */
     uint32_t between;                 /* value reference of BETWEEN_POINTS */

@@ -1,7 +1,21 @@
 #include "evaluate.h"
 #include "complain.h"
 #include "inputs.h"
+#include <stdio.h>
 #include <string.h>
+
+int instance_states_lost(struct instance *instance)
+{
+    double step = instance->contents->explicit_step;
+    char below[40] = "far shorter steps";
+
+    if (step > 0.0)
+        snprintf(below, sizeof below, "steps below %.2g microseconds", 1e6 * step);
+    return instance_complain(instance,
+                             "the states have left all bounds: the steps of the solver that integrates them are too long. This damper needs an "
+                             "implicit solver (CVODE, DASSL, Radau) or %s; co-simulation is stable at every step",
+                             below);
+}
 
 int instance_evaluate(struct instance *instance, int corner)
 {
@@ -24,6 +38,8 @@ int instance_evaluate(struct instance *instance, int corner)
     for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
         state.memory[k - FIRST_MEMORY] = part->state[k];
     status = dashpot_evaluate(&part->corner.model, &state, &input, &part->corner.now.output, &rate);
+    if (status == DASHPOT_BAD_STATE || status == DASHPOT_NOT_COMPUTABLE)
+        return instance_states_lost(instance);
     if (status < 0)
         return instance_complain(instance, "%s", dashpot_status_text(status));
     part->status = status;

@@ -2,6 +2,7 @@
  *
  * The internal mass is told by its deflection from the driven end. Were it told by its own displacement, then a host that holds its
  * inputs would hold one end of the series spring while the other moves on: 3 MN/m times 0.6 m/s times 1 ms is 1800 N. */
+#include "evaluate.h"
 #include "instance.h"
 #include <math.h>
 #include <string.h>
@@ -64,7 +65,7 @@ int instance_set_states(struct instance *instance, const double *states)
 
     for (k = 0; k < instance->contents->states; k++)
         if (!isfinite(states[k]))
-            return instance_complain(instance, "a state is not finite");
+            return instance_states_lost(instance);
     EACH_STATE(instance, v)
         instance->data->part[v->corner].state[v->index] = *states++;
     instance->data->stale = 1;

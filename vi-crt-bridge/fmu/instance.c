@@ -26,6 +26,7 @@ static void start_values(struct instance *instance)
         case POSITION_OFFSET: value[i] = contents->position_offset; break;
         case DISPLACEMENT: value[i] = contents->displacement; break;
         case DISPLACEMENT_GIVEN: value[i] = 1.0; break;
+        case BETWEEN_POINTS: value[i] = contents->between_points; break;
         case CHOICE: dashpot_params_get(params, v->name, &value[i]); break;
         case PARAMETER:
             if (v->index < 0)
@@ -228,8 +229,8 @@ int instance_reset(struct instance *instance)
     return load(instance);
 }
 
-/* At rest at the position that the host gives. */
-static int rest(struct instance *instance)
+/* As it has long moved with the inputs that the host gives: at rest, or in steady motion. */
+static int begin(struct instance *instance)
 {
     struct data *data = instance->data;
     int c, k;
@@ -242,10 +243,13 @@ static int rest(struct instance *instance)
         dashpot_input input = instance_input(data, c);
         double position =
             input.known & DASHPOT_KNOWS_DISPLACEMENT ? input.displacement : instance_given(data, c, INITIAL_POSITION);
-        int32_t status = dashpot_corner_rest(&part->corner, position);
+        int32_t status;
 
+        input.known |= DASHPOT_KNOWS_DISPLACEMENT;
+        input.displacement = position;
+        status = dashpot_corner_begin(&part->corner, &input);
         if (status < 0)
-            return instance_complain(instance, "initial position: %s", dashpot_status_text(status));
+            return instance_complain(instance, "the inputs at the start: %s", dashpot_status_text(status));
         part->from = *state;
         part->status = 0;
         part->state[TRAVEL] = position;
@@ -265,7 +269,7 @@ int instance_refresh(struct instance *instance)
 
     if (!data->stale || data->phase == INSTANTIATED || data->phase == TERMINATED)
         return 0;
-    if (data->phase == INITIALIZATION && rest(instance))
+    if (data->phase == INITIALIZATION && begin(instance))
         return -1;
     for (c = 0; instance->exchange && c < data->corners; c++)
         if (instance_evaluate(instance, c))

@@ -2,6 +2,9 @@
 #include "instance.h"
 #include <math.h>
 
+/* The longest step of the kernel, s (DASHPOT_BAD_TIME_STEP): longer ones are milliseconds taken for seconds. */
+static const double LONGEST = 100.0;
+
 int instance_step(struct instance *instance, double time, double dt)
 {
     struct data *data = instance->data;
@@ -11,8 +14,12 @@ int instance_step(struct instance *instance, double time, double dt)
         return instance_complain(instance, "a step of an instance that was made for model exchange");
     if (data->phase != RUNNING)
         return instance_complain(instance, "a step before the end of initialization or after terminate");
-    if (!(dt >= 0.0 && dt <= 1e9))
-        return instance_complain(instance, "the communication step size must be finite and not negative");
+    if (!(dt >= 0.0 && dt <= LONGEST))
+        return instance_complain(instance,
+                                 dt > LONGEST ? "a communication step of %g s is too long: the damper takes at most %g s, and resolves fast "
+                                                "motion in steps of 0.01 s or less. Is it in milliseconds?"
+                                              : "a communication step of %g s is none: it lies between 0 and %g s",
+                                 dt, LONGEST);
     if (instance_settle_parameters(instance))
         return -1;
     for (c = 0; c < data->corners; c++) {

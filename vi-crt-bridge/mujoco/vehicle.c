@@ -3,7 +3,7 @@
  *   pip install mujoco                       # brings headers and library
  *   M=$(python3 -c 'import mujoco,os;print(os.path.dirname(mujoco.__file__))')
  *   cc -O2 -I include -I vi-crt-bridge/bridge -I $M/include vi-crt-bridge/mujoco/vehicle.c \
- *      BRIDGE_SOURCES target/release/libdashpot.a $M/libmujoco.so.* -Wl,-rpath,$M -lm -o vehicle
+ *      BRIDGE_SOURCES target/lib/libdashpot.a $M/libmujoco.so.* -Wl,-rpath,$M -lm -o vehicle
  *   ./vehicle damper.toml curve.toml         # the identified model, and an FV curve to compare with
  *
  * MuJoCo takes forces of the callback explicitly under every integrator. The callback may be called more than once at one

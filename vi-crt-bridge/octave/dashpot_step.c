@@ -1,6 +1,6 @@
 /* dashpot as a MEX function, for GNU Octave and MATLAB.
  *
- *   mkoctfile --mex -Iinclude -Ivi-crt-bridge/bridge vi-crt-bridge/octave/dashpot_step.c vi-crt-bridge/bridge/corner.c target/release/libdashpot.a
+ *   mkoctfile --mex -Iinclude -Ivi-crt-bridge/bridge vi-crt-bridge/octave/dashpot_step.c vi-crt-bridge/bridge/corner.c target/lib/libdashpot.a
  *
  *   force = dashpot_step('damper.toml', displacement, velocity, dt)
  *

@@ -22,9 +22,10 @@
 //! force, gas that pushes the rod out is a negative one. This is stated here once and holds everywhere below.
 //!
 //! Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
-//! program.c libdashpot.a, and nothing behind it; a linker takes in what is called. Neither needs another library. The shared one
-//! imports no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
-//! runtime has; there is no allocator, file, lock or thread behind it.
+//! program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object whose names are local
+//! but for dashpot_*; a build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
+//! import no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
+//! runtime has; there is no allocator, file, lock or thread behind them.
 //!
 //! Memory. The library allocates nothing and keeps nothing: all blocks are the caller's, as globals, on the stack or
 //! on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may

@@ -2,8 +2,15 @@
 //!
 //! All that a damper remembers, friction hysteresis included, is in its state: fourteen numbers that the host owns. To
 //! try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
-//! repeats the first to the last bit. A state may be used with another model, as when a model is prepared anew while it
+//! repeats the first to the last bit.
+//!
+//! A state may be used with another model, as when a model is prepared anew while it
 //! runs: what an element remembers goes with it, and an element that was off before begins settled.
+//!
+//! Derivatives of a step are exact where its force is smooth. At a knee (a point of a straight-line curve, a stop, a
+//! reversal, a void that closes) they are one-sided, of the side on which the step was solved, or lie between both sides.
+//! An implicit host should bound its Newton steps there. In a search over drawn steps, most of them far from what
+//! dampers do, one derivative in a thousand is off by more than 2 %.
 
 use core::mem::{align_of, offset_of, size_of};
 

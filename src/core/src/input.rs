@@ -48,6 +48,7 @@ pub struct Path {
     x1: f64,
     v1: f64,
     dt: f64,
+    is_integrated: bool,
 }
 
 /// A point of a [`Path`], with its slopes over the displacement and the velocity at the end of the step.
@@ -82,13 +83,19 @@ impl Path {
             Some(x1) => x1,
             None => x0 + 0.5 * dt * (v0 + v1),
         };
-        Path { x0, v0, x1, v1, dt }
+        Path { x0, v0, x1, v1, dt, is_integrated: to.displacement.is_none() }
     }
 
     /// Length of the step, s.
     #[inline(always)]
     pub fn length(&self) -> f64 {
         self.dt
+    }
+
+    /// Whether the displacement at the end is the integral of the velocity, since the host gives none.
+    #[inline(always)]
+    pub fn is_integrated(&self) -> bool {
+        self.is_integrated
     }
 
     /// Displacement and velocity at the end.

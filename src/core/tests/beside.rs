@@ -306,7 +306,8 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
 fn order_of_the_step_with_each_element() {
     for (elements, changes, orders) in [
         (&["gas_spring"][..], &[("gas_stiffness", 3e3), ("gas_thermal_time", 0.05)][..], [0.9, 1.9, 3.5, 2.8, 1.8]),
-        (&["moving_mass"], &[("moving_mass_time", 1e-2)], [0.9, 1.9, 3.5, 2.8, 1.8]),
+        // Of second order where the growth of the acceleration, which lags by τ, has another sign than it.
+        (&["moving_mass"], &[("moving_mass_time", 1e-2)], [0.9, 1.9, 1.9, 1.9, 1.8]),
         (&["presliding_friction"], &[("presliding_length", 5e-3)], [0.9, 1.9, 3.0, 2.8, 1.8]),
     ] {
         let model = only(elements, changes);

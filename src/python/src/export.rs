@@ -5,7 +5,7 @@ use crate::model::Model;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_hosts::damper_length::in_metres;
-use dashpot_hosts::fmu::{self, Binary, Scales, Version};
+use dashpot_hosts::fmu::{self, Binary, Inputs, Scales, Version};
 use dashpot_hosts::plain_curve::PlainCurve;
 use dashpot_output::{Kind, as_a_run};
 use dashpot_simulation::chatter::Ready;
@@ -26,6 +26,8 @@ pub struct Wanted {
     motion_scale: Option<f64>,
     force_scale: Option<f64>,
     position_offset: f64,
+    /// When the importer sets the inputs of a step: "begin" or "end".
+    inputs: Option<String>,
     /// Length of the damper for `CarMaker`: a number in m, or with its unit.
     carmaker: Option<String>,
     /// For its equilibrium, the model's own curve.
@@ -55,6 +57,12 @@ impl Wanted {
             3 => Version::Three,
             other => bail!("there is no FMI {other} here; it is 2 or 3"),
         };
+        let inputs = match self.inputs.as_deref() {
+            None => Inputs::Unspecified,
+            Some("begin") => Inputs::Begin,
+            Some("end") => Inputs::End,
+            Some(other) => bail!("inputs is \"begin\" or \"end\" of a step, not {other:?}"),
+        };
         if self.carmaker.is_some() && models.len() > 1 {
             bail!("carmaker takes one model: CarMaker has one FMU for each kind of damper");
         }
@@ -77,6 +85,8 @@ impl Wanted {
             &fmu::Options {
                 version,
                 scales,
+                inputs,
+                explicit_step: stiffness::longest_explicit_step(&corners),
                 name: &self.name,
                 from_source: self.library.as_deref(),
                 sources: self.sources,

@@ -36,6 +36,14 @@ pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
+/// The longest step, s, at which an explicit solver can integrate the states of all these dampers itself.
+pub fn longest_explicit_step(all: &[Params]) -> f64 {
+    all.iter()
+        .filter_map(|params| Model::new(params).ok())
+        .map(|model| explicit_step(fastest_rate(&model)))
+        .fold(1.0, f64::min)
+}
+
 /// A limit in two digits, never 0.
 fn in_digits(limit: f64) -> String {
     let digits = (1.0 - libm::log10(limit).floor()).clamp(0.0, 12.0) as usize;

@@ -256,3 +256,75 @@ fn every_element_of_the_model_agrees() {
         }
     }
 }
+
+/// LINEAR (mode 7) sees the damper without dry friction: the eigenvalues are those of the kernel's own slopes, and not those of a damper that its stuck
+/// friction locks, which the same matrix has in dynamics.
+#[test]
+fn a_linearisation_is_not_locked_by_stuck_friction() {
+    const MASS: f64 = 40.0;
+    const SPRING: f64 = 30e3;
+    let text = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"coulomb_friction\", \"side_force_friction\", \
+                \"presliding_friction\", \"parallel_spring\", \"gas_preload\"]\nspring_linear = 2000.0\npresliding_force = 60.0\n";
+    let frictionless = text
+        .replace("\"stribeck_friction\", \"coulomb_friction\", \"side_force_friction\", ", "")
+        .replace("\"presliding_friction\", ", "")
+        .replace("presliding_force = 60.0\n", "");
+    let folder = tempfile::tempdir().unwrap();
+    let solver = solver();
+    let path = written(folder.path(), text);
+    let model = model_of(&frictionless);
+    let (mut pairs, locked) = (Vec::new(), 130e3);
+    for routine in ROUTINES {
+        let matrices = |mode: u32| {
+            let run = started(
+                &solver,
+                routine,
+                &with(&path, &["mass=1", "ni=4", "ns=3", "side=200", "amplitude=0.5", &format!("linear={mode}")]),
+            );
+            ["differenced", "handed"].map(|name| {
+                let line =
+                    run.text.lines().find_map(|l| l.strip_prefix(name)).unwrap_or_else(|| panic!("{}", run.text));
+                let numbers: Vec<f64> = line.split_whitespace().map(|n| n.parse().unwrap()).collect();
+                let n = (numbers.len() as f64).sqrt() as usize;
+                nalgebra::DMatrix::from_row_slice(n, n, &numbers)
+            })
+        };
+        let x = {
+            let run = started(
+                &solver,
+                routine,
+                &with(&path, &["mass=1", "ni=4", "ns=3", "side=200", "amplitude=0.5", "end=0.001"]),
+            );
+            1e-3 * run.statics().0
+        };
+        let force = |x: f64, v: f64| model.static_output(&Input::motion(x, v)).force;
+        let stiffness = SPRING + (force(x + 1e-6, 0.0) - force(x - 1e-6, 0.0)) / 2e-6;
+        let damping = (force(x, 1e-6) - force(x, -1e-6)) / 2e-6;
+        for matrix in matrices(7) {
+            let values: Vec<_> = matrix.complex_eigenvalues().iter().copied().collect();
+            // What a mass on this spring and damper does.
+            let (half, rest) = (-0.5 * damping / MASS, stiffness / MASS - (0.5 * damping / MASS).powi(2));
+            let wanted: Vec<(f64, f64)> = if rest > 0.0 {
+                vec![(half, rest.sqrt()), (half, -rest.sqrt())]
+            } else {
+                vec![(half + (-rest).sqrt(), 0.0), (half - (-rest).sqrt(), 0.0)]
+            };
+            // A GSE has the series spring too, which moves the fast one; the slow one is the body on its damper.
+            for (re, im) in if routine == "gse" { &wanted[..1] } else { &wanted[..] } {
+                let nearest = values.iter().map(|v| (v.re - re).hypot(v.im - im)).fold(f64::MAX, f64::min);
+                assert!(nearest < 0.02 * re.hypot(*im), "{routine}: {values:?} for {wanted:?}");
+            }
+            assert!(values.iter().all(|v| v.re < 1e-6), "{routine}: {values:?}");
+            pairs.push(values);
+        }
+        // In dynamics the same matrix has the friction's slopes in it.
+        let [dynamic, _] = matrices(4);
+        if routine != "gse" {
+            assert!(
+                -dynamic[(1, 0)] * MASS > SPRING + locked || -dynamic[(1, 1)] * MASS > 3.0 * damping,
+                "{routine}: {dynamic}"
+            );
+        }
+    }
+    println!("{pairs:?}");
+}

@@ -5,7 +5,7 @@ use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::fmu::exported;
 use dashpot_tests::hostile::rounds;
-use dashpot_tests::library::{Language, compiler, directory, root, succeed};
+use dashpot_tests::library::{Language, compiler, root, static_library, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -34,7 +34,7 @@ fn watched(at: &Path) -> Option<PathBuf> {
             build.arg(path);
         }
     }
-    build.arg(directory().join("libdashpot.a")).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
+    build.arg(static_library()).args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
     succeed(&mut build);
     Some(program)
 }

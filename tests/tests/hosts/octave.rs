@@ -3,7 +3,7 @@
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;
-use dashpot_tests::library::{directory, root};
+use dashpot_tests::library::{root, static_library};
 use std::process::{Command, Stdio};
 
 #[test]
@@ -22,7 +22,7 @@ fn the_example_gives_the_kernels_forces() {
         .arg("--mex")
         .arg(format!("-I{}", root().join("include").display()))
         .arg(format!("-I{}", bridge.join("bridge").display()))
-        .args([bridge.join("octave/dashpot_step.c"), bridge.join("bridge/corner.c"), directory().join("libdashpot.a")])
+        .args([bridge.join("octave/dashpot_step.c"), bridge.join("bridge/corner.c"), static_library()])
         .output()
         .expect("mkoctfile runs");
     assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));

@@ -49,3 +49,26 @@ fn three_loops_are_one_car() {
         assert!(kind == "trial" || errors[1] < 0.7 * errors[0], "{kind}: {errors:?}");
     }
 }
+
+/// A mass in the damper moves the car as it does in small steps, whatever velocity a loop advances the displacement with: the first loop is
+/// semi-implicit. What the loops get wrong of the body themselves cancels in the difference.
+#[test]
+fn a_moving_mass_acts_as_it_is_in_every_loop() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let source = root().join("examples/your_loop.c");
+    let program = host(source.to_str().expect("a path in UTF-8"), Language::C, Linkage::Static, &[], folder.path());
+    let heavy = CALM.replace("\"gas_preload\"", "\"gas_preload\", \"moving_mass\"") + "moving_mass = 20.0\n";
+    let by_the_mass = |kind: &str, dt: &str| -> Vec<f64> {
+        let (with, without) = (run(&program, &heavy, kind, dt), run(&program, CALM, kind, dt));
+        with.iter().zip(&without).map(|(a, b)| a[1] - b[1]).collect()
+    };
+    let fine = by_the_mass("explicit", "0.00001");
+    let most = fine.iter().fold(0.0f64, |m, d| m.max(d.abs()));
+    assert!(most > 1e-4, "{most}");
+    for kind in ["explicit", "trial", "implicit"] {
+        let coarse = by_the_mass(kind, "0.001");
+        let off = fine.iter().zip(&coarse).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+        println!("{kind}: {:.2} of {:.2} mm", 1e3 * off, 1e3 * most);
+        assert!(off < 0.1 * most, "{kind}: off by {off} of {most}");
+    }
+}

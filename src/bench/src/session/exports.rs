@@ -77,6 +77,8 @@ impl Export {
         let options = fmu::Options {
             version,
             scales: fmu::Scales::checked(corners.len(), None, None, 0.0)?,
+            inputs: fmu::Inputs::Unspecified,
+            explicit_step: stiffness::longest_explicit_step(&corners),
             name: &name,
             from_source: (!holds_one).then_some(library.as_path()),
             sources: true,

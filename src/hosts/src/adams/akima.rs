@@ -87,6 +87,14 @@ impl<'a> Read<'a> {
     }
 }
 
+/// The force of a table at rest, as Adams reads it; `straight` where it runs straight between its points. 0 where rest lies outside.
+pub fn at_rest(curve: &Curve, straight: bool) -> f64 {
+    let holds =
+        curve.velocities.first().is_some_and(|v| *v <= 0.0) && curve.velocities.last().is_some_and(|v| *v >= 0.0);
+    let reading = if straight { Reading::Model(Interpolation::Linear) } else { Reading::Akima };
+    if holds && curve.velocities.len() > 1 { Read::new(curve, reading).at(0.0) } else { 0.0 }
+}
+
 /// How far a table that is read in one way lies from a curve, at most.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Difference {

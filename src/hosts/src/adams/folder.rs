@@ -32,11 +32,15 @@ pub fn files(
             .replace("{model_file}", model_file)
     };
     let native = native::fragment(params, model, length);
-    let about_native = match &native {
-        Ok(_) => NATIVE.to_owned(),
-        Err(reason) => wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}.")),
+    let read_me = match &native {
+        Ok(_) => fill(include_str!("templates/README.txt")).replace("{native}", NATIVE),
+        // Below the title, by which the file is known as an older version of itself: who came for it need not read on.
+        Err(reason) => {
+            let lacks = wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}."));
+            let text = fill(include_str!("templates/README.txt")).replace("{native}\n", "");
+            text.replacen("\n\n", &format!("\n\n{lacks}\n\n"), 1)
+        }
     };
-    let read_me = fill(include_str!("templates/README.txt")).replace("{native}", about_native.trim_end());
     let mut files = vec![
         File { name: "damper.cmd", text: fill(include_str!("templates/damper.cmd")) },
         File { name: "damper.adm", text: fill(include_str!("templates/damper.adm")) },

@@ -30,8 +30,9 @@ pub struct Imported {
 pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let named = || path.display().to_string();
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", named()))?;
-    let read = property::read(&bytes).with_context(named)?;
+    let mut read = property::read(&bytes).with_context(named)?;
     let rows = read.curve.velocities.len();
+    let constant = constant_force(&mut read);
     // A linear rate, or a spline that says it is straight, is not read by Akima.
     let (curve, interpolation, remark) = if read.straight {
         let (curve, left) = akima::read_straight(read.curve);
@@ -56,7 +57,9 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     }
     if read.gas_force != 0.0 {
         params.enable(element!("gas_preload"), true);
-        set(&mut params, number!("gas_force"), read.gas_force)?;
+        let fault =
+            |error| if constant.is_some() { constant_too_large(&named(), read.gas_force, error) } else { error };
+        set(&mut params, number!("gas_force"), read.gas_force).map_err(fault)?;
     }
     prepared(&params).with_context(named)?;
     let flat = model_file::flat(&params, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
@@ -65,7 +68,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     for note in &read.notes {
         text += &format!("# Left out: {}.\n", note.escape_debug());
     }
-    if let Some(remark) = &remark {
+    for remark in constant.iter().chain(&remark) {
         text += &format!("# {remark}\n");
     }
     let beside = if read.gas_force == 0.0 {
@@ -78,8 +81,32 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
         text: text + "\n" + &flat,
         points: curve.velocities.len(),
         beside,
-        remarks: remark.into_iter().chain(left_out).collect(),
+        remarks: constant.into_iter().chain(remark).chain(left_out).collect(),
     })
+}
+
+/// Share of the largest force below which a force at rest is rounding.
+const AT_REST: f64 = 1e-6;
+
+/// Moves the force that the curve has at rest from the curve to the gas force, and says so: a damper at rest has none of its curve, and what pushes or
+/// pulls there does so at every speed.
+fn constant_force(read: &mut property::Properties) -> Option<String> {
+    let rest = akima::at_rest(&read.curve, read.straight);
+    let largest = read.curve.forces.iter().fold(0.0f64, |most, f| most.max(f.abs()));
+    if rest.abs() <= AT_REST * largest {
+        return None;
+    }
+    read.curve.forces.iter_mut().for_each(|f| *f -= rest);
+    read.gas_force -= rest;
+    Some(format!(
+        "The curve of the file has {rest:.1} N at rest. That is no damping: it stands in gas_force, {:.1} N where it pushes the rod out, and the curve \
+         is what is left.",
+        read.gas_force
+    ))
+}
+
+fn constant_too_large(named: &str, force: f64, error: anyhow::Error) -> anyhow::Error {
+    error.context(format!("{named}: the curve leaves a force of {force:.1} N at rest, which is taken for the gas force; look at its row at velocity 0"))
 }
 
 /// How far the model's curve follows the one that Adams makes of the file.
@@ -107,4 +134,45 @@ fn fewer(rows: usize, points: usize, left: &Difference) -> String {
         "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
         left.told()
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn imported(text: &str) -> Imported {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("damper.dpr");
+        std::fs::write(&path, text).unwrap();
+        of_property_file(&path).unwrap()
+    }
+
+    const HEAD: &str = "[UNITS]\nLENGTH='mm'\nFORCE='newton'\nTIME='second'\n[CURVE]\n";
+
+    /// With a row at rest and without; the sum of curve and gas is the curve of the file.
+    #[test]
+    fn a_force_at_rest_is_gas_and_the_curve_has_none() {
+        for (rows, forces) in [
+            ("-500 -720\n-100 -470\n0 -120\n100 80\n500 780\n", Some(120.0)),
+            ("-500 -720\n-100 -470\n-50 -295\n50 55\n100 80\n500 780\n", None),
+            ("-500 -600\n-100 -350\n0 0\n100 200\n500 900\n", Some(0.0)),
+        ] {
+            let made = imported(&format!("{HEAD}{rows}"));
+            let mut params = Params::new();
+            dashpot_core::model_file::read(made.text.as_bytes(), &mut params).unwrap();
+            let model = dashpot_core::Model::new(&params).unwrap();
+            let gas = if params.is_on(element!("gas_preload")) { params.number(number!("gas_force")) } else { 0.0 };
+            let fv = model.elements().paths.fv_curve;
+            assert!(fv.at(0.0).value.abs() < 1.0, "{}", fv.at(0.0).value);
+            if let Some(wanted) = forces {
+                assert!((gas - wanted).abs() < 1e-9, "{gas}");
+            }
+            assert_eq!(gas != 0.0, made.remarks[0].contains("at rest"), "{:?}", made.remarks);
+            for row in rows.lines() {
+                let numbers: Vec<f64> = row.split(' ').map(|n| n.parse().unwrap()).collect();
+                let own = fv.at(1e-3 * numbers[0]).value - gas;
+                assert!((own - numbers[1]).abs() < 0.02 * 780.0, "{row}: {own}");
+            }
+        }
+    }
 }

@@ -1,5 +1,5 @@
 //! The damper from Adams's own elements, without a routine: splines for primary damper, parallel spring and friction, and two differential
-//! equations for the internal mass.
+//! equations for the internal mass; a third one for friction that turns over within a short travel.
 //!
 //! The mass is no PART: a part has a place in the model, which a text that knows nothing of the model cannot give, and a joint to the tube that
 //! is violated wherever that place is wrong. By its equations it moves along the line between the damper's markers, as the kernel has it. Its
@@ -20,13 +20,14 @@ const FINE: f64 = 2.0;
 
 /// What splines of velocity and displacement can hold, beside a spring, a damper and a mass. An element that is not here would be left
 /// out of the file without a word.
-const HELD: [Element; 7] = [
+const HELD: [Element; 8] = [
     element!("fv_curve"),
     element!("series_compliance"),
     element!("parallel_spring"),
     element!("coulomb_friction"),
     element!("stribeck_friction"),
     element!("viscous_friction"),
+    element!("presliding_friction"),
     element!("gas_preload"),
 ];
 
@@ -56,14 +57,48 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     let displacements = spaced(|s| STROKE * s);
     let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
-    let friction = spline(3, &velocities, |v| at(0.0, v).friction_force);
+    // The spline has the friction of the velocity alone.
+    let mut of_velocity = *params;
+    of_velocity.enable(element!("presliding_friction"), false);
+    let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;
+    let friction = spline(3, &velocities, |v| {
+        let state = sliding.settled(&Input::motion(0.0, 0.0));
+        force(&sliding, &State { mass_velocity: 1e-3 * v, ..state }, &Input::motion(0.0, 1e-3 * v)).friction_force
+    });
+    let (contact, bent) = presliding(params).unwrap_or_default();
     Ok(include_str!("templates/native.adm")
+        .replace("{contact}\n", &contact)
+        .replace("{bent}", &bent)
         .replace("{splines}", format!("{primary}{spring}{friction}").trim_end())
         .replace("{series_stiffness}", &format!("{:?}", 1e-3 * params.number(number!("series_stiffness"))))
         .replace("{series_damping}", &format!("{:?}", 1e-3 * params.number(number!("series_damping"))))
         .replace("{mass}", &format!("{:?}", params.number(number!("internal_mass"))))
         .replace("{gas}", &format!("{:?}", -at(0.0, 0.0).gas_force))
         .replace("{length}", &format!("{length:?}")))
+}
+
+/// Presliding friction: the equation of its bent contact in mm, and the force that it adds to the SFORCE; `None` where the element is off.
+fn presliding(params: &Params) -> Option<(String, String)> {
+    if !params.is_on(element!("presliding_friction")) {
+        return None;
+    }
+    let [level, length, power, elastic, creep] = [
+        number!("presliding_force"),
+        number!("presliding_length"),
+        number!("presliding_power"),
+        number!("presliding_return"),
+        number!("presliding_creep"),
+    ]
+    .map(|number| params.number(number));
+    let (length, creep) = (1e3 * length, 1e3 * creep);
+    let shape = if power == 1.0 { String::new() } else { format!("*ABS(DIF(3)/{length:?})**{:?}", power - 1.0) };
+    // 0 while it unbends, for an elastic return.
+    let slips = if elastic == 1.0 { "(0.5+SIGN(0.5,VR(11,12)*DIF(3)))*" } else { "" };
+    let rate = format!("VR(11,12)\n, -{slips}SQRT(VR(11,12)**2+{:?})*DIF(3)/{length:?}{shape}", creep * creep);
+    let contact = format!(
+        "! Friction that turns over within a short travel: the bent contact, which statics leave as it is.\nDIFF/3\n, IC = 0\n, STATIC_HOLD\n, FUNCTION = {rate}\n"
+    );
+    Some((contact, format!("-{:?}*DIF(3)", level / length)))
 }
 
 /// Abscissae, symmetric about 0, from `of` over -1 to 1.

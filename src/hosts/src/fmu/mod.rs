@@ -14,6 +14,7 @@ mod zip;
 pub use carmaker::{LONGEST, not_in_the_equilibrium, plug_info};
 pub use scales::Scales;
 pub use sources::Version;
+pub use variables::Inputs;
 pub use zip::check_sum;
 
 use crate::runtimes;
@@ -22,6 +23,11 @@ use dashpot_core::Params;
 use dashpot_identification::model_file;
 use std::path::Path;
 use std::process::Command;
+
+/// What to know where nobody said when the importer sets its inputs.
+pub const INPUTS_ARE_HELD: &str = "note: in co-simulation, inputs set before a step count at its end. An importer that sets what it knows at the \
+     beginning, as FMPy and most masters do, gets the force one step late: export with --inputs begin, and the FMU extrapolates. With --inputs end \
+     nothing changes but this note";
 
 /// A binary of the FMU for another platform.
 pub struct Binary {
@@ -62,6 +68,10 @@ pub struct Options<'a> {
     pub version: Version,
     /// Signs, units and zero of the host.
     pub scales: Scales,
+    /// When the importer sets the inputs of a step.
+    pub inputs: Inputs,
+    /// Longest step, s, of an explicit solver that integrates the states itself; 0 where that is not known.
+    pub explicit_step: f64,
     /// Name of the model.
     pub name: &'a str,
     /// The static library for this computer: the binary is compiled of this FMU's own sources. None: the prebuilt runtime.
@@ -101,7 +111,7 @@ pub fn corners(models: &[Params], four: bool) -> anyhow::Result<Vec<Params>> {
 }
 
 /// What the text of every runtime holds: a runtime is told by it from a library compiled of one FMU's sources.
-const RUNTIME_MARK: &[u8] = b"dashpot-fmu 2";
+const RUNTIME_MARK: &[u8] = b"dashpot-fmu 3";
 
 /// An FMU of one or four corners.
 ///
@@ -109,14 +119,17 @@ const RUNTIME_MARK: &[u8] = b"dashpot-fmu 2";
 /// Where a compiler is asked for and missing or refuses, or there is no runtime.
 pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
     let Options { version, scales, .. } = *options;
-    let mut variables = variables::variables(corners, scales);
+    let mut variables = variables::variables(corners, scales, options.inputs);
     if options.hide_parameters {
         variables.retain(|v| !matches!(v.kind, variables::Kind::Parameter | variables::Kind::Choice));
     }
+    // It follows from stiffness and mass.
+    let explicit_step = if options.hide_parameters { 0.0 } else { options.explicit_step };
     let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat(p, |_| String::new())).collect();
     let describe =
         |guid: &str, sources: &[String]| description::description(version, &variables, guid, options.name, sources);
-    let contents = |guid: &str| sources::contents(corners.len(), &variables, scales, guid);
+    let contents =
+        |guid: &str| sources::contents(corners.len(), &variables, scales, (options.inputs, explicit_step), guid);
     let guid = guid(&[&contents(""), &texts.concat(), &describe("", &[]), env!("CARGO_PKG_VERSION")]);
     if options.hide_parameters {
         texts.iter_mut().for_each(|text| *text = veil::veiled(text, &guid));

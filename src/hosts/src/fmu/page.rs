@@ -11,8 +11,8 @@ fn escaped(text: &str) -> String {
 /// What holds for every damper, ahead of the remarks.
 const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>dashpot damper</title></head><body>\n\
      <h1>dashpot damper</h1>\n\
-     <p>A suspension damper identified from rig records. Motion in, force out. The damper starts at rest in its first \
-     position; a step runs from one communication point to the next. An input that \
+     <p>A suspension damper identified from rig records. Motion in, force out. The damper starts as if it had \
+     long moved with its first inputs: at rest where their velocity is 0, else in steady motion; a step runs from one communication point to the next. An input that \
      is not finite holds the last force, and the status says so. A step of length 0 is a static answer.</p>\n\
      <p><b>Signs.</b> motion_scale and force_scale change from the host's signs, units and motion ratio to the damper's \
      (extension and tension positive, SI). Force times velocity, both as the damper counts them, must be positive on \
@@ -32,7 +32,7 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      In FMI 2.0 fmi2SetRealInputDerivatives (order 1) goes before either. Directional derivatives of a step are those \
      by the motion at its end.</p>\n\
      <table border=\"1\">\n<tr><th>call</th><th>instant</th><th>what it does</th></tr>\n\
-     <tr><td>set inputs, initialise</td><td>0</td><td>at rest, settled in the position of the inputs</td></tr>\n\
+     <tr><td>set inputs, initialise</td><td>0</td><td>settled at the inputs: at rest, or in steady motion</td></tr>\n\
      <tr><td>get force</td><td>0</td><td>static force</td></tr>\n\
      <tr><td>set inputs</td><td>t (extrapolate, derivatives) or t + h (hold)</td><td>nothing yet</td></tr>\n\
      <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\

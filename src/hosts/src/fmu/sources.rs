@@ -1,7 +1,7 @@
 //! The C sources of the FMU: those that ship with the command, and the tables of this model.
 
 use super::scales::Scales;
-use super::variables::Variable;
+use super::variables::{Inputs, Variable};
 use std::fmt::Write as _;
 
 /// FMI 2.0 or 3.0.
@@ -55,15 +55,23 @@ pub fn bundled() -> Vec<(&'static str, &'static str)> {
 pub const ICON: &[u8] = include_bytes!("../../../../vi-crt-bridge/fmu/model.png");
 
 /// `contents.txt`: what the runtime has to know of this FMU.
-pub fn contents(corners: usize, variables: &[Variable], scales: Scales, guid: &str) -> String {
+pub fn contents(
+    corners: usize,
+    variables: &[Variable],
+    scales: Scales,
+    (inputs, explicit_step): (Inputs, f64),
+    guid: &str,
+) -> String {
     // Numbers as the bits of a double: C reads decimals by the host's locale.
     let bits = |value: f64| format!("{:016x}", value.to_bits());
     let mut out = format!(
-        "dashpot-fmu 2\nguid {guid}\ncorners {corners}\nscales {} {} {} {}\n",
+        "dashpot-fmu 3\nguid {guid}\ncorners {corners}\nscales {} {} {} {}\nsolver {} {}\n",
         bits(scales.motion),
         bits(scales.force),
         bits(scales.position_offset),
-        bits(scales.start)
+        bits(scales.start),
+        bits(inputs.start_value()),
+        bits(explicit_step)
     );
     for v in variables {
         let corner = v.corner.map_or(-1, |c| c as i64);

@@ -14,6 +14,25 @@ const FIRST_MEMORY: usize = 3;
 /// How inputs run between two instants at which the host sets them; the FMU's sources count them in this order.
 pub const BETWEEN_POINTS: [&str; 3] = ["automatic", "hold", "extrapolate"];
 
+/// When the importer sets the inputs of a co-simulation step: its start value of `inputs_between_points`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Inputs {
+    /// Not said: held in co-simulation, extrapolated in model exchange.
+    #[default]
+    Unspecified,
+    /// What it knows at the beginning of the step; the FMU extrapolates to the end.
+    Begin,
+    /// What it knows at the end of the step.
+    End,
+}
+
+impl Inputs {
+    /// The start value, an index of [`BETWEEN_POINTS`]. Inputs at the end of a step are held, which `automatic` does; model exchange stays as it is.
+    pub fn start_value(self) -> f64 {
+        if self == Inputs::Begin { 2.0 } else { 0.0 }
+    }
+}
+
 /// What a variable is; the names are those of `enum kind` in the FMU's sources.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
@@ -94,7 +113,7 @@ pub fn model_file_name(corner: usize, corners: usize) -> String {
 }
 
 /// All variables of an FMU with these corners.
-pub fn variables(corners: &[Params], scales: Scales) -> Vec<Variable> {
+pub fn variables(corners: &[Params], scales: Scales, inputs: Inputs) -> Vec<Variable> {
     let mut all = vec![Variable {
         kind: Kind::Time,
         corner: None,
@@ -116,7 +135,7 @@ pub fn variables(corners: &[Params], scales: Scales) -> Vec<Variable> {
         index: None,
         name: "inputs_between_points".into(),
         parameter: None,
-        start: Some(0.0),
+        start: Some(inputs.start_value()),
         unit: "-".into(),
         meaning: "how inputs run between two instants at which the importer sets them: hold, extrapolate along the line through \
                   the last two, or automatic (held in co-simulation, extrapolated in model exchange)"

@@ -406,6 +406,7 @@ class Model:
         motion_scale: float | None = None,
         force_scale: float | None = None,
         position_offset: float = 0.0,
+        inputs: str | None = None,
         carmaker: float | str | None = None,
         model_curve: bool = False,
         sources: bool = True,
@@ -427,6 +428,8 @@ class Model:
             FMU declares that unit, and none where a motion ratio is in the scale.
         :param force_scale: the host's force per N of tension, such as 0.001 for kN; 1 for one damper, -1 for a vehicle. As for the motion.
         :param position_offset: extension from the rig's zero, m, where the host's displacement is 0.
+        :param inputs: when the importer sets the inputs of a co-simulation step: ``"begin"``, as FMPy does (the FMU extrapolates), or ``"end"``.
+            Without it they count at the end, and an importer of the first kind gets the force one step late.
         :param carmaker: for IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the ``.pluginfo`` file by which it takes it.
             The length of the damper at which the displacement in the records was 0, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
         :param model_curve: with ``carmaker``: for the damper that CarMaker's equilibrium is looked for with, the model's own curve, without
@@ -470,6 +473,7 @@ class Model:
                     "model_file": os.path.basename(self._name),
                     "fmi": fmi,
                     "four": four,
+                    "inputs": inputs,
                     "motion_scale": motion_scale,
                     "force_scale": force_scale,
                     "position_offset": position_offset,

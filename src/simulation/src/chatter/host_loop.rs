@@ -57,7 +57,7 @@ impl Turning {
             format!("the force turns from step to step, by up to {force:.0} N, in {steps} steps")
         };
         format!(
-            "in such a loop that was run here ({} kg on a tyre, a rough road of {:.0} mm{}) {does}",
+            "in such a loop that was run here ({} kg on a tyre, its displacement advanced with the new velocity, a rough road of {:.0} mm{}) {does}",
             host.mass,
             1e3 * height,
             situation.told()
@@ -101,6 +101,7 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     let pace = h.min(FOLLOWS / (std::f64::consts::TAU * WAVES[WAVES.len() - 1].1));
     for k in 1..=LOOP {
         let under = road(height, pace * k as f64);
+        // Semi-implicit, as MuJoCo's Euler and game engines are.
         v += h / mass * (tyre * (under - x) - (force[2] - at_rest));
         x += h * v;
         if !(v.abs() < BEYOND) {

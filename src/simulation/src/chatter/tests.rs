@@ -136,13 +136,14 @@ const UNDAMPED: [(Number, f64); 3] =
 #[test]
 fn a_moving_mass_above_the_wheels_is_no_quiet_damper() {
     let elements = [element!("fv_curve"), element!("series_compliance"), element!("moving_mass")];
-    for (mass, rings) in [(2.0, false), (10.0, false), (45.0, true), (60.0, true)] {
+    for (mass, rings) in [(2.0, false), (5.0, false), (10.0, true), (45.0, true), (60.0, true)] {
         let params = with(&elements, &[UNDAMPED.as_slice(), &[(number!("moving_mass"), mass)]].concat());
         let found = chatter(&params, HOST).unwrap();
         assert_eq!(found.rings(), rings, "{mass} {found:?}");
         let told = found.told(HOST, false);
         assert!(!rings || told.contains("moving_mass makes it") && !told.contains("does not chatter"), "{told}");
         assert!(found.gain > 0.0 || told.contains("says nothing by itself"), "{told}");
+        assert!(told.contains("advanced with the new velocity"), "{told}");
     }
 }
 

@@ -39,7 +39,7 @@ impl Chatter {
         if !self.rings() {
             return format!(
                 "{head}{below}: it does not chatter in a host that holds its force over a step, nor in such a loop that was run here ({mass} kg on a \
-                 tyre). Looked at were motions up to 50 mm and 1 m/s about the middle, and, where they change this damper, places up to {:.0} mm from it, \
+                 tyre, its displacement advanced with the new velocity). Looked at were motions up to 50 mm and 1 m/s about the middle, and, where they change this damper, places up to {:.0} mm from it, \
                  {SIDE_FORCE} N of side force, stops up to {:.0} kN and {COLD} °C.",
                 1e3 * PLACES[7],
                 1e-3 * STOP_FORCE

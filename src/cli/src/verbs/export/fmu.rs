@@ -5,7 +5,7 @@ use crate::verbs::model;
 use anyhow::{Context as _, bail};
 use dashpot_core::Params;
 use dashpot_hosts::damper_length::in_metres;
-use dashpot_hosts::fmu::{self, Binary, Scales, Version};
+use dashpot_hosts::fmu::{self, Binary, Inputs, Scales, Version};
 use dashpot_hosts::plain_curve::PlainCurve;
 use dashpot_hosts::{handed_out, runtimes};
 use dashpot_identification::model_file;
@@ -50,6 +50,10 @@ pub struct Args {
     /// Damper extension from the rig's zero, in m, where the host's displacement is 0
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     position_offset: f64,
+    /// When your importer sets the inputs of a co-simulation step: what it knows at the beginning, as FMPy and most masters do (the FMU
+    /// extrapolates, and the force is in time), or what it knows at the end [default: held, which makes the force of the former one step late]
+    #[arg(long, value_name = "INSTANT", value_parser = ["begin", "end"])]
+    inputs: Option<String>,
     /// For IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the .pluginfo file by which it takes it. LENGTH is that of
     /// the damper at which the displacement in the records was 0, in m, or with its unit: 0.4125, 0.4125m, 412.5mm
     #[arg(long, value_name = "LENGTH", value_parser = in_metres, allow_negative_numbers = true, conflicts_with_all = ["four", "motion_scale", "force_scale", "position_offset"])]
@@ -110,6 +114,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         Some(length) => Scales::carmaker(length)?,
         None => Scales::checked(corners.len(), args.motion_scale, args.force_scale, args.position_offset)?,
     };
+    let inputs = match args.inputs.as_deref() {
+        Some("begin") => Inputs::Begin,
+        Some(_) => Inputs::End,
+        None => Inputs::Unspecified,
+    };
+    if inputs == Inputs::Unspecified {
+        notes.push(fmu::INPUTS_ARE_HELD.to_owned());
+    }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
     // A command that holds no compiled runtime compiles one here, where that can be done.
@@ -128,6 +140,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         &fmu::Options {
             version,
             scales,
+            inputs,
+            explicit_step: stiffness::longest_explicit_step(&corners),
             name: &name,
             from_source: library.as_deref(),
             sources: !args.no_sources,

@@ -131,25 +131,35 @@ fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
     }
 }
 
-/// Adds a row to a curve whose velocities must increase.
-fn push(curve: &mut Curve, [v, f]: [f64; 2], line: usize) -> anyhow::Result<()> {
-    if curve.velocities.last().is_some_and(|last| *last >= v) {
-        anyhow::bail!("line {line}: velocity {v} does not lie above the one before; the velocities must increase");
-    }
-    curve.velocities.push(v);
-    curve.forces.push(f);
-    Ok(())
-}
+/// A row of a table with its line.
+type Row = ([f64; 2], usize);
 
-/// As [`push`], for a curve whose forces do not fall: the damper's, which no model could hold otherwise.
-fn push_rising(curve: &mut Curve, [v, f]: [f64; 2], line: usize) -> anyhow::Result<()> {
-    if let Some(before) = curve.forces.last().filter(|before| **before > f) {
-        anyhow::bail!(
-            "line {line}: force {f} lies below the one before, {before}; the curve of a damper must not fall. Rebound and tension are positive in \
-             these files: look at the signs, or at the two numbers"
-        );
+/// The curve of rows whose abscissae increase or decrease throughout; `rises`: one whose ordinates do not fall, the damper's, which no model could hold
+/// otherwise.
+fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
+    let falls = rows.len() > 1 && rows[0].0[0] > rows[rows.len() - 1].0[0];
+    if falls {
+        rows.reverse();
     }
-    push(curve, [v, f], line)
+    let mut curve = Curve::default();
+    for (i, ([v, f], own)) in rows.iter().enumerate() {
+        // The later of the two in the file.
+        let line = if falls && i > 0 { rows[i - 1].1 } else { *own };
+        if let Some(before) = curve.velocities.last().filter(|before| *before >= v) {
+            anyhow::bail!(
+                "line {line}: {v} and {before} are out of order; the first column, velocities in [CURVE], must increase, or decrease, from row to row"
+            );
+        }
+        if let Some(before) = curve.forces.last().filter(|before| rises && *before > f) {
+            anyhow::bail!(
+                "line {line}: force {f} lies below {before}, that of the next lower velocity; the curve of a damper must not fall. Rebound and tension \
+                 are positive in these files: look at the signs, or at the two numbers"
+            );
+        }
+        curve.velocities.push(*v);
+        curve.forces.push(*f);
+    }
+    Ok(curve)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The XML form: root `afc` with bibliography, units and the damper side by side. It has a place for a gas force.
 
 use super::units::{self, Units};
-use super::{Curve, Properties, push, push_rising, row};
+use super::{Curve, Properties, row};
 use anyhow::{Context as _, bail};
 use roxmltree::{Document, Node};
 use std::fmt::Write as _;
@@ -174,19 +174,18 @@ fn table(document: &Document, node: &Node, units: &Units, over_velocity: bool) -
     if let Some(unit) = own("yUnit") {
         units.force = units::force(unit).with_context(at)?;
     }
-    let mut curve = Curve::default();
+    let mut rows = Vec::new();
     for part in node.children().filter(Node::is_text) {
         let from = document.text_pos_at(part.range().start).row as usize;
         for (i, line) in part.text().unwrap_or_default().lines().enumerate() {
             if !line.trim().is_empty() {
                 let [x, y] = row(line.trim(), from + i, "the spline")?;
                 let x = if over_velocity { units.velocity(x) } else { units.metres(x) };
-                let add = if over_velocity { push_rising } else { push };
-                add(&mut curve, [x, y * units.force], from + i)?;
+                rows.push(([x, y * units.force], from + i));
             }
         }
     }
-    Ok(curve)
+    super::curve(rows, over_velocity)
 }
 
 #[cfg(test)]
@@ -230,7 +229,7 @@ mod tests {
     fn a_bad_file_is_refused_in_words() {
         for (from, to, word) in [
             ("254   1423.4", "254   x", "line 19"),
-            ("254   1423.4", "-9   1423.4", "must increase"),
+            ("254   1423.4", "-9   1423.4", "out of order"),
             ("\"mm\"", "\"cubit\"", "line 8"),
             ("name=\"time\"", "name=\"tide\"", "lack time"),
             ("DamperProperties", "SpringProperties", "SpringProperties"),

@@ -1,0 +1,96 @@
+//! Holds the derivatives of a step against differences of the step, over drawn cases.
+
+use crate::case::{Case, Given, prepare};
+use dashpot_abi::model::dashpot_model;
+use dashpot_abi::state::{dashpot_output, dashpot_state, dashpot_state_init};
+use dashpot_abi::step::dashpot_step;
+use dashpot_test_support::Random;
+use std::mem::zeroed;
+
+/// Widths of the differences: displacement m, velocity m/s. A knee is inside the wide ones and outside the narrow ones, a void of nanometres the
+/// other way round.
+const WIDTHS: [[f64; 7]; 2] =
+    [[1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11], [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]];
+/// How near a derivative is to a difference, as a fraction of the largest of them: what a host's Newton does not feel.
+const NEAR: f64 = 0.02;
+/// Of the forces: what rounding leaves in a difference of two.
+const ROUNDING: f64 = 1e-13;
+/// Moves by which the noise of the force is measured, as a fraction of the narrowest width: iterations that end one earlier or later.
+const AS_GOOD_AS_STILL: [f64; 4] = [-1e-2, -1e-3, 1e-3, 1e-2];
+
+/// One comparison that failed.
+pub struct Off {
+    pub step: usize,
+    pub what: String,
+}
+
+fn one_step(model: &dashpot_model, from: &dashpot_state, given: &Given) -> Option<(dashpot_state, dashpot_output)> {
+    // SAFETY: numbers alone, for which zero bytes are a value.
+    let (mut to, mut output): (dashpot_state, dashpot_output) = unsafe { (zeroed(), zeroed()) };
+    let input = given.input();
+    // SAFETY: a model that was made, and blocks of their own.
+    let status = unsafe { dashpot_step(model, from, &input, given.dt, &mut to, &mut output) };
+    (status >= 0).then_some((to, output))
+}
+
+/// Whether a derivative is a difference of one of the widths: one of the two one-sided ones, or between these. `None` where noise leaves no width.
+fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -> Option<Result<(), String>> {
+    let at = force(0.0)?;
+    let narrowest = widths.iter().fold(f64::MAX, |a, b| a.min(*b));
+    let noise = AS_GOOD_AS_STILL
+        .iter()
+        .filter_map(|share| force(share * narrowest))
+        .map(|f| (f - at).abs())
+        .fold(0.0, f64::max);
+    let mut sides = Vec::new();
+    for width in widths {
+        let (Some(low), Some(high)) = (force(-width), force(*width)) else { continue };
+        let (left, right) = ((at - low) / width, (high - at) / width);
+        let size = left.abs().max(right.abs()).max(got.abs());
+        let uncertain = 2.0 * (noise + ROUNDING * at.abs().max(low.abs()).max(high.abs())) / width;
+        if uncertain > NEAR * size && size > 1.0 {
+            continue;
+        }
+        let slack = NEAR * size + uncertain;
+        if got >= left.min(right) - slack && got <= left.max(right) + slack {
+            return Some(Ok(()));
+        }
+        sides.push((*width, left, right));
+    }
+    (!sides.is_empty()).then(|| Err(format!("{got:.6e}, noise {noise:.1e} of {at:.3e} N, one-sided {sides:?}")))
+}
+
+/// Compares both derivatives at some steps of a case; returns how many comparisons there were, and those that failed.
+pub fn compare(case: &Case, r: &mut Random, share: f64) -> (u64, Vec<Off>) {
+    let (mut count, mut off) = (0, Vec::new());
+    let Some(model) = prepare(case) else { return (0, off) };
+    // SAFETY: numbers alone, for which zero bytes are a value.
+    let mut state: dashpot_state = unsafe { zeroed() };
+    // SAFETY: a model that was made, and a state of its own.
+    if !case.ordinary || unsafe { dashpot_state_init(&*model, case.start, &mut state) } < 0 {
+        return (0, off);
+    }
+    for (step, given) in case.motion.iter().enumerate() {
+        let Some((next, output)) = one_step(&model, &state, given) else { return (count, off) };
+        if r.chance(share) {
+            let moved = |x: f64, v: f64| {
+                let given = Given { x: given.x.map(|at| at + x), v: given.v + v, ..*given };
+                one_step(&model, &state, &given).map(|(_, output)| output.force)
+            };
+            let by_v = is_derivative(output.force_by_velocity, &|h| moved(0.0, h), &WIDTHS[1]);
+            let by_x = if given.x.is_some() {
+                is_derivative(output.force_by_displacement, &|h| moved(h, 0.0), &WIDTHS[0])
+            } else {
+                None
+            };
+            for (name, found) in [("dF/dx", by_x), ("dF/dv", by_v)] {
+                count += u64::from(found.is_some());
+                if let Some(Err(what)) = found {
+                    off.push(Off { step, what: format!("{name} {what}, {given:?}") });
+                }
+            }
+        }
+        state = next;
+    }
+    (count, off)
+}

@@ -1,0 +1,58 @@
+//! How FMUs start in motion, how they take inputs at the beginning of a step, and what they say of steps that are too long.
+
+use dashpot_core::model_file;
+use dashpot_core::{Model, Params};
+use dashpot_simulation::stiffness::{explicit_step, fastest_rate};
+use dashpot_tests::cli::{done, refused};
+use dashpot_tests::fmu::exported;
+use dashpot_tests::library::{root, succeed};
+use dashpot_tests::python::{has_python, python};
+use std::process::Command;
+
+const MODEL: &str =
+    "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"gas_preload\"]\ngas_force = 120.0\n";
+/// Fast states: an explicit solver leaves all bounds, as a slower damper's would only swing.
+const FAST: &str = "series_stiffness = 3e7\ninternal_mass = 0.05\n";
+
+fn starts(fmi: &str) {
+    if !has_python() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    let text = MODEL.to_owned() + FAST;
+    for inputs in ["begin", "end"] {
+        exported(at, &text, fmi, false, &["--no-sources", "--inputs", inputs]);
+        std::fs::rename(at.join("damper.fmu"), at.join(format!("{inputs}.fmu"))).expect("renamed");
+    }
+    let mut params = Params::new();
+    model_file::read(text.as_bytes(), &mut params).expect("the model");
+    let step = explicit_step(fastest_rate(&Model::new(&params).expect("a model")));
+    let mut host = Command::new(python());
+    host.arg(root().join("tests/hosts/fmu_starts.py")).args([at.join("begin.fmu"), at.join("end.fmu")]);
+    print!("{}", succeed(host.arg(format!("{}", 1e6 * step)).current_dir(at)));
+}
+
+#[test]
+fn of_fmi_2() {
+    starts("2");
+}
+
+#[test]
+fn of_fmi_3() {
+    starts("3");
+}
+
+/// Where nobody said when the importer sets its inputs, the export says what that costs.
+#[test]
+fn the_delay_is_told_where_nobody_said_when_inputs_come() {
+    let folder = tempfile::tempdir().expect("a directory");
+    let at = folder.path();
+    exported(at, MODEL, "2", false, &["--no-sources"]);
+    let export = ["export", "fmu", "model.toml", "-o", "damper.fmu", "--no-sources"];
+    assert!(done(at, &export).contains("one step late: export with --inputs begin"));
+    for inputs in ["begin", "end"] {
+        assert!(!done(at, &[&export[..], &["--inputs", inputs]].concat()).contains("one step late"));
+    }
+    assert!(refused(at, &[&export[..], &["--inputs", "middle"]].concat()).contains("begin"));
+}
