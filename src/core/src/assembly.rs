@@ -11,6 +11,7 @@ use crate::paths::bits::{FADE, SERIES};
 use crate::paths::slots::states_of;
 use crate::preparing::{checked, placed};
 use crate::state::{MAX_MEMORY, Output};
+use crate::tables::{Owned, Tables};
 
 /// What acts between the ends or, where the series compliance carries the whole, on the mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,10 +48,10 @@ macro_rules! assembled {
         /// The prepared elements of one model.
         #[derive(Clone, Copy, Debug)]
         #[repr(C)]
-        pub struct Elements {
+        pub struct Elements<T: Tables = Owned> {
             on: u64,
             /// Those in the way of the force, which act on each other.
-            pub paths: Paths,
+            pub paths: Paths<T>,
             $($inner: $Inner,)*
             $($friction: $Friction,)*
             $($preload: $Preload,)*
@@ -60,7 +61,9 @@ macro_rules! assembled {
 
         impl Elements {
             /// No element.
-            pub const OFF: Elements = Elements {
+            pub const OFF: Elements = {
+                type T = Owned;
+                Elements {
                 on: 0,
                 paths: Paths::OFF,
                 $($inner: <$Inner>::OFF,)*
@@ -68,6 +71,7 @@ macro_rules! assembled {
                 $($preload: <$Preload>::OFF,)*
                 $($memory: <$Memory>::OFF,)*
                 $($stop: <$Stop>::OFF,)*
+                }
             };
 
             /// Whether the elements that are on can be prepared, one by one and together.
@@ -75,6 +79,7 @@ macro_rules! assembled {
             /// # Errors
             /// The parameter that does not fit.
             pub fn check(params: &Params) -> Result<(), Fault> {
+                type T = Owned;
                 let on = |place: Place| params.elements() & (1 << place as usize) != 0;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
@@ -104,6 +109,7 @@ macro_rules! assembled {
             /// The parameter that does not fit.
             #[inline(never)]
             pub fn steepest_inner(params: &Params, places: impl Iterator<Item = f64>) -> Result<f64, Fault> {
+                type T = Owned;
                 $(
                     let mut $inner = <$Inner>::OFF;
                     if params.elements() & (1 << Place::$inner as usize) != 0 {
@@ -139,6 +145,9 @@ macro_rules! assembled {
                 }
             }
 
+        }
+
+        impl<T: Tables> Elements<T> {
             #[inline(always)]
             fn has(&self, place: Place) -> bool {
                 self.on & (1 << place as usize) != 0
@@ -277,7 +286,7 @@ macro_rules! assembled {
             /// Whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
             #[inline(always)]
             pub fn has_paths(&self) -> bool {
-                const PATHS: u64 = CARRIES_WHOLE | Paths::COUPLED;
+                const PATHS: u64 = CARRIES_WHOLE | Paths::<Owned>::COUPLED;
                 self.on & PATHS != 0
             }
 
@@ -291,8 +300,8 @@ macro_rules! assembled {
             /// Whether the internal mass is there and nothing that its plain step does not know.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
-                const REST: u64 = Paths::MASS | CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
-                self.on & REST == Paths::MASS
+                const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & REST == Paths::<Owned>::MASS
             }
 
             /// As [`Elements::each_memory`], each as what it is, by code of its own.
@@ -327,7 +336,7 @@ impl<F: FnMut(usize, &dyn Memory)> VisitMemory for Shown<F> {
     }
 }
 
-impl Elements {
+impl<T: Tables> Elements<T> {
     /// Where friction and preload act on the mass, takes them out of the force of the springs there and counts them where they
     /// belong.
     #[inline(always)]
@@ -341,14 +350,16 @@ impl Elements {
     }
 }
 
-impl Elements {
+impl<T: Tables> Elements<T> {
     /// Whether the fade is all that acts in the paths, and scales the whole FV curve by a factor that the host's temperature gives: such
     /// a damper takes the plain step. Springs that bend are solved to rounding in the paths alone.
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
         self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.bends()
     }
+}
 
+impl Elements {
     /// Gives one element what another one brings along: the internal mass, a mass inside.
     pub(crate) fn join(&mut self) {
         self.paths.join();

@@ -41,6 +41,7 @@ pub mod math;
 pub mod model;
 pub mod model_file;
 pub mod number;
+mod own_tables;
 pub mod parameter;
 pub mod paths;
 mod preparing;
@@ -50,6 +51,7 @@ pub mod settings;
 pub mod settle;
 pub mod state;
 pub mod step;
+pub mod tables;
 
 pub use evaluate::{Partials, evaluate};
 pub use fault::{Fault, Reason};

@@ -6,15 +6,16 @@ use crate::fault::{Fault, Reason};
 use crate::math::pair;
 use crate::schema::kind::{Many, One};
 use crate::schema::{Describe, Own, Parameter, View};
+use crate::tables::{Lookup, Owned, Tables};
 
 /// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
 #[derive(Clone, Copy, Debug)]
-pub struct ParallelSpring {
+pub struct ParallelSpring<T: Tables = Owned> {
     /// By power of |x|: the coefficient in F_p / x and in F_p', so that both run side by side.
     k: [[f64; 2]; 4],
     /// Whether there is more than the linear and the quadratic term.
     has_higher: bool,
-    lookup: Curve,
+    lookup: T::Spring,
     has_lookup: bool,
 }
 
@@ -87,7 +88,7 @@ impl Prepare for ParallelSpring {
     }
 }
 
-impl Force for ParallelSpring {
+impl<T: Tables> Force for ParallelSpring<T> {
     #[inline(always)]
     fn force(&self, at: &Motion) -> Response {
         if self.has_higher || self.has_lookup { self.bent(at.displacement) } else { self.even(at.displacement) }
@@ -109,7 +110,7 @@ impl Force for ParallelSpring {
     }
 }
 
-impl ParallelSpring {
+impl<T: Tables> ParallelSpring<T> {
     /// The linear and the quadratic term.
     #[inline(always)]
     fn even(&self, x: f64) -> Response {
@@ -130,7 +131,7 @@ impl ParallelSpring {
         let [secant, mut by_x] = pair(|i| k1[i] + r * from_k2[i]);
         let mut force = x * secant;
         if self.has_lookup {
-            let value = self.lookup.at(x);
+            let value = self.lookup.lookup(x);
             force += value.value;
             by_x += value.slope;
         }

@@ -2,6 +2,7 @@
 
 use crate::list::each_element;
 use crate::schema::{Describe, Group};
+use crate::tables::Owned as T;
 
 /// Where an element acts: the blocks of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -28,6 +28,7 @@ use crate::fault::{Fault, Reason};
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
 use crate::preparing::{checked, placed};
+use crate::tables::{Owned, Tables};
 use bits::{
     AIR, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
     SLOW_BUSHING, SPOOL, VALVE, WHOLE,
@@ -46,10 +47,10 @@ macro_rules! gathered {
         /// The prepared elements in the way of the force.
         #[derive(Clone, Copy, Debug)]
         #[repr(C)]
-        pub struct Paths {
+        pub struct Paths<T: Tables = Owned> {
             on: u64,
             /// The primary damper.
-            pub $primary: $Primary,
+            pub $primary: T::Fv,
             /// The series compliance.
             pub $series: $Series,
             $(pub(crate) $law: $Law,)*
@@ -62,7 +63,9 @@ macro_rules! gathered {
 
         impl Paths {
             /// No element.
-            pub const OFF: Paths = Paths {
+            pub const OFF: Paths = {
+                type T = Owned;
+                Paths {
                 on: 0,
                 $primary: <$Primary>::OFF,
                 $series: <$Series>::OFF,
@@ -70,6 +73,7 @@ macro_rules! gathered {
                 $($hydraulic: <$Hydraulic>::OFF,)*
                 slots: Slots::NONE,
                 acting: 0,
+                }
             };
 
             /// Those beside the FV curve and a straight series spring: where one of them is on, the plain step does not do.
@@ -82,6 +86,7 @@ macro_rules! gathered {
             /// # Errors
             /// The parameter that does not fit.
             pub(crate) fn check(params: &Params) -> Result<(), Fault> {
+                type T = Owned;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
                         if params.elements() & (1 << Place::$name as usize) != 0 {
@@ -101,7 +106,7 @@ macro_rules! gathered {
             /// # Errors
             /// The element that lacks it.
             pub(crate) fn check_together(params: &Params) -> Result<(), Fault> {
-                if params.elements() & Paths::MASS == 0 {
+                if params.elements() & Paths::<Owned>::MASS == 0 {
                     $(if params.elements() & (1 << Place::$law as usize) != 0 {
                         return Err(params.view::<$Law>(Place::$law as usize).fault_of_all(Reason::NeedsSeries));
                     })*
@@ -126,6 +131,9 @@ macro_rules! gathered {
                 self.slots = self.laid_out();
             }
 
+        }
+
+        impl<T: Tables> Paths<T> {
             #[inline(always)]
             fn has(&self, place: Place) -> bool {
                 self.on & (1 << place as usize) != 0
@@ -137,11 +145,11 @@ macro_rules! gathered {
 each_path_element!(gathered);
 
 /// What they are asked for.
-impl Paths {
+impl<T: Tables> Paths<T> {
     /// Whether the series compliance is on: without it the internal mass is the driven end.
     #[inline(always)]
     pub fn has_series(&self) -> bool {
-        self.on & Paths::MASS != 0
+        self.on & Paths::<Owned>::MASS != 0
     }
 
     /// Whether friction and preload act on the internal mass, behind the series compliance.
@@ -253,7 +261,9 @@ impl Paths {
             self.valve_hysteresis.join(&self.fv_curve);
         }
     }
+}
 
+impl<T: Tables> Paths<T> {
     /// Those that are on, as bits.
     fn bits(&self) -> u32 {
         let mut acting = 0;
