@@ -1,6 +1,9 @@
 //! The elements of one model put together: prepared, and summed where they act.
 
 use crate::element::{Force, Memory, Motion, Prepare, Response, VisitMemory};
+#[allow(unused_imports)]
+use crate::family::lending::{Lend, Numbers, lent_or_renewed};
+use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::list::each_element;
 use crate::math::larger;
@@ -95,12 +98,16 @@ macro_rules! assembled {
                 $(each!($memory, $Memory);)*
                 $(each!($stop, $Stop);)*
                 Paths::check_together(params)?;
-                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
-                let beside = (params.elements() & MEMORY).count_ones() as usize;
-                if states_of(params) + beside > MAX_MEMORY {
+                if Elements::memories_of(params) > MAX_MEMORY {
                     return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
                 }
                 Ok(())
+            }
+
+            /// Number of private states that a set asks for.
+            pub(crate) fn memories_of(params: &Params) -> usize {
+                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
             /// Largest slope of the elements on the internal mass over the displacements `places`.
@@ -145,6 +152,30 @@ macro_rules! assembled {
                 }
             }
 
+            /// The elements at a setting, with the FV curve there; all tables are borrowed.
+            #[inline(always)]
+            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers, fv_varies: bool) -> Elements<Lent<'a>> {
+                type T = Owned;
+                macro_rules! each {
+                    ($name:ident, $Type:ty) => {
+                        lent_or_renewed!(self, numbers, $name, $Type)
+                    };
+                }
+                let mut elements = Elements {
+                    on: self.on,
+                    paths: self.paths.lent(fv, numbers, fv_varies),
+                    $($inner: each!($inner, $Inner),)*
+                    $($friction: each!($friction, $Friction),)*
+                    $($preload: each!($preload, $Preload),)*
+                    $($memory: each!($memory, $Memory),)*
+                    $($stop: each!($stop, $Stop),)*
+                };
+                // Both are made ready anew where one of them is: see [`crate::family::prepared`].
+                if numbers.vary(Place::moving_mass as usize) && elements.paths.has_series() {
+                    elements.moving_mass.join(&mut elements.paths.series_compliance.mass);
+                }
+                elements
+            }
         }
 
         impl<T: Tables> Elements<T> {

@@ -31,6 +31,7 @@ pub mod dual;
 pub mod element;
 pub mod elements;
 pub mod evaluate;
+pub mod family;
 pub mod fault;
 pub mod input;
 pub mod integration;

@@ -61,6 +61,11 @@ impl Model {
         Ok(())
     }
 
+    /// Number of private states of a set that [`Model::check`] accepted.
+    pub(crate) fn memories_of(params: &Params) -> usize {
+        Elements::memories_of(params)
+    }
+
     /// As [`Model::new`], where the model is kept: it is too large for the stack of a small thread.
     ///
     /// # Errors

@@ -105,6 +105,33 @@ fn move_on_laid_out(model: &Model, state: &mut State, to: Input, dt: f64, output
     done
 }
 
+/// A step in place of a damper whose tables are borrowed, from a state that is laid out for it.
+#[inline(always)]
+pub(crate) fn step_borrowed(
+    model: &Model<impl Tables>,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) -> bool {
+    let (mut reached, mut answer) = (*state, Output::ZERO);
+    let is_cheap = dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass();
+    if !(is_cheap && cheap_step::<false>(model, &mut reached, to, dt, &mut answer)) {
+        if is_cheap {
+            answer_by_table(&EULER, model, &mut reached, to, dt, &mut answer, true);
+        } else {
+            step_by_its_method(model, &mut reached, to, dt, &mut answer, slopes);
+        }
+    }
+    let finite = reached.is_finite() && answer.is_finite();
+    if finite {
+        *state = reached;
+        *output = answer;
+    }
+    finite
+}
+
 /// A step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers;
 /// beside the others the call is nothing.
 #[cold]

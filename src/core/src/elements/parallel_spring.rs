@@ -76,9 +76,7 @@ impl Prepare for ParallelSpring {
             self.lookup.clear();
         }
         self.has_lookup = has_lookup;
-        let k = POWERS.map(|power| p.number(power));
-        self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);
-        self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
+        self.set_powers(p);
         Ok(())
     }
 
@@ -111,6 +109,23 @@ impl<T: Tables> Force for ParallelSpring<T> {
 }
 
 impl<T: Tables> ParallelSpring<T> {
+    /// The same spring, whose table somebody else keeps.
+    pub(crate) fn with_table<U: Tables>(&self, lookup: U::Spring) -> ParallelSpring<U> {
+        ParallelSpring { k: self.k, has_higher: self.has_higher, lookup, has_lookup: self.has_lookup }
+    }
+
+    /// Its table.
+    pub(crate) fn table(&self) -> &T::Spring {
+        &self.lookup
+    }
+
+    /// Sets the coefficients.
+    pub(crate) fn set_powers(&mut self, p: &View<ParallelSpring>) {
+        let k = POWERS.map(|power| p.number(power));
+        self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);
+        self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
+    }
+
     /// The linear and the quadratic term.
     #[inline(always)]
     fn even(&self, x: f64) -> Response {

@@ -24,6 +24,8 @@ pub mod slots;
 pub(crate) mod solve;
 
 use crate::element::Prepare;
+use crate::family::lending::{Lend, Numbers, lent_or_renewed};
+use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, Reason};
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
@@ -131,6 +133,29 @@ macro_rules! gathered {
                 self.slots = self.laid_out();
             }
 
+            /// The elements at a setting: see [`crate::assembly::Elements::lent`].
+            #[inline(always)]
+            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers, fv_varies: bool) -> Paths<Lent<'a>> {
+                type T = Owned;
+                macro_rules! each {
+                    ($name:ident, $Type:ty) => {
+                        lent_or_renewed!(self, numbers, $name, $Type)
+                    };
+                }
+                let mut paths = Paths {
+                    on: self.on,
+                    $primary: fv,
+                    $series: each!($series, $Series),
+                    $($law: each!($law, $Law),)*
+                    $($hydraulic: each!($hydraulic, $Hydraulic),)*
+                    slots: self.slots,
+                    acting: self.acting,
+                };
+                if fv_varies {
+                    paths.valve_hysteresis.measure();
+                }
+                paths
+            }
         }
 
         impl<T: Tables> Paths<T> {

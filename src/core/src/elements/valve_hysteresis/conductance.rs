@@ -115,6 +115,7 @@ pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (
 mod tests {
     use super::*;
     use crate::curve::{Curve, Interpolation};
+    use crate::elements::fv_curve::FvCurve;
 
     fn curve(interpolation: Interpolation) -> FvCurve {
         let v = [-1.5, -0.5, -0.3, -0.1, 0.0, 0.1, 0.5, 1.5];

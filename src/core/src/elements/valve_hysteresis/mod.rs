@@ -9,8 +9,8 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 use crate::tables::{Conduction, ForceLaw, Owned, Tables};
-pub(crate) use conductance::Conductance;
 use conductance::by_raised;
+pub(crate) use conductance::{Conductance, exact};
 use core::cell::Cell;
 
 /// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
@@ -146,6 +146,13 @@ impl Prepare for ValveHysteresis {
     };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(ValveHysteresis::of(p, Conductance::UNSET))
+    }
+}
+
+impl<T: Tables> ValveHysteresis<T> {
+    /// From the parameters, with a passage whose conductance is kept there.
+    pub(crate) fn of(p: &View<ValveHysteresis>, conductance: T::Conductance) -> Self {
         let form = match p.number(own!("valve_form")) {
             1.0 => Form::Play,
             2.0 => Form::Spool,
@@ -153,7 +160,7 @@ impl Prepare for ValveHysteresis {
         };
         let closing = if form == Form::Opening { p.number(own!("valve_closing_ratio")) } else { 1.0 };
         let (opens, closes) = (p.number(own!("valve_opening_force")), p.number(own!("valve_opening_force")) * closing);
-        Ok(ValveHysteresis {
+        ValveHysteresis {
             form,
             play: p.number(own!("valve_play")),
             damping: p.number(own!("valve_damping")),
@@ -162,8 +169,28 @@ impl Prepare for ValveHysteresis {
             half_width: 0.5 * (opens - closes),
             per_width: 1.0 / p.number(own!("valve_width")),
             per_time: 1.0 / p.number(own!("valve_time")),
-            conductance: Conductance::UNSET,
-        })
+            conductance,
+        }
+    }
+
+    /// The same valve, with a passage whose conductance is kept there.
+    pub(crate) fn with_conductance<U: Tables>(&self, conductance: U::Conductance) -> ValveHysteresis<U> {
+        ValveHysteresis {
+            form: self.form,
+            play: self.play,
+            damping: self.damping,
+            share: self.share,
+            middle: self.middle,
+            half_width: self.half_width,
+            per_width: self.per_width,
+            per_time: self.per_time,
+            conductance,
+        }
+    }
+
+    /// What its passage conducts.
+    pub(crate) fn conductance(&self) -> &T::Conductance {
+        &self.conductance
     }
 }
 
