@@ -105,11 +105,13 @@ fn text(bytes: &[u8]) -> &str {
 }
 
 impl Axis {
+    const NO_ENTRIES: [f64; ENTRIES.len()] = [f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+
     /// No setting.
     pub const NONE: Axis = Axis {
         count: 0,
         grid: [0.0; MAX_GRID],
-        entries: [f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        entries: Axis::NO_ENTRIES,
         varying: 0,
         numbers: [NO_NUMBER; MAX_NUMBERS],
         points: 0,
@@ -118,6 +120,14 @@ impl Axis {
         name: [0; MAX_TEXT + 1],
         unit: [0; MAX_TEXT + 1],
     };
+
+    /// Takes the setting away.
+    pub fn clear(&mut self) {
+        (self.count, self.varying, self.points, self.given) = (0, 0, 0, 0);
+        self.grid = [0.0; MAX_GRID];
+        self.entries = Axis::NO_ENTRIES;
+        (self.name, self.unit) = ([0; MAX_TEXT + 1], [0; MAX_TEXT + 1]);
+    }
 
     /// Whether there is a setting.
     pub fn is_some(&self) -> bool {
@@ -161,7 +171,7 @@ impl Axis {
     /// Sets the name. At most [`MAX_TEXT`] bytes.
     ///
     /// # Errors
-    /// [`Reason::SettingGrid`] never; [`Reason::PointCount`] for a longer text.
+    /// [`Reason::PointCount`] for a longer text.
     pub fn set_name(&mut self, name: &str) -> Result<(), Fault> {
         keep(&mut self.name, name)
     }
@@ -187,16 +197,10 @@ impl Axis {
     /// # Errors
     /// A number that is not finite or out of bounds.
     pub fn set_number(&mut self, index: usize, value: f64) -> Result<(), Fault> {
-        let (Some(entry), Some(slot)) = (ENTRIES.get(index), self.entries.get_mut(index)) else {
-            return Err(of_the_axis(Reason::UnknownName));
-        };
-        if !value.is_finite() {
-            return Err(of_the_axis(Reason::NotFinite));
+        check_entry(index, value)?;
+        if let Some(slot) = self.entries.get_mut(index) {
+            *slot = value;
         }
-        if value < entry.bounds.0 || value > entry.bounds.1 {
-            return Err(of_the_axis(Reason::OutOfBounds));
-        }
-        *slot = value;
         Ok(())
     }
 
@@ -451,10 +455,25 @@ const DISSIPATES: [Element; 9] = [
     element!("valve_hysteresis"),
 ];
 
-fn keep(slot: &mut [u8; MAX_TEXT + 1], text: &str) -> Result<(), Fault> {
-    if text.len() > MAX_TEXT {
-        return Err(of_the_axis(Reason::PointCount));
+/// Whether number `index` of [`ENTRIES`] can have a value.
+pub(crate) fn check_entry(index: usize, value: f64) -> Result<(), Fault> {
+    let entry = ENTRIES.get(index).ok_or(of_the_axis(Reason::UnknownName))?;
+    if !value.is_finite() {
+        return Err(of_the_axis(Reason::NotFinite));
     }
+    if value < entry.bounds.0 || value > entry.bounds.1 {
+        return Err(of_the_axis(Reason::OutOfBounds));
+    }
+    Ok(())
+}
+
+/// Whether a text can be a name or a unit.
+pub(crate) fn check_text(text: &str) -> Result<(), Fault> {
+    if text.len() > MAX_TEXT { Err(of_the_axis(Reason::PointCount)) } else { Ok(()) }
+}
+
+fn keep(slot: &mut [u8; MAX_TEXT + 1], text: &str) -> Result<(), Fault> {
+    check_text(text)?;
     *slot = [0; MAX_TEXT + 1];
     for (to, from) in slot.iter_mut().zip(text.bytes()) {
         *to = from;
@@ -462,7 +481,7 @@ fn keep(slot: &mut [u8; MAX_TEXT + 1], text: &str) -> Result<(), Fault> {
     Ok(())
 }
 
-fn check_grid(grid: &[f64]) -> Result<(), Reason> {
+pub(crate) fn check_grid(grid: &[f64]) -> Result<(), Reason> {
     let (Some(first), Some(last)) = (grid.first(), grid.last()) else { return Err(Reason::SettingGrid) };
     let known = grid.iter().all(|value| value.abs() <= LARGEST);
     let least = LEAST_INTERVAL * (last - first);
@@ -470,7 +489,7 @@ fn check_grid(grid: &[f64]) -> Result<(), Reason> {
     if known && apart && (2..=MAX_GRID).contains(&grid.len()) { Ok(()) } else { Err(Reason::SettingGrid) }
 }
 
-fn check_values(number: Number, values: &[f64], count: usize) -> Result<(), Fault> {
+pub(crate) fn check_values(number: Number, values: &[f64], count: usize) -> Result<(), Fault> {
     let row = number.row();
     if !matches!(row.parameter.shape, Shape::Scalar) || row.element().is_none() {
         return Err(row.fault(Reason::SettingFixed));
