@@ -87,18 +87,14 @@ impl Reason {
             Reason::TooManyStates => {
                 "the elements that are on have more than 8 private states; switch some of them off"
             }
-            Reason::SettingGrid => {
-                "must be 2 to 8 increasing numbers, the settings at which the values of this damper are given"
-            }
+            Reason::SettingGrid => "must be 2 to 8 increasing numbers, in a line setting = [...] of the model file",
             Reason::SettingCount => "needs one value for each value of the setting",
             Reason::SettingFixed => {
-                "cannot depend on the setting: single numbers and fv_force can, words, other lists and the integration cannot"
+                "cannot depend on the setting; single numbers of elements and the list fv_force can"
             }
-            Reason::SettingTooMany => {
-                "is one number too many that depends on the setting; at most 32 can, fv_force beside them"
-            }
+            Reason::SettingTooMany => "is one number too many that depends on the setting; at most 32 can",
             Reason::SettingStates => {
-                "makes the damper have other private states at one setting than at another; keep it above zero, or at zero, at all of them"
+                "is 0 at one setting and not at another, which adds a state; make it small there and not 0"
             }
         }
     }

@@ -122,7 +122,18 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     if let (_, _, Some(line)) = grid_of(text)? {
         return Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::Family });
     }
-    read_into(text, params, None)
+    let mut scratch = Params::BLANK;
+    read_into(text, &mut scratch, None)?;
+    *params = scratch;
+    Ok(())
+}
+
+/// Whether a text can be read by [`read_family`].
+///
+/// # Errors
+/// The first thing wrong, with its line.
+pub fn check_family(text: &[u8]) -> Result<(), ReadError> {
+    read_into(text, &mut Params::BLANK.clone(), None)
 }
 
 /// Reads a model file of an ordinary damper or of one over a setting. `params` are those at the start setting; `axis` has no grid where the damper is an
@@ -131,16 +142,23 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
 /// # Errors
 /// The first thing wrong, with its line; `params` and `axis` are then unchanged.
 pub fn read_family(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
-    // First without a place for the axis, which is large: what a caller keeps changes only where all of it can be read.
-    read_into(text, params, None)?;
+    // First into room of its own: what a caller keeps changes only where all of it can be read.
+    check_family(text)?;
+    read_checked(text, params, axis)
+}
+
+/// As [`read_family`], of a text that [`check_family`] accepted: it takes no room beside that of the caller, which it leaves in parts where it was not.
+///
+/// # Errors
+/// As [`read_family`].
+pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
     axis.clear();
-    let (grid, count, _) = grid_of(text)?;
-    if count > 0 {
-        // Read once before, so nothing is wrong with it.
-        let _ = axis.set_grid(grid.get(..count).unwrap_or(&[]));
-        let _ = read_into(text, params, Some(axis));
-        axis.put(params, axis.start());
-    }
+    let (grid, count, line) = grid_of(text)?;
+    let Some(line) = line else { return read_into(text, params, None) };
+    let wrong = |_| ReadError { line, parameter: NO_PARAMETER, problem: Problem::Setting(Reason::SettingGrid) };
+    axis.set_grid(grid.get(..count).unwrap_or(&[])).map_err(wrong)?;
+    read_into(text, params, Some(axis))?;
+    axis.put(params, axis.start());
     Ok(())
 }
 
@@ -178,10 +196,11 @@ fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadErr
     }
 }
 
-/// Reads the text; what depends on a setting goes to the `axis`, where there is one, and is only checked else.
-fn read_into(text: &[u8], params: &mut Params, mut axis: Option<&mut Axis>) -> Result<(), ReadError> {
+/// Reads the text into values that it need not leave as they were; what depends on a setting goes to the `axis`, where there is one, and is only checked else.
+#[inline(never)]
+fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Result<(), ReadError> {
     let (_, settings, _) = grid_of(text)?;
-    let mut read = Params::new();
+    read.set_defaults();
     read.disable_all();
     let mut seen = [false; COUNT];
     let mut seen_of_setting = [false; ENTRIES.len() + 3];
@@ -262,9 +281,9 @@ fn read_into(text: &[u8], params: &mut Params, mut axis: Option<&mut Axis>) -> R
                 }
                 if settings > 0 && reader.is_over_setting(row) {
                     varying += usize::from(!can_vary_list(row));
-                    reader.over_setting(row, settings, varying, axis.as_deref_mut(), &mut read).map_err(of_row)?;
+                    reader.over_setting(row, settings, varying, axis.as_deref_mut(), read).map_err(of_row)?;
                 } else {
-                    reader.parameter(row, &mut read).map_err(of_row)?;
+                    reader.parameter(row, read).map_err(of_row)?;
                 }
             }
         }
@@ -280,7 +299,6 @@ fn read_into(text: &[u8], params: &mut Params, mut axis: Option<&mut Axis>) -> R
     if !has_elements {
         return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: Problem::NoElements });
     }
-    *params = read;
     Ok(())
 }
 
@@ -401,12 +419,10 @@ impl<'a> Reader<'a> {
                 axis.map_or(Ok(()), |axis| axis.set_number(index, number)).map_err(wrong)
             }
             Value::Word(word) if index > ENTRIES.len() => {
-                let text = core::str::from_utf8(word).map_err(|_| at(Problem::Value))?;
-                check_text(text).map_err(wrong)?;
-                axis.map_or(
-                    Ok(()),
-                    |axis| if index == ENTRIES.len() + 1 { axis.set_name(text) } else { axis.set_unit(text) },
-                )
+                check_text(word).map_err(wrong)?;
+                axis.map_or(Ok(()), |axis| {
+                    if index == ENTRIES.len() + 1 { axis.set_name_bytes(word) } else { axis.set_unit_bytes(word) }
+                })
                 .map_err(wrong)
             }
             _ => Err(at(Problem::Value)),

@@ -7,8 +7,7 @@ use crate::parameter::Params;
 /// Whether an element can be prepared. Not inlined: each takes its room on the stack and gives it back.
 #[inline(never)]
 pub(crate) fn checked<E: Prepare>(params: &Params, place: usize) -> Result<(), Fault> {
-    let mut probe = E::OFF;
-    probe.set(&params.view(place))
+    E::check(&params.view(place))
 }
 
 /// Prepares an element that [`checked`] accepted.

@@ -68,10 +68,7 @@ impl Prepare for ParallelSpring {
         let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
         let has_lookup = !x.is_empty() || !f.is_empty();
         if has_lookup {
-            self.lookup.set(x, f, Interpolation::MonotoneCubic).map_err(|reason| {
-                let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
-                p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
-            })?;
+            self.lookup.set(x, f, Interpolation::MonotoneCubic).map_err(|reason| of_table(p, reason))?;
         } else {
             self.lookup.clear();
         }
@@ -80,10 +77,24 @@ impl Prepare for ParallelSpring {
         Ok(())
     }
 
+    fn check(p: &View<Self>) -> Result<(), Fault> {
+        let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
+        if x.is_empty() && f.is_empty() {
+            return Ok(());
+        }
+        Curve::check(x, f).map_err(|reason| of_table(p, reason))
+    }
+
     fn clear(&mut self) {
         self.lookup.clear();
         (self.k, self.has_higher, self.has_lookup) = ([[0.0; 2]; 4], false, false);
     }
+}
+
+/// The fault of a table.
+fn of_table(p: &View<ParallelSpring>, reason: Reason) -> Fault {
+    let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
+    p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
 }
 
 impl<T: Tables> Force for ParallelSpring<T> {

@@ -99,9 +99,9 @@ fn of_the_axis(reason: Reason) -> Fault {
 }
 
 /// The bytes of a text, up to its zero.
-fn text(bytes: &[u8]) -> &str {
+fn text(bytes: &[u8]) -> &[u8] {
     let end = bytes.iter().position(|byte| *byte == 0).unwrap_or(bytes.len());
-    core::str::from_utf8(bytes.get(..end).unwrap_or(&[])).unwrap_or("")
+    bytes.get(..end).unwrap_or(&[])
 }
 
 impl Axis {
@@ -159,12 +159,26 @@ impl Axis {
     }
 
     /// Name of the setting, such as current; empty where none is given.
+    // Inline, so that nothing of it is in the library: see below.
+    #[inline]
     pub fn name(&self) -> &str {
+        core::str::from_utf8(self.name_bytes()).unwrap_or("")
+    }
+
+    /// As [`Axis::name`], in bytes: the standard library's reader of texts has panics that do not go away.
+    pub fn name_bytes(&self) -> &[u8] {
         text(&self.name)
     }
 
     /// Unit of the setting, such as A; empty where none is given.
+    // Inline, so that nothing of it is in the library: see below.
+    #[inline]
     pub fn unit(&self) -> &str {
+        core::str::from_utf8(self.unit_bytes()).unwrap_or("")
+    }
+
+    /// As [`Axis::unit`], in bytes.
+    pub fn unit_bytes(&self) -> &[u8] {
         text(&self.unit)
     }
 
@@ -173,6 +187,10 @@ impl Axis {
     /// # Errors
     /// [`Reason::PointCount`] for a longer text.
     pub fn set_name(&mut self, name: &str) -> Result<(), Fault> {
+        self.set_name_bytes(name.as_bytes())
+    }
+
+    pub(crate) fn set_name_bytes(&mut self, name: &[u8]) -> Result<(), Fault> {
         keep(&mut self.name, name)
     }
 
@@ -181,6 +199,10 @@ impl Axis {
     /// # Errors
     /// [`Reason::PointCount`] for a longer text.
     pub fn set_unit(&mut self, unit: &str) -> Result<(), Fault> {
+        self.set_unit_bytes(unit.as_bytes())
+    }
+
+    pub(crate) fn set_unit_bytes(&mut self, unit: &[u8]) -> Result<(), Fault> {
         keep(&mut self.unit, unit)
     }
 
@@ -244,6 +266,32 @@ impl Axis {
         *slot = Varying { row: index, values: kept };
         self.varying = self.varying.max(place as u64 + 1);
         Ok(())
+    }
+
+    /// Makes a number one that does not depend on the setting.
+    pub fn forget_values(&mut self, number: Number) {
+        let index = number.row().index as u64;
+        let Some(place) = self.numbers().iter().position(|varying| varying.row == index) else { return };
+        for place in place..self.numbers().len() {
+            let next = self.numbers.get(place + 1).copied().unwrap_or(NO_NUMBER);
+            if let Some(slot) = self.numbers.get_mut(place) {
+                *slot = next;
+            }
+        }
+        self.varying = self.varying.saturating_sub(1);
+    }
+
+    /// Makes the forces of the FV table ones that do not depend on the setting.
+    pub fn forget_forces(&mut self) {
+        (self.points, self.given) = (0, 0);
+    }
+
+    /// Gives a list at grid value `index`: the forces of the FV table.
+    ///
+    /// # Errors
+    /// Another list; else as [`Axis::set_forces`].
+    pub fn set_list(&mut self, list: List, index: usize, values: &[f64]) -> Result<(), Fault> {
+        if can_vary(list) { self.set_forces(index, values) } else { Err(list.fault(Reason::SettingFixed)) }
     }
 
     /// Whether the forces of the FV table depend on the setting.
@@ -468,14 +516,14 @@ pub(crate) fn check_entry(index: usize, value: f64) -> Result<(), Fault> {
 }
 
 /// Whether a text can be a name or a unit.
-pub(crate) fn check_text(text: &str) -> Result<(), Fault> {
+pub(crate) fn check_text(text: &[u8]) -> Result<(), Fault> {
     if text.len() > MAX_TEXT { Err(of_the_axis(Reason::PointCount)) } else { Ok(()) }
 }
 
-fn keep(slot: &mut [u8; MAX_TEXT + 1], text: &str) -> Result<(), Fault> {
+fn keep(slot: &mut [u8; MAX_TEXT + 1], text: &[u8]) -> Result<(), Fault> {
     check_text(text)?;
     *slot = [0; MAX_TEXT + 1];
-    for (to, from) in slot.iter_mut().zip(text.bytes()) {
+    for (to, from) in slot.iter_mut().zip(text.iter().copied()) {
         *to = from;
     }
     Ok(())

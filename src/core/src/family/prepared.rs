@@ -199,6 +199,15 @@ impl Family {
     /// As [`Family::check`]; nothing is changed then.
     pub fn set(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
         Family::check(params, axis)?;
+        self.set_checked(params, axis)
+    }
+
+    /// As [`Family::set`], of what [`Family::check`] accepted.
+    ///
+    /// # Errors
+    /// None then.
+    #[inline(never)]
+    pub fn set_checked(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
         let grid = axis.grid();
         self.params = *params;
         self.count = grid.len() as u64;

@@ -27,11 +27,17 @@ impl Params {
 
     /// The defaults of the table, with the elements of the thesis's model on.
     pub fn new() -> Params {
-        let mut params = Params { elements: DEFAULT_ON, lengths: [0; COUNT], values: [0.0; SLOTS] };
-        for row in table() {
-            params.store(&row, row.parameter.default);
-        }
+        let mut params = Params::BLANK;
+        params.set_defaults();
         params
+    }
+
+    /// As [`Params::new`], where the set is kept.
+    pub(crate) fn set_defaults(&mut self) {
+        self.elements = DEFAULT_ON;
+        for row in table() {
+            self.store(&row, row.parameter.default);
+        }
     }
 
     fn store(&mut self, row: &Row, values: &[f64]) {

@@ -148,6 +148,11 @@ impl Prepare for ValveHysteresis {
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         Ok(ValveHysteresis::of(p, Conductance::UNSET))
     }
+
+    fn check(_: &View<Self>) -> Result<(), Fault> {
+        // The bounds of its numbers are all that it asks for.
+        Ok(())
+    }
 }
 
 impl<T: Tables> ValveHysteresis<T> {
