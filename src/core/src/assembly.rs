@@ -154,27 +154,22 @@ macro_rules! assembled {
 
             /// The elements at a setting, with the FV curve there; all tables are borrowed.
             #[inline(always)]
-            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers, fv_varies: bool) -> Elements<Lent<'a>> {
+            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers) -> Elements<Lent<'a>> {
                 type T = Owned;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
                         lent_or_renewed!(self, numbers, $name, $Type)
                     };
                 }
-                let mut elements = Elements {
+                Elements {
                     on: self.on,
-                    paths: self.paths.lent(fv, numbers, fv_varies),
+                    paths: self.paths.lent(fv, numbers),
                     $($inner: each!($inner, $Inner),)*
                     $($friction: each!($friction, $Friction),)*
                     $($preload: each!($preload, $Preload),)*
                     $($memory: each!($memory, $Memory),)*
                     $($stop: each!($stop, $Stop),)*
-                };
-                // Both are made ready anew where one of them is: see [`crate::family::prepared`].
-                if numbers.vary(Place::moving_mass as usize) && elements.paths.has_series() {
-                    elements.moving_mass.join(&mut elements.paths.series_compliance.mass);
                 }
-                elements
             }
         }
 
@@ -387,6 +382,19 @@ impl<T: Tables> Elements<T> {
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
         self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.bends()
+    }
+}
+
+impl Elements<Lent<'_>> {
+    /// As [`Elements::join`], of the elements at a setting of which these may depend on it: where one of the two masses does, both are made ready anew.
+    #[inline(always)]
+    pub(crate) fn join_at_setting(&mut self, fv_varies: bool, mass_varies: bool) {
+        if fv_varies {
+            self.paths.valve_hysteresis.measure();
+        }
+        if mass_varies && self.has_series() {
+            self.moving_mass.join(&mut self.paths.series_compliance.mass);
+        }
     }
 }
 

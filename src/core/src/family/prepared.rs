@@ -399,8 +399,13 @@ impl Family {
             }
         };
         let fv = Section::new(u, per, f, count, self.is_cubic);
-        let elements = self.model.elements.lent(fv, &at, self.fv != Fv::Same);
-        question(&Model { elements, integration: self.model.integration, layout: self.layout })
+        let mut model = Model {
+            elements: self.model.elements.lent(fv, &at),
+            integration: self.model.integration,
+            layout: self.layout,
+        };
+        model.elements.join_at_setting(self.fv != Fv::Same, at.vary(element!("moving_mass").place()));
+        question(&model)
     }
 
     /// Forces of the FV table at a place.

@@ -52,8 +52,6 @@ pub struct Section<'a> {
     count: usize,
     /// Fritsch–Butland slopes; else straight lines.
     is_cubic: bool,
-    /// f(0).
-    at_zero: f64,
 }
 
 /// A piece, as in [`Curve`].
@@ -78,9 +76,7 @@ impl<'a> Section<'a> {
         count: usize,
         is_cubic: bool,
     ) -> Section<'a> {
-        let mut section = Section { u, per, f, count, is_cubic, at_zero: 0.0 };
-        section.at_zero = section.at(0.0).value;
-        section
+        Section { u, per, f, count, is_cubic }
     }
 
     /// Number of points at which `key` is at most `r`: the index of the piece.
@@ -184,12 +180,12 @@ impl ForceLaw for Section<'_> {
         let piece = self.piece(self.locate(u, |u, _| u));
         let t = u - piece.u0;
         let Value { value, slope } = piece.at(t);
-        Above { value: value - self.at_zero, slope, curvature: 2.0 * piece.c2 + t * (6.0 * piece.c3) }
+        Above { value: value - self.at_zero(), slope, curvature: 2.0 * piece.c2 + t * (6.0 * piece.c3) }
     }
 
     #[inline(always)]
     fn at_zero(&self) -> f64 {
-        self.at_zero
+        self.at(0.0).value
     }
 
     /// As [`Curve::solve`].

@@ -135,14 +135,14 @@ macro_rules! gathered {
 
             /// The elements at a setting: see [`crate::assembly::Elements::lent`].
             #[inline(always)]
-            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers, fv_varies: bool) -> Paths<Lent<'a>> {
+            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers) -> Paths<Lent<'a>> {
                 type T = Owned;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
                         lent_or_renewed!(self, numbers, $name, $Type)
                     };
                 }
-                let mut paths = Paths {
+                Paths {
                     on: self.on,
                     $primary: fv,
                     $series: each!($series, $Series),
@@ -150,11 +150,7 @@ macro_rules! gathered {
                     $($hydraulic: each!($hydraulic, $Hydraulic),)*
                     slots: self.slots,
                     acting: self.acting,
-                };
-                if fv_varies {
-                    paths.valve_hysteresis.measure();
                 }
-                paths
             }
         }
 
