@@ -49,10 +49,21 @@ int32_t dashpot_corner_load(dashpot_corner *corner, const char *path, dashpot_fa
 
 int32_t dashpot_corner_rest(dashpot_corner *corner, double position)
 {
+    return dashpot_corner_rest_at(corner, position, NULL);
+}
+
+int32_t dashpot_corner_rest_at(dashpot_corner *corner, double position, const double *setting)
+{
     dashpot_corner_memory rest;
     dashpot_input still = dashpot_input_motion(position, 0.0);
-    int32_t status = dashpot_state_init(&corner->model, position, &rest.state);
+    int32_t status;
 
+    if (setting) {
+        still = dashpot_input_with_setting(still, *setting);
+        status = dashpot_state_init_motion(&corner->model, &still, &rest.state);
+    } else {
+        status = dashpot_state_init(&corner->model, position, &rest.state);
+    }
     if (status < 0)
         return status;
     status = dashpot_step(&corner->model, &rest.state, &still, 0.0, &rest.state, &rest.output);

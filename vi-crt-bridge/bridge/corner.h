@@ -33,6 +33,9 @@ int32_t dashpot_corner_read(dashpot_corner *corner, const char *text, size_t len
 /* Puts the corner at rest at `position` (m, extension positive), settled, and works out its static force. */
 int32_t dashpot_corner_rest(dashpot_corner *corner, double position);
 
+/* The same at a commanded setting, for a damper that depends on one; null: its start. */
+int32_t dashpot_corner_rest_at(dashpot_corner *corner, double position, const double *setting);
+
 /* One step of dt to `input`; dt = 0 answers statically and leaves the states. Always returns, allocates nothing, and
  * answers with a warning of dashpot.h or DASHPOT_BRIDGE_HELD, never with a refusal. */
 int32_t dashpot_corner_step(dashpot_corner *corner, const dashpot_input *input, double dt);

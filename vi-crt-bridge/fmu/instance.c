@@ -21,6 +21,14 @@ static void start_values(struct instance *instance)
         value[i] = 0.0;
         switch (v->kind) {
         case TEMPERATURE: value[i] = 20.0; break;
+        case SETTING: {
+            dashpot_setting setting;
+
+            setting.struct_size = (uint32_t)sizeof setting;
+            if (dashpot_params_setting(params, &setting) >= 0)
+                value[i] = setting.start;
+            break;
+        }
         case MOTION_SCALE: value[i] = contents->motion_scale; break;
         case FORCE_SCALE: value[i] = contents->force_scale; break;
         case POSITION_OFFSET: value[i] = contents->position_offset; break;
@@ -180,6 +188,7 @@ static int load(struct instance *instance)
             return instance_complain(instance, "the model inside: line %u: %s %s", (unsigned)fault.line, fault.parameter,
                                      dashpot_status_text(status));
         find_range(part);
+        part->setting = instance->contents->setting[c];
         instance_input_forget(&part->told);
     }
     start_values(instance);
@@ -242,7 +251,7 @@ static int rest(struct instance *instance)
         dashpot_input input = instance_input(data, c);
         double position =
             input.known & DASHPOT_KNOWS_DISPLACEMENT ? input.displacement : instance_given(data, c, INITIAL_POSITION);
-        int32_t status = dashpot_corner_rest(&part->corner, position);
+        int32_t status = dashpot_corner_rest_at(&part->corner, position, part->setting ? &input.setting : NULL);
 
         if (status < 0)
             return instance_complain(instance, "initial position: %s", dashpot_status_text(status));
@@ -429,6 +438,9 @@ int instance_set(struct instance *instance, uint32_t reference, enum type type, 
         break;
     case SIDE_FORCE:
     case TEMPERATURE:
+        break;
+    case SETTING:
+        data->part[v->corner].derivatives &= ~(1u << OF_SETTING);
         break;
     default:
         return instance_complain(instance, "value reference %u cannot be set", (unsigned)reference);

@@ -85,6 +85,28 @@ pub struct Axis {
     unit: [u8; MAX_TEXT + 1],
 }
 
+/// A damper as a model file defines it: an ordinary one, or one over a setting.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Definition {
+    /// Its parameters: those at the start setting where there is one.
+    pub params: Params,
+    /// The setting that it depends on; without a grid where it depends on none.
+    pub axis: Axis,
+}
+
+impl From<Params> for Definition {
+    fn from(params: Params) -> Definition {
+        Definition { params, axis: Axis::NONE }
+    }
+}
+
+impl Definition {
+    /// The ordinary damper at a setting; the same where it depends on none.
+    pub fn at(&self, setting: f64) -> Params {
+        self.axis.at(&self.params, setting)
+    }
+}
+
 const NO_NUMBER: Varying = Varying { row: 0, values: [0.0; MAX_GRID] };
 
 impl Default for Axis {

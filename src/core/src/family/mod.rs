@@ -31,6 +31,6 @@ pub(crate) mod lending;
 pub mod prepared;
 pub(crate) mod section;
 
-pub use axis::Axis;
+pub use axis::{Axis, Definition};
 pub use delay::Delay;
 pub use prepared::{BySetting, Family};
