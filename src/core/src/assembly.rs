@@ -1,20 +1,19 @@
 //! The elements of one model put together: prepared, and summed where they act.
 
 use crate::element::{Force, Memory, Motion, Prepare, Response, VisitMemory};
-#[allow(unused_imports)]
-use crate::family::lending::{Lend, Numbers, lent_or_renewed};
+use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
 use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::list::each_element;
 use crate::math::larger;
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
-use crate::paths::Paths;
 use crate::paths::bits::{FADE, SERIES};
 use crate::paths::slots::states_of;
-use crate::preparing::{checked, placed};
+use crate::paths::{Paths, RenewedPaths};
+use crate::preparing::{Keep, checked, placed};
 use crate::state::{MAX_MEMORY, Output};
-use crate::tables::{Owned, Tables};
+use crate::tables::{Held, Owned, Tables};
 
 /// What acts between the ends or, where the series compliance carries the whole, on the mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +39,7 @@ macro_rules! assembled {
         series { $series:ident: $Series:ty }
         series_law { $($law:ident: $Law:ty,)* }
         hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+        late { $late:ident: $Late:ty }
         inner { $($inner:ident: $Inner:ty,)* }
         friction { $($friction:ident: $Friction:ty,)* }
         preload { $($preload:ident: $Preload:ty,)* }
@@ -56,10 +56,10 @@ macro_rules! assembled {
             /// Those in the way of the force, which act on each other.
             pub paths: Paths<T>,
             $($inner: $Inner,)*
-            $($friction: $Friction,)*
-            $($preload: $Preload,)*
-            $($memory: $Memory,)*
-            $($stop: $Stop,)*
+            $($friction: T::Kept<$Friction>,)*
+            $($preload: T::Kept<$Preload>,)*
+            $($memory: T::Kept<$Memory>,)*
+            $($stop: T::Kept<$Stop>,)*
         }
 
         impl Elements {
@@ -70,10 +70,10 @@ macro_rules! assembled {
                 on: 0,
                 paths: Paths::OFF,
                 $($inner: <$Inner>::OFF,)*
-                $($friction: <$Friction>::OFF,)*
-                $($preload: <$Preload>::OFF,)*
-                $($memory: <$Memory>::OFF,)*
-                $($stop: <$Stop>::OFF,)*
+                $($friction: Held(<$Friction>::OFF),)*
+                $($preload: Held(<$Preload>::OFF),)*
+                $($memory: Held(<$Memory>::OFF),)*
+                $($stop: Held(<$Stop>::OFF),)*
                 }
             };
 
@@ -138,7 +138,7 @@ macro_rules! assembled {
                 self.on = on;
                 macro_rules! each {
                     ($name:ident) => {
-                        placed(&mut self.$name, on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                        placed(self.$name.kept(), on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
                     };
                 }
                 self.paths.set(params);
@@ -152,25 +152,50 @@ macro_rules! assembled {
                 }
             }
 
-            /// The elements at a setting, with the FV curve there; all tables are borrowed.
+            /// The elements at a setting, with the FV curve there. All are borrowed: from the family, or from those that are made ready for the setting.
             #[inline(always)]
-            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers) -> Elements<Lent<'a>> {
+            pub(crate) fn lent<'a>(
+                &'a self,
+                fv: Section<'a>,
+                numbers: &impl Numbers,
+                renewed: &'a mut Renewed,
+            ) -> Elements<Lent<'a>> {
                 type T = Owned;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
-                        lent_or_renewed!(self, numbers, $name, $Type)
+                        kept!(self, numbers, renewed, $name, $Type)
                     };
                 }
                 Elements {
                     on: self.on,
-                    paths: self.paths.lent(fv, numbers),
-                    $($inner: each!($inner, $Inner),)*
+                    paths: self.paths.lent(fv, numbers, &mut renewed.paths),
+                    $($inner: lent_or_renewed!(self, numbers, $inner, $Inner),)*
                     $($friction: each!($friction, $Friction),)*
                     $($preload: each!($preload, $Preload),)*
                     $($memory: each!($memory, $Memory),)*
                     $($stop: each!($stop, $Stop),)*
                 }
             }
+        }
+
+        /// Elements that were made ready for a setting.
+        pub(crate) struct Renewed {
+            paths: RenewedPaths,
+            $($friction: Option<$Friction>,)*
+            $($preload: Option<$Preload>,)*
+            $($memory: Option<$Memory>,)*
+            $($stop: Option<$Stop>,)*
+        }
+
+        impl Renewed {
+            /// None.
+            pub(crate) const NONE: Renewed = Renewed {
+                paths: RenewedPaths::NONE,
+                $($friction: None,)*
+                $($preload: None,)*
+                $($memory: None,)*
+                $($stop: None,)*
+            };
         }
 
         impl<T: Tables> Elements<T> {
@@ -335,7 +360,7 @@ macro_rules! assembled {
             pub fn each_own_memory(&self, visitor: &mut impl VisitMemory) {
                 let mut place = self.paths.slots().count();
                 $(if self.has(Place::$memory) {
-                    visitor.visit(place, &self.$memory);
+                    visitor.visit(place, &*self.$memory);
                     place += 1;
                 })*
                 debug_assert!(place <= MAX_MEMORY);
@@ -382,19 +407,6 @@ impl<T: Tables> Elements<T> {
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
         self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.bends()
-    }
-}
-
-impl Elements<Lent<'_>> {
-    /// As [`Elements::join`], of the elements at a setting of which these may depend on it: where one of the two masses does, both are made ready anew.
-    #[inline(always)]
-    pub(crate) fn join_at_setting(&mut self, fv_varies: bool, mass_varies: bool) {
-        if fv_varies {
-            self.paths.valve_hysteresis.measure();
-        }
-        if mass_varies && self.has_series() {
-            self.moving_mass.join(&mut self.paths.series_compliance.mass);
-        }
     }
 }
 

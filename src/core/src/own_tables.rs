@@ -3,12 +3,14 @@
 use crate::curve::{Above, Curve, Value};
 use crate::elements::fv_curve::FvCurve;
 use crate::elements::valve_hysteresis::Conductance;
-use crate::tables::{ForceLaw, Lookup, Owned, Tables};
+use crate::tables::{ForceLaw, Held, Lookup, Owned, Tables};
+use core::fmt::Debug;
 
 impl Tables for Owned {
     type Fv = FvCurve;
     type Spring = Curve;
     type Conductance = Conductance;
+    type Kept<E: Copy + Debug + 'static> = Held<E>;
 }
 
 impl ForceLaw for FvCurve {

@@ -5,6 +5,7 @@
 
 use crate::curve::{Above, Value};
 use core::fmt::Debug;
+use core::ops::{Deref, DerefMut};
 
 /// A non-decreasing law of force over velocity: the FV curve.
 pub trait ForceLaw: Copy + Debug {
@@ -53,6 +54,29 @@ pub trait Tables: Copy + Debug {
     type Spring: Lookup;
     /// The conductance of a late valve.
     type Conductance: Conduction;
+    /// An element that is small.
+    type Kept<E: Copy + Debug + 'static>: Deref<Target = E> + Copy + Debug;
+}
+
+/// An element that a model owns.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub struct Held<E>(pub E);
+
+impl<E> Deref for Held<E> {
+    type Target = E;
+
+    #[inline(always)]
+    fn deref(&self) -> &E {
+        &self.0
+    }
+}
+
+impl<E> DerefMut for Held<E> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut E {
+        &mut self.0
+    }
 }
 
 /// The model itself.

@@ -1,7 +1,6 @@
 //! What an element of the family is at a setting: the same, or made ready from the numbers there.
 
 use super::section::{Lent, Passage};
-use crate::element::Prepare;
 use crate::elements::parallel_spring::ParallelSpring;
 use crate::elements::valve_hysteresis::ValveHysteresis;
 use crate::parameter::Params;
@@ -19,36 +18,45 @@ pub(crate) trait Numbers {
     fn params(&self) -> &Params;
 }
 
-/// An element that is small: it is copied, or made ready anew. One that keeps a large table has methods of its own of these names.
-pub(crate) trait Lend: Prepare + Copy {
-    /// The same.
-    #[inline(always)]
-    fn lent(&self) -> Self {
-        *self
-    }
-
-    /// From other numbers. Those between two that can be prepared can be; else the element stays as it is.
-    #[inline(always)]
-    fn renewed(&self, numbers: &View<Self>) -> Self {
-        Self::prepare(numbers).unwrap_or(*self)
-    }
+/// The slots of an element with the numbers at a setting, and what they are seen through.
+macro_rules! numbers_at_setting {
+    ($numbers:ident, $name:ident, $Type:ty, $then:expr) => {{
+        const SLOTS: usize = $crate::parameter::row::slots_of(<$Type as $crate::schema::Describe>::PARAMETERS);
+        const START: (usize, usize) = $crate::parameter::row::start_of(Place::$name as usize);
+        let mut values = [0.0; SLOTS];
+        for (to, from) in values.iter_mut().zip($numbers.params().slots(START.1, SLOTS)) {
+            *to = *from;
+        }
+        $numbers.put(Place::$name as usize, START.1, &mut values);
+        let lengths = $numbers.params().lengths(START.0);
+        $then(&$crate::schema::View::<$Type>::new(START.0, lengths, &values))
+    }};
 }
+pub(crate) use numbers_at_setting;
 
-impl<E: Prepare + Copy> Lend for E {}
+/// A small element at a setting: that of the family, or one of the `renewed`, made ready from the numbers there. Those between two that can be prepared can
+/// be; else the element is that of the family.
+macro_rules! kept {
+    ($of:ident, $numbers:ident, $renewed:ident, $name:ident, $Type:ty) => {
+        if $numbers.vary(Place::$name as usize) {
+            let own = &*$of.$name;
+            let made = numbers_at_setting!($numbers, $name, $Type, |view| {
+                <$Type as $crate::element::Prepare>::prepare(view).unwrap_or(*own)
+            });
+            &*$renewed.$name.insert(made)
+        } else {
+            &*$of.$name
+        }
+    };
+}
+pub(crate) use kept;
 
-/// An element at a setting.
+/// As [`kept`], of an element with a large table, which has methods of its own for both.
 macro_rules! lent_or_renewed {
     ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {
-            const SLOTS: usize = $crate::parameter::row::slots_of(<$Type as $crate::schema::Describe>::PARAMETERS);
-            const START: (usize, usize) = $crate::parameter::row::start_of(Place::$name as usize);
-            let mut values = [0.0; SLOTS];
-            for (to, from) in values.iter_mut().zip($numbers.params().slots(START.1, SLOTS)) {
-                *to = *from;
-            }
-            $numbers.put(Place::$name as usize, START.1, &mut values);
-            let lengths = $numbers.params().lengths(START.0);
-            $of.$name.renewed(&$crate::schema::View::new(START.0, lengths, &values))
+            let own = &$of.$name;
+            numbers_at_setting!($numbers, $name, $Type, |view| own.renewed(view))
         } else {
             $of.$name.lent()
         }
@@ -63,7 +71,7 @@ impl ParallelSpring {
         self.with_table(self.table())
     }
 
-    /// As [`Lend::renewed`]: the table does not depend on the setting.
+    /// From other numbers: the table does not depend on the setting.
     #[inline(always)]
     pub(crate) fn renewed(&self, numbers: &View<ParallelSpring>) -> ParallelSpring<Lent<'_>> {
         let mut spring = self.lent();
@@ -79,7 +87,7 @@ impl ValveHysteresis {
         self.with_conductance(Passage(Some(self.conductance())))
     }
 
-    /// As [`Lend::renewed`]: what the passage conducts is read off the FV curve.
+    /// From other numbers: what the passage conducts is read off the FV curve.
     #[inline(always)]
     pub(crate) fn renewed<'a>(&self, numbers: &View<ValveHysteresis>) -> ValveHysteresis<Lent<'a>> {
         ValveHysteresis::of(numbers, Passage(None))

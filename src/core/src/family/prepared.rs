@@ -6,6 +6,7 @@ use super::delay::Delay;
 use super::interpolation::{MAX_GRID, Place, derivatives};
 use super::lending::Numbers;
 use super::section::{Lent, Points, ROOM, Section};
+use crate::assembly::Renewed;
 use crate::evaluate::{evaluate_of, partials_of};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::input::Input;
@@ -13,7 +14,7 @@ use crate::integration::Integration;
 use crate::layout::{LAG, bits, with_actuator};
 use crate::math::{larger, smaller};
 use crate::model::Model;
-use crate::parameter::{Element, Params, table};
+use crate::parameter::{Element, Params, Row, table};
 use crate::state::{MAX_MEMORY, Output, State};
 use crate::step::step_borrowed;
 use crate::{Partials, element, list, number};
@@ -25,6 +26,9 @@ const COMPARED_AT: f64 = 1e-3;
 
 /// Elements of which a number at 0 switches a part off, with its state.
 const SWITCHED_BY_NUMBERS: [Element; 2] = [element!("bushing"), element!("oil_compressibility")];
+
+/// Points of a table that a section looks for among the first 16: see [`Section`].
+const FEW_POINTS: usize = 16;
 
 /// A number with what its interpolation needs.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +76,8 @@ pub struct Family {
     /// Numbers that do, in the order of the parameter table.
     numbers: [Interpolated; MAX_NUMBERS],
     used: u64,
+    /// Whether a mass inside the damper is added to an internal mass that is made ready anew.
+    has_mass_inside: bool,
     fv: Fv,
     /// Points of the FV curve at the start, and whether it bends smoothly.
     points: Points,
@@ -123,11 +129,37 @@ impl Numbers for At<'_> {
                 *slot = smaller(number.high, larger(number.low, value));
             }
         }
+        if self.family.has_mass_inside {
+            self.put_mass_inside(group, first_slot, slots);
+        }
     }
 
     #[inline(always)]
     fn params(&self) -> &Params {
         &self.family.params
+    }
+}
+
+impl At<'_> {
+    /// A mass inside is a part of the internal mass: it is added there, and taken away from its own element.
+    #[cold]
+    #[inline(never)]
+    fn put_mass_inside(&self, group: usize, first_slot: usize, slots: &mut [f64]) {
+        let (inside, internal) = (number!("moving_mass"), number!("internal_mass"));
+        let place = |row: &Row| row.slot.wrapping_sub(first_slot);
+        if group == inside.row().group
+            && let Some(slot) = slots.get_mut(place(inside.row()))
+        {
+            *slot = 0.0;
+        }
+        if group == internal.row().group
+            && let Some(slot) = slots.get_mut(place(internal.row()))
+        {
+            let own = |number: &&Interpolated| number.slot == inside.row().slot as u64;
+            let varies = self.family.numbers.iter().take(self.family.used as usize).find(own);
+            let value = |number: &Interpolated| self.place.value(&number.values, &number.derivatives);
+            *slot += varies.map_or_else(|| self.family.params.number(inside), value);
+        }
     }
 }
 
@@ -149,6 +181,7 @@ impl Family {
         varying: 0,
         numbers: [Interpolated::NONE; MAX_NUMBERS],
         used: 0,
+        has_mass_inside: false,
         fv: Fv::Same,
         points: Points { u: [0.0; ROOM], per: [0.0; ROOM], f: [0.0; ROOM] },
         point_count: 0,
@@ -242,7 +275,7 @@ impl Family {
     }
 
     fn set_numbers(&mut self, axis: &Axis) {
-        (self.used, self.varying) = (0, 0);
+        (self.used, self.varying, self.has_mass_inside) = (0, 0, false);
         for row in table() {
             let Some(varying) = axis.numbers().iter().find(|varying| varying.row == row.index as u64) else { continue };
             let values = varying.values;
@@ -261,6 +294,8 @@ impl Family {
         let both = element!("series_compliance").bit() | element!("moving_mass").bit();
         if self.varying & both != 0 {
             self.varying |= both & self.params.elements();
+            let is_inside = self.params.number(number!("moving_mass_place")) == 1.0;
+            self.has_mass_inside = is_inside && self.params.elements() & both == both;
         }
     }
 
@@ -287,10 +322,10 @@ impl Family {
             if axis.has_forces() {
                 self.fv = Fv::Forces;
                 for (index, (forces, slopes)) in self.forces.iter_mut().zip(&mut self.slopes).enumerate() {
-                    (*forces, *slopes) = ([0.0; ROOM], [0.0; ROOM]);
+                    (*forces, *slopes) = (Points::NONE.f, [0.0; ROOM]);
                     if index < axis.grid().len() {
                         let (of_points, over_setting) = axis.forces_with_derivatives(index);
-                        for (to, from) in forces.iter_mut().zip(of_points) {
+                        for (to, from) in forces.iter_mut().zip(of_points).take(u.len()) {
                             *to = from;
                         }
                         for (to, from) in slopes.iter_mut().zip(over_setting) {
@@ -386,11 +421,13 @@ impl Family {
         let place = Place::new(&self.grid, self.count as usize, setting);
         let at = At { family: self, place };
         let count = self.point_count as usize;
-        let (forces, knees);
+        let mut forces;
+        let knees;
         let (u, per, f) = match self.fv {
             Fv::Same => (&self.points.u, &self.points.per, &self.points.f),
             Fv::Forces => {
-                forces = self.forces_at(&at.place);
+                forces = [0.0; ROOM];
+                self.forces_at(&at.place, &mut forces);
                 (&self.points.u, &self.points.per, &forces)
             }
             Fv::Knees => {
@@ -399,28 +436,34 @@ impl Family {
             }
         };
         let fv = Section::new(u, per, f, count, self.is_cubic);
+        let mut renewed = Renewed::NONE;
         let mut model = Model {
-            elements: self.model.elements.lent(fv, &at),
+            elements: self.model.elements.lent(fv, &at, &mut renewed),
             integration: self.model.integration,
             layout: self.layout,
         };
-        model.elements.join_at_setting(self.fv != Fv::Same, at.vary(element!("moving_mass").place()));
+        if self.fv != Fv::Same {
+            model.elements.paths.valve_hysteresis.measure();
+        }
         question(&model)
     }
 
-    /// Forces of the FV table at a place.
+    /// Forces of the FV table at a place; behind the last point they are beyond all.
     #[inline(always)]
-    fn forces_at(&self, place: &Place) -> [f64; ROOM] {
-        let mut forces = Points::NONE.f;
-        let count = (self.point_count as usize).min(ROOM - 1);
+    fn forces_at(&self, place: &Place, forces: &mut [f64; ROOM]) {
         let (from, to) = (place.interval & (MAX_GRID - 1), (place.interval + 1) & (MAX_GRID - 1));
         let [w0, w1, w2, w3] = place.weights;
-        let ends = self.forces[from].iter().zip(&self.forces[to]);
-        let slopes = self.slopes[from].iter().zip(&self.slopes[to]);
-        for (force, ((f0, f1), (d0, d1))) in forces.iter_mut().zip(ends.zip(slopes)).take(count) {
-            *force = (w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1);
+        let (f0, f1, d0, d1) = (&self.forces[from], &self.forces[to], &self.slopes[from], &self.slopes[to]);
+        let value = |point: usize| (w0 * f0[point] + w1 * f1[point]) + (w2 * d0[point] + w3 * d1[point]);
+        // Most tables have fewer than 16 points, behind which a section does not look then.
+        for (point, force) in forces.iter_mut().enumerate().take(FEW_POINTS) {
+            *force = value(point);
         }
-        forces
+        if self.point_count as usize >= FEW_POINTS {
+            for (point, force) in forces.iter_mut().enumerate().skip(FEW_POINTS) {
+                *force = value(point);
+            }
+        }
     }
 
     /// Points of the FV curve of slopes and knees at a place. Apart: it is rare.
@@ -477,9 +520,34 @@ impl Family {
     ///
     /// The damper is that of the setting at which the valve stands at the end of the step. `dt = 0` is the force at equilibrium, with the valve at rest at the
     /// command; the state stays.
-    #[inline(never)]
+    #[inline(always)]
     #[allow(clippy::too_many_arguments)]
     pub fn step_in_place(
+        &self,
+        state: &mut State,
+        delay: &mut Delay,
+        to: &Input,
+        setting: Option<f64>,
+        dt: f64,
+        output: &mut Output,
+        slopes: bool,
+    ) -> bool {
+        if state.layout != self.layout || self.actuator.has_lag() || self.actuator.dead_time > 0.0 {
+            return self.step_behind_actuator(state, delay, to, setting, dt, output, slopes);
+        }
+        self.step_at(self.command(setting), state, to, dt, output, slopes)
+    }
+
+    /// As [`Family::step_in_place`] at the setting where the valve stands, from a state of this family.
+    #[inline(never)]
+    fn step_at(&self, at: f64, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
+        self.ask(at, |model| step_borrowed(model, state, to, dt, output, slopes))
+    }
+
+    /// As [`Family::step_in_place`], of a valve that does not stand where it is commanded, or from a state of other elements.
+    #[inline(never)]
+    #[allow(clippy::too_many_arguments)]
+    fn step_behind_actuator(
         &self,
         state: &mut State,
         delay: &mut Delay,
@@ -498,17 +566,14 @@ impl Family {
             return done;
         }
         let command = self.command(setting);
-        if !self.actuator.has_lag() && self.actuator.dead_time == 0.0 {
-            return self.ask(command, |model| step_borrowed(model, state, to, dt, output, slopes));
-        }
         let (stand, after) = self.moved(state, delay, command, dt);
         let at = if self.actuator.has_lag() { self.actuator.setting(&stand) } else { stand.lagged };
-        let done = self.ask(at, |model| step_borrowed(model, state, to, dt, output, slopes));
+        let done = self.step_at(at, state, to, dt, output, slopes);
         if done && dt > 0.0 {
             if self.actuator.has_lag() {
                 self.put_stand(state, &stand);
             }
-            if self.actuator.dead_time > 0.0 {
+            if let Some(after) = after {
                 *delay = after;
             }
         }
@@ -517,19 +582,17 @@ impl Family {
 
     /// Where the valve stands after a step, and its dead time then.
     #[inline(always)]
-    fn moved(&self, state: &State, delay: &Delay, command: f64, dt: f64) -> (Stand, Delay) {
+    fn moved(&self, state: &State, delay: &Delay, command: f64, dt: f64) -> (Stand, Option<Delay>) {
         let stand = if self.actuator.has_lag() { self.stand(state) } else { Stand { lagged: command, turned: 0.0 } };
         if dt == 0.0 {
-            return (self.actuator.at_rest(&stand, command), *delay);
+            return (self.actuator.at_rest(&stand, command), None);
         }
-        let (mut after, mut u) = (*delay, command);
-        if self.actuator.dead_time > 0.0 {
-            if !after.is_set() {
-                after = Delay::constant(stand.lagged);
-            }
-            u = after.advance(command, self.actuator.dead_time, dt);
+        if self.actuator.dead_time == 0.0 {
+            return (self.actuator.advance(&stand, command, dt), None);
         }
-        (self.actuator.advance(&stand, u, dt), after)
+        let mut after = if delay.is_set() { *delay } else { Delay::constant(stand.lagged) };
+        let u = after.advance(command, self.actuator.dead_time, dt);
+        (self.actuator.advance(&stand, u, dt), Some(after))
     }
 
     /// Derivative of the force at the end of a step over the setting at which the valve stands there; all that happens in the step is included. Of `dt = 0`:
@@ -551,8 +614,7 @@ impl Family {
         let at = if self.actuator.has_lag() { self.actuator.setting(&stand) } else { stand.lagged };
         let force = |setting: f64| {
             let (mut reached, mut output) = (*state, Output::ZERO);
-            self.ask(setting, |model| step_borrowed(model, &mut reached, to, dt, &mut output, false))
-                .then_some(output.force)
+            self.step_at(setting, &mut reached, to, dt, &mut output, false).then_some(output.force)
         };
         self.difference(at, |setting| force(setting).map(|force| [force])).map(|[by]| by)
     }

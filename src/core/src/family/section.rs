@@ -3,6 +3,8 @@
 use crate::curve::{Above, Curve, MAX_POINTS, Value};
 use crate::elements::valve_hysteresis::{Conductance, exact};
 use crate::math::{larger, smaller};
+use core::fmt::Debug;
+
 use crate::tables::{Conducted, Conduction, ForceLaw, Lookup, Tables};
 
 /// Room for the points, and one that lies beyond all of them.
@@ -246,4 +248,5 @@ impl<'a> Tables for Lent<'a> {
     type Fv = Section<'a>;
     type Spring = &'a Curve;
     type Conductance = Passage<'a>;
+    type Kept<E: Copy + Debug + 'static> = &'a E;
 }

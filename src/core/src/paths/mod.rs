@@ -24,13 +24,13 @@ pub mod slots;
 pub(crate) mod solve;
 
 use crate::element::Prepare;
-use crate::family::lending::{Lend, Numbers, lent_or_renewed};
+use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
 use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, Reason};
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
-use crate::preparing::{checked, placed};
-use crate::tables::{Owned, Tables};
+use crate::preparing::{Keep, checked, placed};
+use crate::tables::{Held, Owned, Tables};
 use bits::{
     AIR, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
     SLOW_BUSHING, SPOOL, VALVE, WHOLE,
@@ -45,6 +45,7 @@ macro_rules! gathered {
         series { $series:ident: $Series:ty }
         series_law { $($law:ident: $Law:ty,)* }
         hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+        late { $late:ident: $Late:ty }
     ) => {
         /// The prepared elements in the way of the force.
         #[derive(Clone, Copy, Debug)]
@@ -54,9 +55,10 @@ macro_rules! gathered {
             /// The primary damper.
             pub $primary: T::Fv,
             /// The series compliance.
-            pub $series: $Series,
-            $(pub(crate) $law: $Law,)*
-            $(pub(crate) $hydraulic: $Hydraulic,)*
+            pub $series: T::Kept<$Series>,
+            $(pub(crate) $law: T::Kept<$Law>,)*
+            $(pub(crate) $hydraulic: T::Kept<$Hydraulic>,)*
+            pub(crate) $late: $Late,
             /// Where the states are kept.
             slots: Slots,
             /// What acts in a stage.
@@ -70,16 +72,17 @@ macro_rules! gathered {
                 Paths {
                 on: 0,
                 $primary: <$Primary>::OFF,
-                $series: <$Series>::OFF,
-                $($law: <$Law>::OFF,)*
-                $($hydraulic: <$Hydraulic>::OFF,)*
+                $series: Held(<$Series>::OFF),
+                $($law: Held(<$Law>::OFF),)*
+                $($hydraulic: Held(<$Hydraulic>::OFF),)*
+                    $late: <$Late>::OFF,
                 slots: Slots::NONE,
                 acting: 0,
                 }
             };
 
             /// Those beside the FV curve and a straight series spring: where one of them is on, the plain step does not do.
-            pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
+            pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)* | 1 << Place::$late as usize;
             /// The series compliance.
             pub(crate) const MASS: u64 = 1 << Place::$series as usize;
 
@@ -100,6 +103,7 @@ macro_rules! gathered {
                 each!($series, $Series);
                 $(each!($law, $Law);)*
                 $(each!($hydraulic, $Hydraulic);)*
+                each!($late, $Late);
                 Ok(())
             }
 
@@ -122,24 +126,30 @@ macro_rules! gathered {
                 self.on = on;
                 macro_rules! each {
                     ($name:ident) => {
-                        placed(&mut self.$name, on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                        placed(self.$name.kept(), on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
                     };
                 }
                 each!($primary);
                 each!($series);
                 $(each!($law);)*
                 $(each!($hydraulic);)*
+                each!($late);
                 self.acting = self.bits();
                 self.slots = self.laid_out();
             }
 
             /// The elements at a setting: see [`crate::assembly::Elements::lent`].
             #[inline(always)]
-            pub(crate) fn lent<'a>(&'a self, fv: Section<'a>, numbers: &impl Numbers) -> Paths<Lent<'a>> {
+            pub(crate) fn lent<'a>(
+                &'a self,
+                fv: Section<'a>,
+                numbers: &impl Numbers,
+                renewed: &'a mut RenewedPaths,
+            ) -> Paths<Lent<'a>> {
                 type T = Owned;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
-                        lent_or_renewed!(self, numbers, $name, $Type)
+                        kept!(self, numbers, renewed, $name, $Type)
                     };
                 }
                 Paths {
@@ -148,10 +158,24 @@ macro_rules! gathered {
                     $series: each!($series, $Series),
                     $($law: each!($law, $Law),)*
                     $($hydraulic: each!($hydraulic, $Hydraulic),)*
+                    $late: lent_or_renewed!(self, numbers, $late, $Late),
                     slots: self.slots,
                     acting: self.acting,
                 }
             }
+        }
+
+        /// Elements of the paths that were made ready for a setting.
+        pub(crate) struct RenewedPaths {
+            $series: Option<$Series>,
+            $($law: Option<$Law>,)*
+            $($hydraulic: Option<$Hydraulic>,)*
+        }
+
+        impl RenewedPaths {
+            /// None.
+            pub(crate) const NONE: RenewedPaths =
+                RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* };
         }
 
         impl<T: Tables> Paths<T> {
