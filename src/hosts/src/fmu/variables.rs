@@ -158,7 +158,7 @@ fn setting(corner: usize, four: bool, damper: &Definition) -> Option<Variable> {
         name: if four { format!("Damper_Setting_{}", CORNERS[corner]) } else { "setting".into() },
         parameter: None,
         start: Some(axis.start()),
-        unit: if unit.is_empty() { "-".into() } else { unit.into() },
+        unit: Unit::of_setting(unit),
         meaning: format!(
             "{of}, {low:?} to {high:?} {unit}; outside it is clamped, with warning bit 4 of the status{delays}"
         ),
