@@ -22,6 +22,7 @@ mod fmu_units;
 mod mujoco;
 mod octave;
 mod python_hosts;
+mod setting;
 mod simulator_shims;
 mod vehicle_bridge;
 mod vi_crt_bridge;
