@@ -188,14 +188,17 @@ macro_rules! assembled {
         }
 
         impl Renewed {
-            /// None.
-            pub(crate) const NONE: Renewed = Renewed {
-                paths: RenewedPaths::NONE,
-                $($friction: None,)*
-                $($preload: None,)*
-                $($memory: None,)*
-                $($stop: None,)*
-            };
+            /// None. No constant, which would be copied whole.
+            #[inline(always)]
+            pub(crate) fn none() -> Renewed {
+                Renewed {
+                    paths: RenewedPaths::none(),
+                    $($friction: None,)*
+                    $($preload: None,)*
+                    $($memory: None,)*
+                    $($stop: None,)*
+                }
+            }
         }
 
         impl<T: Tables> Elements<T> {

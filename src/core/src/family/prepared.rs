@@ -436,7 +436,7 @@ impl Family {
             }
         };
         let fv = Section::new(u, per, f, count, self.is_cubic);
-        let mut renewed = Renewed::NONE;
+        let mut renewed = Renewed::none();
         let mut model = Model {
             elements: self.model.elements.lent(fv, &at, &mut renewed),
             integration: self.model.integration,

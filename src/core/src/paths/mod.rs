@@ -173,9 +173,11 @@ macro_rules! gathered {
         }
 
         impl RenewedPaths {
-            /// None.
-            pub(crate) const NONE: RenewedPaths =
-                RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* };
+            /// None. No constant, which would be copied whole.
+            #[inline(always)]
+            pub(crate) fn none() -> RenewedPaths {
+                RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* }
+            }
         }
 
         impl<T: Tables> Paths<T> {
