@@ -638,13 +638,25 @@ impl Family {
         Some(by)
     }
 
+    /// Force and rates of the damper at a setting. A call of its own, as is the next: each takes its room on the stack and gives it back.
+    #[inline(never)]
+    fn evaluate_at(&self, at: f64, state: &State, input: &Input) -> (Output, State) {
+        self.ask(at, |model| evaluate_of(model, state, input))
+    }
+
+    /// Partial derivatives of the damper at a setting.
+    #[inline(never)]
+    fn partials_at(&self, at: f64, state: &State, input: &Input) -> Partials {
+        self.ask(at, |model| partials_of(model, state, input))
+    }
+
     /// Force and rates at a state: see [`crate::evaluate()`]. An instant knows no past, so the setting is that behind the dead time.
     #[inline(never)]
     pub fn evaluate(&self, state: &State, input: &Input, setting: Option<f64>) -> (Output, State) {
         if state.layout != self.layout {
             return self.evaluate(&self.laid_out(state, setting), input, setting);
         }
-        let (output, mut rate) = self.ask(self.setting_of(state, setting), |model| evaluate_of(model, state, input));
+        let (output, mut rate) = self.evaluate_at(self.setting_of(state, setting), state, input);
         if self.actuator.has_lag() {
             let [lagged, turned] = self.actuator.rates(&self.stand(state), self.command(setting)).rate;
             self.put_stand(&mut rate, &Stand { lagged, turned });
@@ -659,9 +671,9 @@ impl Family {
             return self.partials(&self.laid_out(state, setting), input, setting);
         }
         let at = self.setting_of(state, setting);
-        let mut p = self.ask(at, |model| partials_of(model, state, input));
+        let mut p = self.partials_at(at, state, input);
         let rates = |setting: f64| {
-            let (output, rate) = self.ask(setting, |model| evaluate_of(model, state, input));
+            let (output, rate) = self.evaluate_at(setting, state, input);
             let mut numbers = [0.0; 11];
             let all = [output.force, rate.mass_displacement, rate.mass_velocity];
             for (to, from) in numbers.iter_mut().zip(all.iter().chain(&rate.memory)) {
