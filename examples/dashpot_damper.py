@@ -4,22 +4,22 @@ from typing import Any
 
 
 class Params(c.Structure):
-    _fields_ = [("struct_size", c.c_uint32), ("abi_version", c.c_uint32), ("opaque", c.c_uint64 * 1023)]
+    _fields_ = [("struct_size", c.c_uint32), ("abi_version", c.c_uint32), ("opaque", c.c_uint64 * 2047)]
 
 
 class Model(c.Structure):
-    _fields_ = [("opaque", c.c_uint64 * 3072)]
+    _fields_ = [("opaque", c.c_uint64 * 6144)]
 
 
 class State(c.Structure):
     _fields_ = [("displacement", c.c_double), ("velocity", c.c_double), ("mass_displacement", c.c_double),
                 ("mass_velocity", c.c_double), ("memory", c.c_double * 8),
-                ("layout", c.c_double), ("reserved", c.c_double)]
+                ("layout", c.c_double), ("reserved", c.c_double), ("commands", c.c_double * 20)]
 
 
 class Input(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("known", c.c_uint32)] + [
-        (n, c.c_double) for n in ("displacement", "velocity", "side_force", "temperature")]
+        (n, c.c_double) for n in ("displacement", "velocity", "side_force", "temperature", "setting")]
 
 
 class Output(c.Structure):
@@ -32,7 +32,7 @@ class Fault(c.Structure):
     _fields_ = [("status", c.c_int32), ("line", c.c_uint32), ("parameter", c.c_char * 48)]
 
 
-ABI_VERSION, KNOWS_DISPLACEMENT = 9, 1
+ABI_VERSION, KNOWS_DISPLACEMENT, KNOWS_SETTING = 9, 1, 8
 
 
 def aligned(kind: Any) -> Any:
@@ -70,22 +70,27 @@ class Damper:
         self.check(self.library.dashpot_state_init(c.byref(self.model), c.c_double(position), c.byref(self.state)))
         return self.try_step(position, 0.0, 0.0)[0]
 
-    def try_step(self, displacement: float, velocity: float, dt: float) -> tuple[float, State]:
+    def motion(self, displacement: float, velocity: float, setting: float | None = None) -> Input:
+        """What the damper is told: motion and, of one that depends on a setting, the commanded one."""
+        known = KNOWS_DISPLACEMENT | (KNOWS_SETTING if setting is not None else 0)
+        return Input(c.sizeof(Input), known, displacement, velocity, 0.0, 0.0, setting or 0.0)
+
+    def try_step(self, displacement: float, velocity: float, dt: float, setting: float | None = None) -> tuple[float, State]:
         """Force and state at the end of a step of dt to this motion; the damper itself stays where it is."""
-        motion = Input(c.sizeof(Input), KNOWS_DISPLACEMENT, displacement, velocity, 0.0, 0.0)
+        motion = self.motion(displacement, velocity, setting)
         reached = State()
         self.check(self.library.dashpot_step(
             c.byref(self.model), c.byref(self.state), c.byref(motion), c.c_double(dt), c.byref(reached), c.byref(self.output)))
         return self.output.force, reached
 
-    def step(self, displacement: float, velocity: float, dt: float) -> float:
+    def step(self, displacement: float, velocity: float, dt: float, setting: float | None = None) -> float:
         """The same, and the damper goes there."""
-        force, self.state = self.try_step(displacement, velocity, dt)
+        force, self.state = self.try_step(displacement, velocity, dt, setting)
         return force
 
     def evaluate(self, state: State, displacement: float, velocity: float) -> tuple[float, State]:
         """Force and the rates of all states at one instant."""
-        motion, rate = Input(c.sizeof(Input), KNOWS_DISPLACEMENT, displacement, velocity, 0.0, 0.0), State()
+        motion, rate = self.motion(displacement, velocity), State()
         self.check(self.library.dashpot_evaluate(
             c.byref(self.model), c.byref(state), c.byref(motion), c.byref(self.output), c.byref(rate)))
         return self.output.force, rate

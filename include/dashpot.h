@@ -34,8 +34,8 @@
 // be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
 // sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
 //
-// Sizes. A state is 112 bytes, an output 80, a parameter set 8 KB, a model 24 KB. No function takes more than 16 KB of the
-// caller's stack (dashpot_model_init() 13 KB, a step 8 KB); keep models and parameter sets off a small stack. A list has at
+// Sizes. A state is 272 bytes, an output 80, a parameter set 16 KB, a model 48 KB. No function takes more than 16 KB of the
+// caller's stack (dashpot_jacobian() 14 KB, a step 12 KB); keep models and parameter sets off a small stack. A list has at
 // most 63 numbers (capacity in dashpot_parameter says it for each row), a name 47 characters, a file as many bytes as it has.
 //
 // Null. No pointer may be null but these: fault of dashpot_params_read(), values of dashpot_params_get_list() (only the length is
@@ -114,6 +114,9 @@ const char *dashpot_version(void);
 
 // Warning bit: the step is longer than 0.01 s; fast motion inside it is not resolved.
 #define DASHPOT_LONG_STEP 2
+
+// Warning bit: the setting lies outside the grid of the family and is clamped to it.
+#define DASHPOT_OUTSIDE_SETTING 4
 
 // A pointer is null.
 #define DASHPOT_NULL -1
@@ -232,6 +235,21 @@ const char *dashpot_version(void);
 // Model file: a table is named as an element; parameters stand above the first [table].
 #define DASHPOT_FILE_ELEMENT_TABLE -38
 
+// The grid of a setting is not 2 to 8 increasing numbers, or something of a setting is given and no grid.
+#define DASHPOT_SETTING_GRID -39
+
+// Not one value for each setting of the grid.
+#define DASHPOT_SETTING_COUNT -40
+
+// A parameter that cannot depend on the setting: a word, a list other than fv_force, or one of the integration.
+#define DASHPOT_SETTING_FIXED -41
+
+// More than 32 numbers depend on the setting.
+#define DASHPOT_SETTING_TOO_MANY -42
+
+// A number is 0 at one setting and not at another, and with it a state is there or not.
+#define DASHPOT_SETTING_STATES -43
+
 // The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
 // parameter's name: "fv_force" "falls from one point to the next; ...".
 const char *dashpot_status_text(int32_t status);
@@ -252,7 +270,7 @@ typedef struct DASHPOT_ALIGNED(16) dashpot_params {
   // DASHPOT_ABI_VERSION.
   uint32_t abi_version;
   // The library's.
-  uint64_t opaque[1023];
+  uint64_t opaque[2047];
 } dashpot_params;
 
 // What was refused, and where.
@@ -268,8 +286,10 @@ typedef struct dashpot_fault {
 // Fills a parameter set with the defaults of the table. params->struct_size and params->abi_version must be set.
 int32_t dashpot_params_default(dashpot_params *params);
 
-// Sets one number, or a choice by its number.
-int32_t dashpot_params_set(dashpot_params *params, const char *name, double value);
+// Sets one number, or a choice by its number. Of a number that depends on the setting: the same at all settings from then on.
+int32_t dashpot_params_set(dashpot_params *params,
+                           const char *name,
+                           double value);
 
 // Sets a list of count numbers. The two lists of a curve may be set in any order; whether they fit together is
 // checked by dashpot_params_check() and dashpot_model_init().
@@ -322,7 +342,7 @@ int32_t dashpot_params_check(const dashpot_params *params, dashpot_fault *fault)
 // A prepared model. Nothing in it is for the host.
 typedef struct DASHPOT_ALIGNED(16) dashpot_model {
   // The library's.
-  uint64_t opaque[3072];
+  uint64_t opaque[6144];
 } dashpot_model;
 
 // Name and unit of one state. Set struct_size before the call.
@@ -346,8 +366,9 @@ int32_t dashpot_model_state_name(const dashpot_model *model, uint32_t state, das
 
 // Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
 // to blame. A model that runs may be prepared anew between two steps, for example by a slider, and its elements be
-// switched on and off: the states stay valid.
-int32_t dashpot_model_init(dashpot_model *model, const dashpot_params *params);
+// switched on and off: the states stay valid. A parameter set with a setting gives a model of all settings (see Setting).
+int32_t dashpot_model_init(dashpot_model *model,
+                           const dashpot_params *params);
 
 
 // ==============================================================================================================
@@ -365,6 +386,9 @@ int32_t dashpot_model_init(dashpot_model *model, const dashpot_params *params);
 // The host gives the temperature; without this bit it is 20 degrees Celsius.
 #define DASHPOT_KNOWS_TEMPERATURE 4
 
+// The host gives the setting of a damper that depends on one; without this bit it is the start setting of the model file.
+#define DASHPOT_KNOWS_SETTING 8
+
 // Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
 // known are not looked at.
 typedef struct dashpot_input {
@@ -380,6 +404,8 @@ typedef struct dashpot_input {
   double side_force;
   // Damper temperature, degrees Celsius.
   double temperature;
+  // Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Not read where the damper depends on none.
+  double setting;
 } dashpot_input;
 
 /** The input of a host that knows the velocity (m/s) alone. */
@@ -391,6 +417,14 @@ static inline dashpot_input dashpot_input_velocity(double velocity) {
   input.velocity = velocity;
   input.side_force = 0.0;
   input.temperature = 0.0;
+  input.setting = 0.0;
+  return input;
+}
+
+/** The input with the commanded setting of a damper that depends on one. */
+static inline dashpot_input dashpot_input_with_setting(dashpot_input input, double setting) {
+  input.known |= DASHPOT_KNOWS_SETTING;
+  input.setting = setting;
   return input;
 }
 
@@ -407,7 +441,7 @@ static inline dashpot_input dashpot_input_motion(double displacement, double vel
 // State
 // ==============================================================================================================
 
-// All that a damper remembers, friction hysteresis included, is in its state: fourteen numbers that the host owns. To
+// All that a damper remembers, friction hysteresis included, is in its state: numbers that the host owns. To
 // try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
 // repeats the first to the last bit.
 //
@@ -436,6 +470,8 @@ typedef struct dashpot_state {
   double layout;
   // 0.
   double reserved;
+  // Of a damper that depends on a setting: the commands of the last dead time. The library's, as layout.
+  double commands[20];
 } dashpot_state;
 
 // Answer at one instant.
@@ -463,7 +499,7 @@ typedef struct dashpot_output {
 } dashpot_output;
 
 // The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
-// gives the static force.
+// gives the static force. Where the damper depends on a setting, it has long been the start setting.
 int32_t dashpot_state_init(const dashpot_model *model, double initial_position, dashpot_state *state);
 
 // The state of a damper that has long moved steadily as *input says: start here where the simulation starts in motion, so that
@@ -484,10 +520,14 @@ int32_t dashpot_state_init_motion(const dashpot_model *model,
 // dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held, a contact
 // that is bent at rest (presliding friction) as the way there left it. The state stays as it is.
 
-// The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
+// The shortest way: velocity (m/s) in, force (N) out; of a damper that depends on a setting at its start setting (else dashpot_force_setting()). Moves *state on by dt (s); the displacement is integrated from
 // the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
 // partial derivatives.
-int32_t dashpot_force(const dashpot_model *model, dashpot_state *state, double velocity, double dt, double *force);
+int32_t dashpot_force(const dashpot_model *model,
+                      dashpot_state *state,
+                      double velocity,
+                      double dt,
+                      double *force);
 
 // One step of dt (s) from *from to the input *to_input; writes the state reached to *to and the answer there to
 // *output. from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
@@ -554,6 +594,106 @@ int32_t dashpot_jacobian(const dashpot_model *model,
                          const dashpot_state *state,
                          const dashpot_input *input,
                          dashpot_partials *partials);
+
+
+// ==============================================================================================================
+// Setting
+// ==============================================================================================================
+
+// Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A parameter set may hold numbers and
+// the forces of the FV table over a grid of 2 to 8 settings, as a model file does:
+//
+//     setting = [0.0, 0.8, 1.6]
+//     setting_name = "current"
+//     setting_unit = "A"
+//     gas_force = [80.0, 82.0, 85.0]
+//     fv_force = [[...], [...], [...]]
+//
+// A model of it takes the commanded setting with every input (DASHPOT_KNOWS_SETTING), for each damper its own. Between the grid the numbers and forces are
+// monotone cubics, exact on it; outside it they are those at its end (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the ordinary one of
+// the interpolated numbers.
+//
+// The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
+// "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting where the host gives none. Where
+// the valve stands is part of the state.
+//
+// An instant (see Evaluation) knows no past: a host that integrates the states delays the command itself where there is a dead time.
+
+// Most settings of a grid.
+#define DASHPOT_MOST_SETTINGS 8
+
+// The setting of a parameter set. Set struct_size before the call.
+typedef struct dashpot_setting {
+  // sizeof(dashpot_setting).
+  uint32_t struct_size;
+  // Settings of the grid; 0 where the damper depends on none.
+  uint32_t count;
+  // The grid, increasing.
+  double grid[8];
+  // Setting where the host gives none.
+  double start;
+  // Name, zero-terminated, such as current; empty where none is given.
+  char name[32];
+  // Unit, zero-terminated, such as A; empty where none is given.
+  char unit[32];
+} dashpot_setting;
+
+// Derivatives of force and rates over the commanded setting, at constant states.
+typedef struct dashpot_by_setting {
+  // dF/d(setting). 0 where the actuator has a lag: the force then follows its state.
+  double force;
+  // d(rate of state i)/d(setting), in the order of dashpot_partials.
+  double rate[10];
+} dashpot_by_setting;
+
+// Sets the grid of the setting: count increasing numbers; 0: the damper depends on no setting any more. Values over another grid are dropped.
+int32_t dashpot_params_set_grid(dashpot_params *params,
+                                const double *grid,
+                                uint32_t count);
+
+// Sets a number over the setting: one value for each of the grid.
+int32_t dashpot_params_set_over(dashpot_params *params, const char *name, const double *values, uint32_t count);
+
+// Sets the forces of the FV table, fv_force, at setting number index of the grid, from 0. It has to be done at all of them.
+int32_t dashpot_params_set_list_over(dashpot_params *params,
+                                     const char *name,
+                                     uint32_t index,
+                                     const double *values,
+                                     uint32_t count);
+
+// Tells the setting that a parameter set depends on.
+int32_t dashpot_params_setting(const dashpot_params *params, dashpot_setting *setting);
+
+// As dashpot_force(), with the commanded setting. A damper that depends on none does not look at it.
+int32_t dashpot_force_setting(const dashpot_model *model,
+                              dashpot_state *state,
+                              double velocity,
+                              double setting,
+                              double dt,
+                              double *force);
+
+// Where the valve stands in a state, to *setting: the command clamped to the grid, or what the actuator has made of it. 0 of a damper that depends on no
+// setting.
+int32_t dashpot_setting_at(const dashpot_model *model,
+                           const dashpot_state *state,
+                           const dashpot_input *input,
+                           double *setting);
+
+// Derivative of the force over the setting at which the valve stands, to *derivative: of the force that dashpot_step() from *from to *to_input finds, all
+// that happens in the step included; with dt = 0 of the force at equilibrium. What a controller divides by. Takes two steps. 0 of a damper that depends on
+// no setting.
+int32_t dashpot_force_by_setting(const dashpot_model *model,
+                                 const dashpot_state *from,
+                                 const dashpot_input *to_input,
+                                 double dt,
+                                 double *derivative);
+
+// Derivatives of force and rates over the commanded setting at *state and *input, to *by_setting: what dashpot_jacobian() has no place for. 0 of a damper
+// that depends on no setting.
+int32_t dashpot_jacobian_setting(const dashpot_model *model,
+                                 const dashpot_state *state,
+                                 const dashpot_input *input,
+                                 dashpot_by_setting *by_setting);
 
 
 // ==============================================================================================================

@@ -2,7 +2,8 @@
  *
  *     USER(string [, length unit, force unit, time unit])
  *
- * inputs  (array U)  displacement, velocity [, side force [, temperature in degrees Celsius]], model units,
+ * inputs  (array U)  displacement, velocity [, side force [, temperature in degrees Celsius [, setting in the unit of the
+ *                    model file]]], model units,
  *                    extension positive
  * states  (array X)  1 deflection: internal mass against driven end, model length
  *                    2 velocity of the internal mass, model units
@@ -25,7 +26,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEWEST_INPUTS = 2, MOST_INPUTS = 4, MOST_OUTPUTS = 9, UNITS_AT = 1 };
+enum { FEWEST_INPUTS = 2, MOST_INPUTS = 5, MOST_OUTPUTS = 9, UNITS_AT = 1 };
 
 /* Rate at which a state that the model does not use returns to zero, and in statics any state to where it settles, 1/s. */
 static const double DECAY = 100.0;
@@ -74,7 +75,7 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
     }
     if (now->ni < FEWEST_INPUTS || now->ni > MOST_INPUTS) {
         message_stop(gse->id, "the GSE has NI=%d inputs; it takes displacement and velocity, then side force and "
-                              "temperature if wanted: NI=2, 3 or 4", now->ni);
+                              "temperature and the setting if wanted: NI=2 to 5", now->ni);
         return -1;
     }
     if (now->no < 1 || now->no > MOST_OUTPUTS) {
@@ -95,6 +96,8 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
         now->input.known |= DASHPOT_KNOWS_TEMPERATURE;
         now->input.temperature = in[3];
     }
+    if (now->ni > 4)
+        now->input = dashpot_input_with_setting(now->input, in[4]);
     memset(&now->state, 0, sizeof now->state);
     now->state.displacement = now->input.displacement;
     now->state.velocity = now->input.velocity;
@@ -190,14 +193,14 @@ static void give_rate_partials(const instant *now, const dashpot_partials *p)
         by_u[i] = (p->rate_by_input[i][0] + p->rate_by_state[i][0]) * to_model * input_scale(u, 0);
         by_u[i + now->ns] = (p->rate_by_input[i][1] - (i == 0 ? 1.0 : 0.0)) * to_model * input_scale(u, 1);
     }
-    /* Side force and temperature: by differences; the kernel has no partials for them. */
+    /* Side force, temperature and setting: by differences. */
     for (j = 2; j < now->ni; j++) {
         double *member;
         instant other = *now;
         dashpot_state low, high;
         dashpot_output unused;
         double h, scale = j == 2 ? u->force : 1.0;
-        member = j == 2 ? &other.input.side_force : &other.input.temperature;
+        member = j == 2 ? &other.input.side_force : j == 3 ? &other.input.temperature : &other.input.setting;
         h = 1e-4 * (1.0 + fabs(*member));
         *member -= h;
         if (dashpot_evaluate(now->model, &now->state, &other.input, &unused, &low) < 0)
@@ -289,6 +292,8 @@ static void nudge(instant *now, int state, int input, double by)
         now->input.side_force += by * u->force;
     } else if (input == 3) {
         now->input.temperature += by;
+    } else if (input == 4) {
+        now->input.setting += by;
     }
 }
 
@@ -296,7 +301,7 @@ static void nudge(instant *now, int state, int input, double by)
 static void output_column(const instant *now, const dashpot_partials *p, int state, int input, double *column)
 {
     const unit_scales *u = &now->damper->units;
-    double h = state > 1 ? 1e-6 / u->length : input == 2 ? 1e-3 / u->force : input == 3 ? 1e-3 : 1e-8 / u->length;
+    double h = state > 1 ? 1e-6 / u->length : input == 2 ? 1e-3 / u->force : input >= 3 ? 1e-3 : 1e-8 / u->length;
     double low[MOST_OUTPUTS], high[MOST_OUTPUTS];
     dashpot_output output;
     dashpot_state rate;

@@ -1,13 +1,29 @@
-/* Many steps in a row, for counting instructions: cost <steps> [force] [+<element> | -<element> | <parameter> <value>]...
+/* Many steps in a row, for counting instructions: cost <steps> [force] [setting] [+<element> | -<element> | <parameter> <value>]...
  * Run it with two numbers of steps; the difference of the counts, divided by the difference of the steps, is the cost of
- * one dashpot_step(), or dashpot_force(). */
+ * one dashpot_step(), or dashpot_force(). With setting the FV curve and the friction depend on one that changes in every step. */
 #include "dashpot.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { INPUTS = 64 };
+enum { INPUTS = 64, SETTINGS = 5 };
+
+/* The FV curve and the friction over five settings. */
+static int32_t depend_on_a_setting(dashpot_params *params) {
+  static const double grid[SETTINGS] = {0.0, 0.4, 0.8, 1.2, 1.6};
+  double forces[63], stronger[63], friction[SETTINGS];
+  uint32_t count, i;
+  int32_t status = dashpot_params_get_list(params, "fv_force", forces, 63, &count);
+  int k;
+  if (status >= 0) status = dashpot_params_set_grid(params, grid, SETTINGS);
+  for (k = 0; k < SETTINGS && status == DASHPOT_OK; k++) {
+    for (i = 0; i < count; i++) stronger[i] = forces[i] * (1.0 + 0.2 * k * k);
+    friction[k] = 40.0 + 5.0 * k;
+    status = dashpot_params_set_list_over(params, "fv_force", (uint32_t)k, stronger, count);
+  }
+  return status == DASHPOT_OK ? dashpot_params_set_over(params, "stribeck_coulomb_force", friction, SETTINGS) : status;
+}
 
 int main(int argc, char **argv) {
   static dashpot_params params = DASHPOT_PARAMS_INIT;
@@ -22,7 +38,9 @@ int main(int argc, char **argv) {
   int k;
   for (k = 2 + force_alone; k < argc && status == DASHPOT_OK; k++) {
     const char *word = argv[k];
-    if (word[0] == '+' || word[0] == '-') {
+    if (strcmp(word, "setting") == 0) {
+      status = depend_on_a_setting(&params);
+    } else if (word[0] == '+' || word[0] == '-') {
       status = dashpot_params_enable(&params, word + 1, word[0] == '+');
     } else if (k + 1 < argc) {
       status = dashpot_params_set(&params, word, atof(argv[++k]));
@@ -34,7 +52,7 @@ int main(int argc, char **argv) {
   for (k = 0; k < INPUTS; k++) {
     const double t = (k < INPUTS / 2 ? k : k - INPUTS / 2) / (INPUTS / 2.0), v = (k < INPUTS / 2 ? 6.0 : -6.0) * t * (1.0 - t);
     x += 1e-3 * v;
-    inputs[k] = dashpot_input_motion(x, v);
+    inputs[k] = dashpot_input_with_setting(dashpot_input_motion(x, v), 0.025 * k);
   }
   for (i = 0; i < steps && status == DASHPOT_OK; i++) {
     if (force_alone) {

@@ -47,6 +47,17 @@ static void *read_file(void *unused) {
   return unused;
 }
 
+static int32_t depend_on_a_setting(void) {
+  static const double grid[2] = {0.0, 1.6}, gas[2] = {80.0, 85.0};
+  double forces[63];
+  uint32_t count, i;
+  int32_t answer = dashpot_params_get_list(&params, "fv_force", forces, 63, &count);
+  if (answer == 0) answer = dashpot_params_set_grid(&params, grid, 2);
+  for (i = 0; i < 2 && answer == 0; i++) answer = dashpot_params_set_list_over(&params, "fv_force", i, forces, count);
+  if (answer == 0) answer = dashpot_params_set_over(&params, "gas_force", gas, 2);
+  return answer == 0 ? dashpot_params_set(&params, "setting_time_up", 0.01) : answer;
+}
+
 static long depth(void *(*call)(void *)) {
   static char *stack;
   pthread_attr_t attributes;
@@ -83,10 +94,13 @@ int main(void) {
   };
   long worst[sizeof calls / sizeof calls[0]] = {0}, thread, most = 0;
   size_t k, s, i;
-  for (s = 0; s < sizeof sets / sizeof sets[0]; s++) {
+  /* Each as an ordinary damper, and with a gas force and an FV curve that depend on a setting. */
+  for (s = 0; s < 2 * (sizeof sets / sizeof sets[0]); s++) {
+    const size_t set = s / 2;
     if (dashpot_params_default(&params) != 0) return 2;
-    for (i = 0; sets[s][i]; i++)
-      if (dashpot_params_enable(&params, sets[s][i], 1) != 0) return 2;
+    for (i = 0; sets[set][i]; i++)
+      if (dashpot_params_enable(&params, sets[set][i], 1) != 0) return 2;
+    if (s % 2 == 1 && depend_on_a_setting() != 0) return 2;
     dashpot_params_set(&params, "valve_form", 1.0);
     dashpot_params_set(&params, "cavitation_onset", 0.5);
     if (dashpot_model_init(&model, &params) != 0 || dashpot_state_init(&model, 0.0, states) != 0) return 2;

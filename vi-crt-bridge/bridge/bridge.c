@@ -94,6 +94,8 @@ dashpot_input dashpot_bridge_to_kernel(const dashpot_bridge *bridge, uint32_t co
         input.known |= DASHPOT_KNOWS_TEMPERATURE;
         input.temperature = in->temperature;
     }
+    if (in->known & DASHPOT_CORNER_KNOWS_SETTING)
+        input = dashpot_input_with_setting(input, in->setting);
     return input;
 }
 
@@ -115,7 +117,8 @@ int32_t dashpot_bridge_init(dashpot_bridge *bridge, const dashpot_corner_input *
     uint32_t i;
 
     for (i = 0; i < bridge->corners; i++) {
-        int32_t status = dashpot_corner_rest(&bridge->corner[i], bridge->map.motion_scale[i] * in[i].jounce + bridge->map.position_offset[i]);
+        int32_t status = dashpot_corner_rest_at(&bridge->corner[i], bridge->map.motion_scale[i] * in[i].jounce + bridge->map.position_offset[i],
+                                                in[i].known & DASHPOT_CORNER_KNOWS_SETTING ? &in[i].setting : NULL);
 
         status = status < 0 ? DASHPOT_BRIDGE_HELD : status;
         dashpot_bridge_to_host(bridge, i, status, &out[i]);

@@ -24,7 +24,7 @@ enum key {
     KEYS
 };
 static const char *const NAMES[KEYS] = {
-    "jounce",          "jounce_rate",    "jounce_acceleration", "side_force", "temperature",    "force",
+    "jounce",          "jounce_rate",    "jounce_acceleration", "side_force", "temperature",    "setting", "force",
     "motion_positive", "force_positive", "length_unit",         "force_unit", "motion_ratio_1", "motion_ratio_2",
     "motion_ratio_L1", "motion_ratio_R1", "motion_ratio_L2",     "motion_ratio_R2", "position_offset", "position_offset_1",
     "position_offset_2", "position_offset_L1", "position_offset_R1", "position_offset_L2", "position_offset_R2", "format"};

@@ -17,6 +17,7 @@
  *   jounce_acceleration = ""           empty: the host has no such channel
  *   side_force = ""
  *   temperature = ""
+ *   setting = ""                       of dampers that depend on one (current, clicks), in the unit of their model files
  *   force = ""                         the host's input channel that takes the damper force: always needed
  */
 #ifndef DASHPOT_CHANNEL_MAP_H
@@ -34,6 +35,7 @@ enum dashpot_channel {
     DASHPOT_CHANNEL_JOUNCE_ACCELERATION,
     DASHPOT_CHANNEL_SIDE_FORCE,
     DASHPOT_CHANNEL_TEMPERATURE,
+    DASHPOT_CHANNEL_SETTING,
     DASHPOT_CHANNEL_INPUTS,
     DASHPOT_CHANNEL_FORCE = DASHPOT_CHANNEL_INPUTS,
     DASHPOT_CHANNELS

@@ -49,8 +49,15 @@ int32_t dashpot_corner_load(dashpot_corner *corner, const char *path, dashpot_fa
 
 int32_t dashpot_corner_rest(dashpot_corner *corner, double position)
 {
+    return dashpot_corner_rest_at(corner, position, NULL);
+}
+
+int32_t dashpot_corner_rest_at(dashpot_corner *corner, double position, const double *setting)
+{
     dashpot_input still = dashpot_input_motion(position, 0.0);
 
+    if (setting)
+        still = dashpot_input_with_setting(still, *setting);
     return dashpot_corner_begin(corner, &still);
 }
 

@@ -37,6 +37,9 @@ int32_t dashpot_corner_rest(dashpot_corner *corner, double position);
  * dashpot_corner_rest() under the input's side force and temperature. */
 int32_t dashpot_corner_begin(dashpot_corner *corner, const dashpot_input *input);
 
+/* The same at a commanded setting, for a damper that depends on one; null: its start. */
+int32_t dashpot_corner_rest_at(dashpot_corner *corner, double position, const double *setting);
+
 /* One step of dt to `input`; dt = 0 answers statically and leaves the states. Always returns, allocates nothing, and
  * answers with a warning of dashpot.h or DASHPOT_BRIDGE_HELD, never with a refusal. */
 int32_t dashpot_corner_step(dashpot_corner *corner, const dashpot_input *input, double dt);

@@ -39,6 +39,7 @@ typedef struct dashpot_bridge dashpot_bridge;
 #define DASHPOT_CORNER_KNOWS_ACCELERATION 2u
 #define DASHPOT_CORNER_KNOWS_SIDE_FORCE 4u
 #define DASHPOT_CORNER_KNOWS_TEMPERATURE 8u
+#define DASHPOT_CORNER_KNOWS_SETTING 16u
 
 /* What the host knows of a corner, in its own signs and units. jounce_rate is always needed. Where jounce is not known
  * it is integrated from the jounce given at init. The acceleration is taken and not used: no element needs it. */
@@ -48,6 +49,7 @@ typedef struct dashpot_corner_input {
     double jounce_acceleration;
     double side_force;
     double temperature; /* degrees Celsius */
+    double setting;     /* of a damper that depends on one, in the unit of its model file */
     uint32_t known;
     uint32_t reserved;
 } dashpot_corner_input;

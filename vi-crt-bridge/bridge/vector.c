@@ -4,7 +4,7 @@
 
 static const uint32_t KNOWN[DASHPOT_CHANNEL_INPUTS] = {DASHPOT_CORNER_KNOWS_JOUNCE, 0, DASHPOT_CORNER_KNOWS_ACCELERATION,
                                                        DASHPOT_CORNER_KNOWS_SIDE_FORCE,
-                                                       DASHPOT_CORNER_KNOWS_TEMPERATURE};
+                                                       DASHPOT_CORNER_KNOWS_TEMPERATURE, DASHPOT_CORNER_KNOWS_SETTING};
 
 /* The corners' inputs from a flat vector. Every corner has the same number of channels. */
 static void unpack(const dashpot_bridge *bridge, const double *u, dashpot_corner_input *in)
@@ -16,7 +16,7 @@ static void unpack(const dashpot_bridge *bridge, const double *u, dashpot_corner
         dashpot_corner_input *corner = &in[i / each];
         double *const place[DASHPOT_CHANNEL_INPUTS] = {&corner->jounce, &corner->jounce_rate,
                                                        &corner->jounce_acceleration, &corner->side_force,
-                                                       &corner->temperature};
+                                                       &corner->temperature, &corner->setting};
 
         *place[bridge->input_channel[i]] = u[i];
         corner->known |= KNOWN[bridge->input_channel[i]];

@@ -112,6 +112,8 @@ static int read_line(struct contents *contents, const char *line)
     v->index = index;
     strcpy(v->name, name);
     contents->states += v->kind == STATE;
+    if (v->kind == SETTING)
+        contents->setting[corner] = contents->variables;
     if (v->kind == BETWEEN_POINTS)
         contents->between = contents->variables;
     contents->variables++;

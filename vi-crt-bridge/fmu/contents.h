@@ -28,6 +28,7 @@
     X(INITIAL_POSITION)      /* where it is integrated from, m of extension */                                         \
     X(SPEED_MARGIN)          /* m/s to the end of the identified curve: the event indicator */                         \
     X(BETWEEN_POINTS)        /* enumeration: how inputs run between two instants at which the host sets them */        \
+    X(SETTING)               /* input of a damper that depends on a setting, in its unit */                            \
     X(STATE)                 /* continuous state number `index` */                                                     \
     X(RATE)                  /* its derivative */                                                                      \
     X(PARAMETER)             /* number `index` of the parameter `name`; -1 where it is a single number */              \
@@ -60,6 +61,7 @@ struct contents {
     int states;                       /* of all corners */
     double nominal[MOST_CORNERS][MOST_STATES]; /* what a state is usually like, for the tolerances of hosts */
     uint32_t between;                 /* value reference of BETWEEN_POINTS */
+    uint32_t setting[MOST_CORNERS];   /* of SETTING; 0 where the damper depends on none */
     uint32_t variables;
     struct variable *variable;
     char *text; /* all models, one after the other, each closed by a zero */

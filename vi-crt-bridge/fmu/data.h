@@ -29,14 +29,18 @@ struct told {
     double at[TOLD], velocity[TOLD]; /* the last ones, the newest first; NaN: not known */
 };
 
+/* The derivative of the setting, behind those of the inputs of a block. */
+#define OF_SETTING (TEMPERATURE - DISPLACEMENT + 1)
+
 struct part {
     dashpot_corner corner;
     dashpot_state from; /* where the last step began: for derivatives by difference */
     double state[STATES_OF_CORNER]; /* model exchange */
     double rate[STATES_OF_CORNER];
     struct told told;
-    double derivative[TEMPERATURE - DISPLACEMENT + 1]; /* of the inputs, for the next step */
+    double derivative[OF_SETTING + 1]; /* of the inputs, for the next step */
     uint32_t derivatives;                              /* a bit for each that is given */
+    uint32_t setting;                                  /* value reference of its setting; 0: it depends on none */
     double low, high;                                  /* speeds that the identified curve covers; equal: all */
     int32_t status;
 };

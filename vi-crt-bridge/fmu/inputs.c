@@ -40,6 +40,8 @@ dashpot_input instance_input(const struct data *data, int corner)
     input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
     input.side_force = instance_given(data, corner, SIDE_FORCE);
     input.temperature = instance_given(data, corner, TEMPERATURE);
+    if (data->part[corner].setting)
+        input = dashpot_input_with_setting(input, instance_values(data)[data->part[corner].setting]);
     return input;
 }
 
@@ -120,6 +122,8 @@ dashpot_input instance_input_ahead(const struct instance *instance, int corner, 
             input.side_force += d[SIDE_FORCE - DISPLACEMENT] * dt;
         if (part->derivatives & 1u << (TEMPERATURE - DISPLACEMENT))
             input.temperature += d[TEMPERATURE - DISPLACEMENT] * dt;
+        if (part->derivatives & 1u << OF_SETTING)
+            input.setting += d[OF_SETTING] * dt;
     } else if (between(instance) == EXTRAPOLATE && data->dt > 0.0) {
         double before = part->told.velocity[0];
 

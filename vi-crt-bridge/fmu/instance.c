@@ -21,6 +21,14 @@ static void start_values(struct instance *instance)
         value[i] = 0.0;
         switch (v->kind) {
         case TEMPERATURE: value[i] = 20.0; break;
+        case SETTING: {
+            dashpot_setting setting;
+
+            setting.struct_size = (uint32_t)sizeof setting;
+            if (dashpot_params_setting(params, &setting) >= 0)
+                value[i] = setting.start;
+            break;
+        }
         case MOTION_SCALE: value[i] = contents->motion_scale; break;
         case FORCE_SCALE: value[i] = contents->force_scale; break;
         case POSITION_OFFSET: value[i] = contents->position_offset; break;
@@ -181,6 +189,7 @@ static int load(struct instance *instance)
             return instance_complain(instance, "the model inside: line %u: %s %s", (unsigned)fault.line, fault.parameter,
                                      dashpot_status_text(status));
         find_range(part);
+        part->setting = instance->contents->setting[c];
         instance_input_forget(&part->told);
     }
     start_values(instance);
@@ -433,6 +442,9 @@ int instance_set(struct instance *instance, uint32_t reference, enum type type, 
         break;
     case SIDE_FORCE:
     case TEMPERATURE:
+        break;
+    case SETTING:
+        data->part[v->corner].derivatives &= ~(1u << OF_SETTING);
         break;
     default:
         return instance_complain(instance, "value reference %u cannot be set", (unsigned)reference);

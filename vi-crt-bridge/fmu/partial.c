@@ -50,6 +50,23 @@ static int analytic(struct instance *instance, const struct variable *u, const s
     return 1;
 }
 
+/* Force and rates by the setting, from the kernel: differences would step over the ends of its grid. */
+static int by_setting(struct instance *instance, const struct variable *u, double *partial)
+{
+    struct part *part = &instance->data->part[u->corner];
+    dashpot_input input = instance_input_now(instance, u->corner);
+    dashpot_by_setting by;
+    int32_t status = dashpot_jacobian_setting(&part->corner.model, &part->corner.now.state, &input, &by);
+
+    if (status < 0)
+        return instance_complain(instance, "%s", dashpot_status_text(status));
+    if (u->kind == FORCE)
+        *partial = instance_given(instance->data, u->corner, FORCE_SCALE) * by.force;
+    else
+        *partial = u->index == TRAVEL ? 0.0 : by.rate[u->index - DEFLECTION];
+    return 0;
+}
+
 /* The unknown with the known moved by `by`; in co-simulation the last step is taken again. Works on a copy of all that changes. */
 static int moved(struct instance *instance, uint32_t unknown, uint32_t known, double by, double *value)
 {
@@ -101,8 +118,10 @@ int instance_partial(struct instance *instance, uint32_t unknown, uint32_t known
     if (analytic(instance, u, k, partial))
         return 0;
     if (k->kind != DISPLACEMENT && k->kind != VELOCITY && k->kind != SIDE_FORCE && k->kind != TEMPERATURE &&
-        k->kind != PARAMETER && (k->kind != STATE || !instance->exchange))
+        k->kind != SETTING && k->kind != PARAMETER && (k->kind != STATE || !instance->exchange))
         return instance_complain(instance, "no derivative by that variable");
+    if (k->kind == SETTING && instance->exchange && (u->kind == FORCE || u->kind == RATE))
+        return by_setting(instance, u, partial);
     usual = k->kind == SIDE_FORCE || k->kind == TEMPERATURE ? 1.0 : 1e-3;
     by = 1e-6 * (fabs(at) > usual ? fabs(at) : usual);
     if (moved(instance, unknown, known, by, &up) || moved(instance, unknown, known, -by, &down))

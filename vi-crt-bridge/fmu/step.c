@@ -44,13 +44,14 @@ int instance_set_derivative(struct instance *instance, uint32_t reference, int o
     const struct variable *v =
         reference < instance->contents->variables ? &instance->contents->variable[reference] : NULL;
 
-    if (!v || v->kind < DISPLACEMENT || v->kind > TEMPERATURE)
+    if (!v || ((v->kind < DISPLACEMENT || v->kind > TEMPERATURE) && v->kind != SETTING))
         return instance_complain(instance, "value reference %u is no input", (unsigned)reference);
     if (order != 1)
         return instance_complain(instance, "an input has a first derivative here, and none of order %d", order);
     if (!isfinite(value))
         return instance_complain(instance, "the derivative of an input must be finite");
-    instance->data->part[v->corner].derivative[v->kind - DISPLACEMENT] = value;
-    instance->data->part[v->corner].derivatives |= 1u << (v->kind - DISPLACEMENT);
+    order = v->kind == SETTING ? OF_SETTING : (int)v->kind - DISPLACEMENT;
+    instance->data->part[v->corner].derivative[order] = value;
+    instance->data->part[v->corner].derivatives |= 1u << order;
     return 0;
 }

@@ -7,6 +7,14 @@ static inline dashpot_input dashpot_input_velocity(double velocity) {
   input.velocity = velocity;
   input.side_force = 0.0;
   input.temperature = 0.0;
+  input.setting = 0.0;
+  return input;
+}
+
+/** The input with the commanded setting of a damper that depends on one. */
+static inline dashpot_input dashpot_input_with_setting(dashpot_input input, double setting) {
+  input.known |= DASHPOT_KNOWS_SETTING;
+  input.setting = setting;
   return input;
 }
 

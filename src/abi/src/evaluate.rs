@@ -19,6 +19,7 @@ use core::mem::{align_of, offset_of, size_of};
 use dashpot_core::evaluate::partials;
 use dashpot_core::{Output, Partials, State};
 
+use crate::family as over_setting;
 use crate::input::{self, dashpot_input};
 use crate::model::{dashpot_model, prepared_aligned};
 use crate::pointer::{aligned, present};
@@ -60,7 +61,12 @@ pub unsafe extern "C" fn dashpot_evaluate(
     status((|| {
         aligned!(model, state, input, output, rate);
         // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
-        let (model, state, input) = unsafe { (prepared_aligned(model)?, checked(state)?, input::checked(input)?) };
+        let Ok(model) = (unsafe { prepared_aligned(model) }) else {
+            // SAFETY: as above.
+            return unsafe { over_setting::evaluate(model, state, input, output, rate) };
+        };
+        // SAFETY: as above.
+        let (state, input) = unsafe { (checked(state)?, input::checked(input)?) };
         present(output)?;
         present(rate)?;
         let (answer, rates) = dashpot_core::evaluate(model, &state, &input);
@@ -85,7 +91,12 @@ pub unsafe extern "C" fn dashpot_jacobian(
     status((|| {
         aligned!(model, state, input, partials);
         // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
-        let (model, state, input) = unsafe { (prepared_aligned(model)?, checked(state)?, input::checked(input)?) };
+        let Ok(model) = (unsafe { prepared_aligned(model) }) else {
+            // SAFETY: as above.
+            return unsafe { over_setting::jacobian(model, state, input, partials, core::ptr::null_mut()) };
+        };
+        // SAFETY: as above.
+        let (state, input) = unsafe { (checked(state)?, input::checked(input)?) };
         present(partials)?;
         let answer = self::partials(model, &state, &input);
         computed(answer.is_finite())?;

@@ -15,6 +15,8 @@ pub const DASHPOT_KNOWS_DISPLACEMENT: u32 = 1;
 pub const DASHPOT_KNOWS_SIDE_FORCE: u32 = 2;
 /// The host gives the temperature; without this bit it is 20 degrees Celsius.
 pub const DASHPOT_KNOWS_TEMPERATURE: u32 = 4;
+/// The host gives the setting of a damper that depends on one; without this bit it is the start setting of the model file.
+pub const DASHPOT_KNOWS_SETTING: u32 = 8;
 
 /// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
 /// known are not looked at.
@@ -32,9 +34,12 @@ pub struct dashpot_input {
     pub side_force: f64,
     /// Damper temperature, degrees Celsius.
     pub temperature: f64,
+    /// Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Not read where the damper depends on none.
+    pub setting: f64,
 }
 
-const KNOWN: u32 = DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+const KNOWN: u32 =
+    DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE | DASHPOT_KNOWS_SETTING;
 
 /// Largest sum of the magnitudes of displacement and velocity: 1000 m and 1000 m/s are a hundred times what a damper meets, and
 /// the solver of a host that tries a wild step still gets an answer. Far beyond, powers of them would overflow.
@@ -68,6 +73,26 @@ pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Refus
 pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
     // SAFETY: the caller's promise; `checked` accepted it before.
     unsafe { &*input }.taken().0
+}
+
+/// The setting that the host handed in with an input that [`checked`] accepted.
+///
+/// # Safety
+/// As [`taken`].
+#[inline(always)]
+pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>, Refused> {
+    // SAFETY: the caller's promise.
+    let input = unsafe { &*input };
+    if input.known & DASHPOT_KNOWS_SETTING == 0 {
+        return Ok(None);
+    }
+    sane_setting(input.setting).map(Some)
+}
+
+/// Refuses a setting that is no number. One outside the grid is clamped.
+#[inline(always)]
+pub(crate) fn sane_setting(setting: f64) -> Result<f64, Refused> {
+    if setting.is_finite() { Ok(setting) } else { Err(Refused(DASHPOT_BAD_INPUT)) }
 }
 
 impl dashpot_input {

@@ -32,8 +32,8 @@
 //! be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
 //! sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
 //!
-//! Sizes. A state is 112 bytes, an output 80, a parameter set 8 KB, a model 24 KB. No function takes more than 16 KB of the
-//! caller's stack (dashpot_model_init() 13 KB, a step 8 KB); keep models and parameter sets off a small stack. A list has at
+//! Sizes. A state is 272 bytes, an output 80, a parameter set 16 KB, a model 48 KB. No function takes more than 16 KB of the
+//! caller's stack (dashpot_jacobian() 14 KB, a step 12 KB); keep models and parameter sets off a small stack. A list has at
 //! most 63 numbers (capacity in dashpot_parameter says it for each row), a name 47 characters, a file as many bytes as it has.
 //!
 //! Null. No pointer may be null but these: fault of dashpot_params_read(), values of dashpot_params_get_list() (only the length is
@@ -59,10 +59,12 @@
 extern crate std;
 
 pub mod evaluate;
+mod family;
 pub mod input;
 pub mod model;
 pub mod params;
 mod pointer;
+pub mod setting;
 pub mod state;
 pub mod status;
 pub mod step;

@@ -4,11 +4,12 @@
 //! number of dampers.
 
 use core::ffi::c_char;
-use core::mem::{MaybeUninit, align_of, size_of};
+use core::mem::{MaybeUninit, align_of, offset_of, size_of};
 
 use dashpot_core::Model;
+use dashpot_core::family::Family;
 
-use crate::params::{dashpot_params, values};
+use crate::params::{axis, dashpot_params, values};
 use crate::pointer::{exclusive, present, usable};
 use crate::status::{DASHPOT_NO_SUCH_STATE, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
 use crate::text;
@@ -18,7 +19,7 @@ use crate::version::magic;
 #[repr(C, align(16))]
 pub struct dashpot_model {
     /// The library's.
-    pub opaque: [u64; 3072],
+    pub opaque: [u64; 6144],
 }
 
 /// What the block really holds.
@@ -28,14 +29,28 @@ pub(crate) struct Prepared {
     model: Model,
 }
 
+/// What the block holds of a damper that depends on a setting.
+#[repr(C, align(16))]
+struct PreparedFamily {
+    magic: u64,
+    family: Family,
+}
+
 /// What is in the block before it is prepared. All zeros, so that it is no table in the library.
 // SAFETY: the compiler looks whether zeros are a model when it makes the constant of them, and refuses where they are none.
 const BLANK: Model = unsafe { MaybeUninit::zeroed().assume_init() };
 
+/// As [`BLANK`], of a family.
+// SAFETY: as there.
+const BLANK_FAMILY: Family = unsafe { MaybeUninit::zeroed().assume_init() };
+
 const MAGIC: u64 = magic("model", size_of::<Model>());
+const MAGIC_FAMILY: u64 = magic("family", size_of::<Family>());
 
 const _: () = {
-    assert!(size_of::<dashpot_model>() == 24576 && size_of::<Prepared>() <= size_of::<dashpot_model>());
+    assert!(size_of::<dashpot_model>() == 49152 && size_of::<Prepared>() <= size_of::<dashpot_model>());
+    assert!(size_of::<PreparedFamily>() <= size_of::<dashpot_model>() && align_of::<PreparedFamily>() == 16);
+    assert!(offset_of!(PreparedFamily, magic) == offset_of!(Prepared, magic));
     assert!(align_of::<dashpot_model>() == 16 && align_of::<Prepared>() == 16);
 };
 
@@ -63,6 +78,18 @@ pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result
     if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.model) }
 }
 
+/// The family in a block that was initialised with one: asked where it is no ordinary model.
+///
+/// # Safety
+/// As [`prepared`].
+#[cold]
+pub(crate) unsafe fn family<'a>(model: *const dashpot_model) -> Result<&'a Family, Refused> {
+    usable(model)?;
+    // SAFETY: not null and aligned by `usable`; any bytes are a magic word, and only where it is right is the family looked at.
+    let block = unsafe { &*model.cast::<PreparedFamily>() };
+    if block.magic != MAGIC_FAMILY { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.family) }
+}
+
 /// A model that was found prepared before.
 ///
 /// # Safety
@@ -79,7 +106,12 @@ pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
 pub unsafe extern "C" fn dashpot_model_states(model: *const dashpot_model) -> i32 {
     status((|| {
         // SAFETY: null, misaligned or a model that nobody writes meanwhile (the caller's promise).
-        Ok(unsafe { prepared(model) }?.states() as i32)
+        let states = match unsafe { prepared(model) } {
+            Ok(model) => model.states(),
+            // SAFETY: as above.
+            Err(_) => unsafe { family(model) }?.states(),
+        };
+        Ok(states as i32)
     })())
 }
 
@@ -108,11 +140,17 @@ pub unsafe extern "C" fn dashpot_model_state_name(
 ) -> i32 {
     status((|| {
         // SAFETY: null, misaligned, or a model that nobody writes and a structure that nobody else uses (the caller's promise).
-        let (model, to) = unsafe { (prepared(model)?, exclusive(name)?) };
+        let to = unsafe { exclusive(name)? };
         if to.struct_size as usize != size_of::<dashpot_state_name>() {
             return Err(Refused(DASHPOT_STRUCT_SIZE));
         }
-        let (name, unit) = model.state_name(state as usize).ok_or(Refused(DASHPOT_NO_SUCH_STATE))?;
+        // SAFETY: as above.
+        let found = match unsafe { prepared(model) } {
+            Ok(model) => model.state_name(state as usize),
+            // SAFETY: as above.
+            Err(_) => unsafe { family(model) }?.state_name(state as usize),
+        };
+        let (name, unit) = found.ok_or(Refused(DASHPOT_NO_SUCH_STATE))?;
         to.state = state;
         text::write(&mut to.name, [name].into_iter());
         text::write(&mut to.unit, [unit].into_iter());
@@ -122,14 +160,26 @@ pub unsafe extern "C" fn dashpot_model_state_name(
 
 /// Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
 /// to blame. A model that runs may be prepared anew between two steps, for example by a slider, and its elements be
-/// switched on and off: the states stay valid.
+/// switched on and off: the states stay valid. A parameter set with a setting gives a model of all settings (see Setting).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *const dashpot_params) -> i32 {
     status((|| {
         usable(model)?;
         let block = model.cast::<Prepared>();
         // SAFETY: `params` is null, misaligned or a block that nobody writes meanwhile (the caller's promise).
-        let params = unsafe { values(params) }?;
+        let (params, axis) = unsafe { (values(params)?, axis(params)?) };
+        if axis.is_some() {
+            Family::check(params, axis)?;
+            let block = model.cast::<PreparedFamily>();
+            // SAFETY: as below; both blocks lie at the address of the caller's, and their magic words are at one place.
+            unsafe {
+                (&raw mut (*block).magic).write(0);
+                (&raw mut (*block).family).write(BLANK_FAMILY);
+                (*block).family.set_checked(params, axis)?;
+                (*block).magic = MAGIC_FAMILY;
+            }
+            return Ok(DASHPOT_OK);
+        }
         Model::check(params)?;
         // SAFETY: `model` is aligned, not null, and room for a block that is the caller's alone; a parameter set is never inside
         // it. Written before it is referred to: the caller's memory may never have been.

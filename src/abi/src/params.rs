@@ -6,13 +6,17 @@
 use core::ffi::c_char;
 use core::mem::{align_of, offset_of, size_of};
 
+use dashpot_core::family::Axis;
+use dashpot_core::family::Family;
+use dashpot_core::family::axis::{ENTRIES, can_vary, index_of};
 use dashpot_core::model_file;
 use dashpot_core::parameter::{Element, Row, table};
 use dashpot_core::{Fault, Model, Params};
 
 use crate::pointer::{array, exclusive, one_of, shared, usable};
 use crate::status::{
-    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT, Refused, status,
+    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT, DASHPOT_UNKNOWN_NAME,
+    Refused, status,
 };
 use crate::table::parameter_name;
 use crate::text;
@@ -27,7 +31,7 @@ pub struct dashpot_params {
     /// DASHPOT_ABI_VERSION.
     pub abi_version: u32,
     /// The library's.
-    pub opaque: [u64; 1023],
+    pub opaque: [u64; 2047],
 }
 
 /// What was refused, and where.
@@ -48,12 +52,13 @@ struct Filled {
     abi_version: u32,
     magic: u64,
     values: Params,
+    axis: Axis,
 }
 
-const MAGIC: u64 = magic("params", size_of::<Params>());
+const MAGIC: u64 = magic("params", size_of::<Params>() + size_of::<Axis>());
 
 const _: () = {
-    assert!(size_of::<dashpot_params>() == 8192 && size_of::<Filled>() <= size_of::<dashpot_params>());
+    assert!(size_of::<dashpot_params>() == 16384 && size_of::<Filled>() <= size_of::<dashpot_params>());
     assert!(align_of::<dashpot_params>() == 16 && align_of::<Filled>() == 16);
     assert!(offset_of!(dashpot_params, abi_version) == offset_of!(Filled, abi_version));
 };
@@ -85,6 +90,38 @@ pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Par
     if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.values) }
 }
 
+/// The setting that they depend on; without a grid where they depend on none.
+///
+/// # Safety
+/// As [`shared`].
+pub(crate) unsafe fn axis<'a>(params: *const dashpot_params) -> Result<&'a Axis, Refused> {
+    // SAFETY: the caller's promise is that of `values`.
+    unsafe { values(params) }?;
+    // SAFETY: not null, aligned and filled by the question before.
+    Ok(unsafe { &(*params.cast::<Filled>()).axis })
+}
+
+/// As [`axis`], to be changed.
+///
+/// # Safety
+/// As [`exclusive`].
+pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Axis, Refused> {
+    // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
+    unsafe { values(params) }?;
+    // SAFETY: not null, aligned and filled by the question before; nobody else uses it by the caller's promise.
+    Ok(unsafe { &mut (*params.cast::<Filled>()).axis })
+}
+
+/// Index among the numbers of the setting that the C string spells.
+///
+/// # Safety
+/// As [`one_of`].
+unsafe fn entry(name: *const c_char) -> Result<usize, Refused> {
+    // SAFETY: the caller's promise is that of `one_of`.
+    let entry = unsafe { one_of(name, ENTRIES.iter(), |entry| entry.name) }?;
+    index_of(entry.name.as_bytes()).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
+}
+
 /// The values, to be changed.
 ///
 /// # Safety
@@ -100,7 +137,7 @@ unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, 
 ///
 /// # Safety
 /// As [`one_of`].
-unsafe fn parameter(name: *const c_char) -> Result<Row, Refused> {
+pub(crate) unsafe fn parameter(name: *const c_char) -> Result<Row, Refused> {
     // SAFETY: the caller's promise is that of `one_of`.
     unsafe { one_of(name, table(), |row| row.parameter.name) }
 }
@@ -134,20 +171,30 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
         // SAFETY: `block` has looked at size and alignment; written before it is referred to.
         unsafe {
             (&raw mut (*block).values).write(Params::new());
+            (&raw mut (*block).axis).write(Axis::NONE);
             (*block).magic = MAGIC;
         }
         Ok(DASHPOT_OK)
     })())
 }
 
-/// Sets one number, or a choice by its number.
+/// Sets one number, or a choice by its number. Of a number that depends on the setting: the same at all settings from then on.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, row) = unsafe { (values_mut(params)?, parameter(name)?) };
-        params.set(row.try_into()?, value)?;
+        let (row, entry) = unsafe { (parameter(name), entry(name)) };
+        if let Ok(index) = entry {
+            // SAFETY: as above.
+            unsafe { axis_mut(params) }?.set_number(index, value)?;
+            return Ok(DASHPOT_OK);
+        }
+        // SAFETY: as above.
+        let (params, axis) = unsafe { (values_mut(params)?, axis_mut(params)?) };
+        let number = row?.try_into()?;
+        params.set(number, value)?;
+        axis.forget_values(number);
         Ok(DASHPOT_OK)
     })())
 }
@@ -164,10 +211,14 @@ pub unsafe extern "C" fn dashpot_params_set_list(
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, row) = unsafe { (values_mut(params)?, parameter(name)?) };
+        let (params, axis, row) = unsafe { (values_mut(params)?, axis_mut(params)?, parameter(name)?) };
         // SAFETY: null, misaligned, or that many numbers of the caller's: the manual's promise.
         let values = unsafe { array(values, count as usize) }?;
-        params.set_list(row.try_into()?, values)?;
+        let list = row.try_into()?;
+        params.set_list(list, values)?;
+        if can_vary(list) {
+            axis.forget_forces();
+        }
         Ok(DASHPOT_OK)
     })())
 }
@@ -182,8 +233,14 @@ pub unsafe extern "C" fn dashpot_params_get(
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, row, value) = unsafe { (values(params)?, parameter(name)?, exclusive(value)?) };
-        *value = params.number(row.try_into()?);
+        let (row, entry, value) = unsafe { (parameter(name), entry(name), exclusive(value)?) };
+        if let Ok(index) = entry {
+            // SAFETY: as above.
+            *value = unsafe { axis(params) }?.number(index);
+            return Ok(DASHPOT_OK);
+        }
+        // SAFETY: as above.
+        *value = unsafe { values(params) }?.number(row?.try_into()?);
         Ok(DASHPOT_OK)
     })())
 }
@@ -265,14 +322,16 @@ pub unsafe extern "C" fn dashpot_params_read(
         let text = unsafe { array(text.cast::<u8>(), length) }?;
         // SAFETY: null is asked for; else misaligned, or the caller's and used by nobody else: the manual's promise.
         let report = if fault.is_null() { None } else { Some(unsafe { exclusive(fault) }?) };
-        let mut values = Params::new();
-        let (line, found) = match model_file::read(text, &mut values) {
+        let (line, found) = match model_file::check_family(text) {
             Ok(()) => {
                 // SAFETY: `block` has looked at size and alignment; written before it is referred to, since the
                 // caller's memory may never have been.
                 unsafe {
-                    (&raw mut (*block).values).write(values);
+                    (&raw mut (*block).values).write(Params::new());
+                    (&raw mut (*block).axis).write(Axis::NONE);
                     (*block).magic = MAGIC;
+                    // What was checked can be read.
+                    let _ = model_file::read_checked(text, &mut (*block).values, &mut (*block).axis);
                 }
                 (0, None)
             }
@@ -296,8 +355,8 @@ pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fau
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
         // zero-terminated: the manual's promise.
-        let (params, report) = unsafe { (values(params)?, exclusive(fault)?) };
-        let found = Model::check(params).err();
+        let (params, axis, report) = unsafe { (values(params)?, axis(params)?, exclusive(fault)?) };
+        let found = if axis.is_some() { Family::check(params, axis) } else { Model::check(params) }.err();
         let code = found.map_or(DASHPOT_OK, |fault| Refused::from(fault).0);
         fill(report, code, 0, found.and_then(|fault| parameter_name(fault.parameter)).map(str::as_bytes));
         Ok(code)

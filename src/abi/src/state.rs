@@ -1,6 +1,6 @@
 //! State
 //!
-//! All that a damper remembers, friction hysteresis included, is in its state: fourteen numbers that the host owns. To
+//! All that a damper remembers, friction hysteresis included, is in its state: numbers that the host owns. To
 //! try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
 //! repeats the first to the last bit.
 //!
@@ -14,10 +14,11 @@
 
 use core::mem::{align_of, offset_of, size_of};
 
+use dashpot_core::family::Delay;
 use dashpot_core::{Input, Output, State};
 
 use crate::input::{self, dashpot_input, sane};
-use crate::model::{dashpot_model, prepared};
+use crate::model::{dashpot_model, family, prepared};
 use crate::pointer::{aligned, exclusive, present};
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_BAD_STATE, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Refused, status};
 
@@ -39,6 +40,8 @@ pub struct dashpot_state {
     pub layout: f64,
     /// 0.
     pub reserved: f64,
+    /// Of a damper that depends on a setting: the commands of the last dead time. The library's, as layout.
+    pub commands: [f64; 20],
 }
 
 /// Answer at one instant.
@@ -68,7 +71,9 @@ pub struct dashpot_output {
 
 // The kernel's own structures under C names: the same bytes, so that a step writes straight to the host.
 const _: () = {
-    assert!(size_of::<dashpot_state>() == size_of::<State>() && align_of::<dashpot_state>() == align_of::<State>());
+    assert!(size_of::<dashpot_state>() == size_of::<State>() + size_of::<Delay>());
+    assert!(align_of::<dashpot_state>() == align_of::<State>() && align_of::<Delay>() == align_of::<State>());
+    assert!(offset_of!(dashpot_state, commands) == size_of::<State>());
     assert!(offset_of!(dashpot_state, displacement) == offset_of!(State, displacement));
     assert!(offset_of!(dashpot_state, velocity) == offset_of!(State, velocity));
     assert!(offset_of!(dashpot_state, mass_displacement) == offset_of!(State, mass_displacement));
@@ -108,6 +113,15 @@ pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Refused> 
     if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Refused(DASHPOT_BAD_STATE)) }
 }
 
+/// The commands of the last dead time in a state: other than the numbers before them these are only read where they belong to the damper.
+///
+/// # Safety
+/// Null is not allowed; an aligned state that is the caller's.
+pub(crate) unsafe fn commands(state: *mut dashpot_state) -> *mut Delay {
+    // SAFETY: the caller's promise; the same bytes under another name (asserted above).
+    unsafe { (&raw mut (*state).commands).cast() }
+}
+
 /// Refuses what could not be computed.
 #[inline(always)]
 pub(crate) fn computed(numbers: bool) -> Result<(), Refused> {
@@ -127,8 +141,20 @@ pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Refus
     }
 }
 
+/// Writes a state whole.
+///
+/// # Safety
+/// An aligned state that is the caller's.
+unsafe fn put(to: *mut dashpot_state, state: State, delay: Delay) {
+    // SAFETY: the caller's promise; the same bytes (asserted above).
+    unsafe {
+        *to.cast::<State>() = state;
+        *commands(to) = delay;
+    }
+}
+
 /// The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
-/// gives the static force.
+/// gives the static force. Where the damper depends on a setting, it has long been the start setting.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_state_init(
     model: *const dashpot_model,
@@ -138,13 +164,19 @@ pub unsafe extern "C" fn dashpot_state_init(
     status((|| {
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's
         // promise.
-        let (model, state) = unsafe { (prepared(model)?, exclusive(state.cast::<State>())?) };
+        let (to, plain) = unsafe { (exclusive(state)?, prepared(model)) };
         if !sane(initial_position) {
             return Err(Refused(DASHPOT_BAD_INPUT));
         }
-        let settled = model.settled(&Input::motion(initial_position, 0.0));
+        let at = Input::motion(initial_position, 0.0);
+        // SAFETY: as above.
+        let (settled, delay) = match plain {
+            Ok(model) => (model.settled(&at), Delay::UNSET),
+            Err(_) => unsafe { family(model) }.map(|family| (family.settled(&at, None), family.settled_delay(None)))?,
+        };
         computed(settled.is_finite())?;
-        *state = settled;
+        // SAFETY: aligned, not null and the caller's by the questions before; the same bytes (asserted above).
+        unsafe { put(to, settled, delay) };
         Ok(DASHPOT_OK)
     })())
 }
@@ -161,11 +193,20 @@ pub unsafe extern "C" fn dashpot_state_init_motion(
         aligned!(input);
         // SAFETY: the input is aligned by the question before; each pointer is null, misaligned, or the caller's and used by
         // nobody else meanwhile: the manual's promise.
-        let (model, state) = unsafe { (prepared(model)?, exclusive(state.cast::<State>())?) };
+        let (to, plain) = unsafe { (exclusive(state)?, prepared(model)) };
         // SAFETY: as above.
-        let settled = model.settled(&unsafe { input::checked(input) }?);
+        let at = unsafe { input::checked(input) }?;
+        // SAFETY: as above.
+        let (settled, delay) = match plain {
+            Ok(model) => (model.settled(&at), Delay::UNSET),
+            Err(_) => unsafe {
+                let (family, setting) = (family(model)?, input::setting(input)?);
+                (family.settled(&at, setting), family.settled_delay(setting))
+            },
+        };
         computed(settled.is_finite())?;
-        *state = settled;
+        // SAFETY: aligned, not null and the caller's by the questions before; the same bytes (asserted above).
+        unsafe { put(to, settled, delay) };
         Ok(DASHPOT_OK)
     })())
 }

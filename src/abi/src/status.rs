@@ -17,6 +17,8 @@ pub const DASHPOT_OK: i32 = 0;
 pub const DASHPOT_OUTSIDE_RANGE: i32 = 1;
 /// Warning bit: the step is longer than 0.01 s; fast motion inside it is not resolved.
 pub const DASHPOT_LONG_STEP: i32 = 2;
+/// Warning bit: the setting lies outside the grid of the family and is clamped to it.
+pub const DASHPOT_OUTSIDE_SETTING: i32 = 4;
 
 /// A pointer is null.
 pub const DASHPOT_NULL: i32 = -1;
@@ -98,12 +100,22 @@ pub const DASHPOT_FILE_CUT_OFF: i32 = -36;
 pub const DASHPOT_OUT_OF_PROPORTION: i32 = -37;
 /// Model file: a table is named as an element; parameters stand above the first [table].
 pub const DASHPOT_FILE_ELEMENT_TABLE: i32 = -38;
+/// The grid of a setting is not 2 to 8 increasing numbers, or something of a setting is given and no grid.
+pub const DASHPOT_SETTING_GRID: i32 = -39;
+/// Not one value for each setting of the grid.
+pub const DASHPOT_SETTING_COUNT: i32 = -40;
+/// A parameter that cannot depend on the setting: a word, a list other than fv_force, or one of the integration.
+pub const DASHPOT_SETTING_FIXED: i32 = -41;
+/// More than 32 numbers depend on the setting.
+pub const DASHPOT_SETTING_TOO_MANY: i32 = -42;
+/// A number is 0 at one setting and not at another, and with it a state is there or not.
+pub const DASHPOT_SETTING_STATES: i32 = -43;
 
 /// Longest text, with the closing zero.
 const LENGTH: usize = 128;
 
 /// The one list of codes and texts.
-static TEXTS: [(i32, [u8; LENGTH]); 42] = [
+static TEXTS: [(i32, [u8; LENGTH]); 51] = [
     (DASHPOT_OK, padded("success")),
     (
         DASHPOT_OUTSIDE_RANGE,
@@ -113,6 +125,19 @@ static TEXTS: [(i32, [u8; LENGTH]); 42] = [
     (
         DASHPOT_OUTSIDE_RANGE | DASHPOT_LONG_STEP,
         padded("velocity outside the identified force-velocity curve, and step longer than 0.01 s"),
+    ),
+    (DASHPOT_OUTSIDE_SETTING, padded("setting outside the grid of the family, to which it is clamped")),
+    (
+        DASHPOT_OUTSIDE_RANGE | DASHPOT_OUTSIDE_SETTING,
+        padded("velocity outside the identified force-velocity curve, and setting outside the grid of the family"),
+    ),
+    (
+        DASHPOT_LONG_STEP | DASHPOT_OUTSIDE_SETTING,
+        padded("step longer than 0.01 s, and setting outside the grid of the family"),
+    ),
+    (
+        DASHPOT_OUTSIDE_RANGE | DASHPOT_LONG_STEP | DASHPOT_OUTSIDE_SETTING,
+        padded("velocity outside the curve, setting outside the grid of the family, and step longer than 0.01 s"),
     ),
     (DASHPOT_NULL, padded("a pointer is null")),
     (DASHPOT_MISALIGNED, padded("an address is not aligned for what it points to")),
@@ -164,6 +189,11 @@ static TEXTS: [(i32, [u8; LENGTH]); 42] = [
     (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
     (DASHPOT_FILE_CUT_OFF, padded(Problem::CutOff.text())),
     (DASHPOT_FILE_ELEMENT_TABLE, padded(Problem::ElementTable.text())),
+    (DASHPOT_SETTING_GRID, padded(Reason::SettingGrid.text())),
+    (DASHPOT_SETTING_COUNT, padded(Reason::SettingCount.text())),
+    (DASHPOT_SETTING_FIXED, padded(Reason::SettingFixed.text())),
+    (DASHPOT_SETTING_TOO_MANY, padded(Reason::SettingTooMany.text())),
+    (DASHPOT_SETTING_STATES, padded(Reason::SettingStates.text())),
     (DASHPOT_NO_SUCH_STATE, padded("the model has no state with this number")),
     (DASHPOT_NO_SUCH_ROW, padded("the parameter table has no row with this number")),
 ];
@@ -208,6 +238,11 @@ impl From<Reason> for Refused {
             Reason::NeedsSeries => DASHPOT_NEEDS_SERIES,
             Reason::TooClose => DASHPOT_TOO_CLOSE,
             Reason::TooSteep => DASHPOT_TOO_STEEP,
+            Reason::SettingGrid => DASHPOT_SETTING_GRID,
+            Reason::SettingCount => DASHPOT_SETTING_COUNT,
+            Reason::SettingFixed => DASHPOT_SETTING_FIXED,
+            Reason::SettingTooMany => DASHPOT_SETTING_TOO_MANY,
+            Reason::SettingStates => DASHPOT_SETTING_STATES,
         })
     }
 }
@@ -225,6 +260,9 @@ impl From<Problem> for Refused {
             Problem::CutOff => DASHPOT_FILE_CUT_OFF,
             Problem::ElementTable => DASHPOT_FILE_ELEMENT_TABLE,
             Problem::Parameter(fault) => return fault.reason.into(),
+            Problem::Setting(reason) => return reason.into(),
+            // A file of a family is none for whoever wants an ordinary damper; this interface takes both.
+            Problem::Family => DASHPOT_SETTING_GRID,
         })
     }
 }
@@ -255,6 +293,6 @@ mod tests {
             seen += 1;
         }
         // All but the texts for warnings that come together.
-        assert_eq!(seen + 1, TEXTS.len());
+        assert_eq!(seen + 4, TEXTS.len());
     }
 }

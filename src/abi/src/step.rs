@@ -10,6 +10,7 @@
 use dashpot_core::step::{LONG_STEP, force_in_place, step_in_place};
 use dashpot_core::{Input, Model, Output, State};
 
+use crate::family as over_setting;
 use crate::input::{self, dashpot_input, sane};
 use crate::model::{dashpot_model, prepared, prepared_aligned, ready};
 use crate::pointer::{aligned, present};
@@ -27,13 +28,13 @@ const SHORTEST_STEP: f64 = 1e-15;
 // Written out: `contains` costs seven instructions more in every step.
 #[allow(clippy::manual_range_contains)]
 #[inline(always)]
-fn checked_step(dt: f64) -> Result<f64, Refused> {
+pub(crate) fn checked_step(dt: f64) -> Result<f64, Refused> {
     if dt >= SHORTEST_STEP && dt <= LONGEST_STEP || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
 }
 
 /// The warnings for a step.
 #[inline(always)]
-fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
+pub(crate) fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
     if dt > LONG_STEP {
         return long(model, velocity);
     }
@@ -61,7 +62,7 @@ fn outside(model: &Model, velocity: f64) -> i32 {
     if model.covers(velocity) { DASHPOT_OK } else { DASHPOT_OUTSIDE_RANGE }
 }
 
-/// The shortest way: velocity (m/s) in, force (N) out. Moves *state on by dt (s); the displacement is integrated from
+/// The shortest way: velocity (m/s) in, force (N) out; of a damper that depends on a setting at its start setting (else dashpot_force_setting()). Moves *state on by dt (s); the displacement is integrated from
 /// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
 /// partial derivatives.
 #[unsafe(no_mangle)]
@@ -75,7 +76,10 @@ pub unsafe extern "C" fn dashpot_force(
     status((|| {
         aligned!(model, state, force);
         // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
-        let model = unsafe { prepared_aligned(model)? };
+        let Ok(model) = (unsafe { prepared_aligned(model) }) else {
+            // SAFETY: as above.
+            return unsafe { over_setting::force(model, state, velocity, None, dt, force) };
+        };
         // SAFETY: as the model.
         unsafe { finite(state)? };
         if !sane(velocity) {
@@ -106,7 +110,10 @@ pub unsafe extern "C" fn dashpot_step(
     status((|| {
         aligned!(model, from, to_input, to, output);
         // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
-        let model = unsafe { prepared_aligned(model)? };
+        let Ok(model) = (unsafe { prepared_aligned(model) }) else {
+            // SAFETY: as above.
+            return unsafe { over_setting::step(model, from, to_input, dt, to, output) };
+        };
         // SAFETY: as the model.
         unsafe { finite(from)? };
         // SAFETY: as the model.
@@ -126,7 +133,7 @@ pub unsafe extern "C" fn dashpot_step(
 /// # Safety
 /// Valid, aligned pointers; `from` and `to` may be the same.
 #[inline(always)]
-unsafe fn move_on(
+pub(crate) unsafe fn move_on(
     model: &Model,
     from: *const dashpot_state,
     input: &Input,
@@ -192,7 +199,9 @@ pub unsafe extern "C" fn dashpot_step_batch(
                 let model = *models.add(i);
                 // The corners of a car share a model or two: asked once for each in a row.
                 if model != known || known.is_null() {
-                    prepared(model)?;
+                    if prepared(model).is_err() {
+                        return over_setting::step_batch(count, models, from, to_inputs, dt, to, outputs);
+                    }
                     known = model;
                 }
                 finite(from.add(i))?;

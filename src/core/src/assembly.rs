@@ -1,16 +1,19 @@
 //! The elements of one model put together: prepared, and summed where they act.
 
 use crate::element::{Force, Memory, Motion, Prepare, Response, VisitMemory};
+use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
+use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::list::each_element;
 use crate::math::larger;
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
-use crate::paths::Paths;
 use crate::paths::bits::{FADE, SERIES};
 use crate::paths::slots::states_of;
-use crate::preparing::{checked, placed};
+use crate::paths::{Paths, RenewedPaths};
+use crate::preparing::{Keep, checked, placed};
 use crate::state::{MAX_MEMORY, Output};
+use crate::tables::{Held, Owned, Tables};
 
 /// What acts between the ends or, where the series compliance carries the whole, on the mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +39,7 @@ macro_rules! assembled {
         series { $series:ident: $Series:ty }
         series_law { $($law:ident: $Law:ty,)* }
         hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+        late { $late:ident: $Late:ty }
         inner { $($inner:ident: $Inner:ty,)* }
         friction { $($friction:ident: $Friction:ty,)* }
         preload { $($preload:ident: $Preload:ty,)* }
@@ -47,27 +51,30 @@ macro_rules! assembled {
         /// The prepared elements of one model.
         #[derive(Clone, Copy, Debug)]
         #[repr(C)]
-        pub struct Elements {
+        pub struct Elements<T: Tables = Owned> {
             on: u64,
             /// Those in the way of the force, which act on each other.
-            pub paths: Paths,
+            pub paths: Paths<T>,
             $($inner: $Inner,)*
-            $($friction: $Friction,)*
-            $($preload: $Preload,)*
-            $($memory: $Memory,)*
-            $($stop: $Stop,)*
+            $($friction: T::Kept<$Friction>,)*
+            $($preload: T::Kept<$Preload>,)*
+            $($memory: T::Kept<$Memory>,)*
+            $($stop: T::Kept<$Stop>,)*
         }
 
         impl Elements {
             /// No element.
-            pub const OFF: Elements = Elements {
+            pub const OFF: Elements = {
+                type T = Owned;
+                Elements {
                 on: 0,
                 paths: Paths::OFF,
                 $($inner: <$Inner>::OFF,)*
-                $($friction: <$Friction>::OFF,)*
-                $($preload: <$Preload>::OFF,)*
-                $($memory: <$Memory>::OFF,)*
-                $($stop: <$Stop>::OFF,)*
+                $($friction: Held(<$Friction>::OFF),)*
+                $($preload: Held(<$Preload>::OFF),)*
+                $($memory: Held(<$Memory>::OFF),)*
+                $($stop: Held(<$Stop>::OFF),)*
+                }
             };
 
             /// Whether the elements that are on can be prepared, one by one and together.
@@ -75,6 +82,7 @@ macro_rules! assembled {
             /// # Errors
             /// The parameter that does not fit.
             pub fn check(params: &Params) -> Result<(), Fault> {
+                type T = Owned;
                 let on = |place: Place| params.elements() & (1 << place as usize) != 0;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
@@ -90,12 +98,16 @@ macro_rules! assembled {
                 $(each!($memory, $Memory);)*
                 $(each!($stop, $Stop);)*
                 Paths::check_together(params)?;
-                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
-                let beside = (params.elements() & MEMORY).count_ones() as usize;
-                if states_of(params) + beside > MAX_MEMORY {
+                if Elements::memories_of(params) > MAX_MEMORY {
                     return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
                 }
                 Ok(())
+            }
+
+            /// Number of private states that a set asks for.
+            pub(crate) fn memories_of(params: &Params) -> usize {
+                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
             /// Largest slope of the elements on the internal mass over the displacements `places`.
@@ -104,6 +116,7 @@ macro_rules! assembled {
             /// The parameter that does not fit.
             #[inline(never)]
             pub fn steepest_inner(params: &Params, places: impl Iterator<Item = f64>) -> Result<f64, Fault> {
+                type T = Owned;
                 $(
                     let mut $inner = <$Inner>::OFF;
                     if params.elements() & (1 << Place::$inner as usize) != 0 {
@@ -125,7 +138,7 @@ macro_rules! assembled {
                 self.on = on;
                 macro_rules! each {
                     ($name:ident) => {
-                        placed(&mut self.$name, on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                        placed(self.$name.kept(), on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
                     };
                 }
                 self.paths.set(params);
@@ -139,6 +152,56 @@ macro_rules! assembled {
                 }
             }
 
+            /// The elements at a setting, with the FV curve there. All are borrowed: from the family, or from those that are made ready for the setting.
+            #[inline(always)]
+            pub(crate) fn lent<'a>(
+                &'a self,
+                fv: Section<'a>,
+                numbers: &impl Numbers,
+                renewed: &'a mut Renewed,
+            ) -> Elements<Lent<'a>> {
+                type T = Owned;
+                macro_rules! each {
+                    ($name:ident, $Type:ty) => {
+                        kept!(self, numbers, renewed, $name, $Type)
+                    };
+                }
+                Elements {
+                    on: self.on,
+                    paths: self.paths.lent(fv, numbers, &mut renewed.paths),
+                    $($inner: lent_or_renewed!(self, numbers, $inner, $Inner),)*
+                    $($friction: each!($friction, $Friction),)*
+                    $($preload: each!($preload, $Preload),)*
+                    $($memory: each!($memory, $Memory),)*
+                    $($stop: each!($stop, $Stop),)*
+                }
+            }
+        }
+
+        /// Elements that were made ready for a setting.
+        pub(crate) struct Renewed {
+            paths: RenewedPaths,
+            $($friction: Option<$Friction>,)*
+            $($preload: Option<$Preload>,)*
+            $($memory: Option<$Memory>,)*
+            $($stop: Option<$Stop>,)*
+        }
+
+        impl Renewed {
+            /// None. No constant, which would be copied whole.
+            #[inline(always)]
+            pub(crate) fn none() -> Renewed {
+                Renewed {
+                    paths: RenewedPaths::none(),
+                    $($friction: None,)*
+                    $($preload: None,)*
+                    $($memory: None,)*
+                    $($stop: None,)*
+                }
+            }
+        }
+
+        impl<T: Tables> Elements<T> {
             #[inline(always)]
             fn has(&self, place: Place) -> bool {
                 self.on & (1 << place as usize) != 0
@@ -277,7 +340,7 @@ macro_rules! assembled {
             /// Whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
             #[inline(always)]
             pub fn has_paths(&self) -> bool {
-                const PATHS: u64 = CARRIES_WHOLE | Paths::COUPLED;
+                const PATHS: u64 = CARRIES_WHOLE | Paths::<Owned>::COUPLED;
                 self.on & PATHS != 0
             }
 
@@ -291,8 +354,8 @@ macro_rules! assembled {
             /// Whether the internal mass is there and nothing that its plain step does not know.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
-                const REST: u64 = Paths::MASS | CARRIES_WHOLE | Paths::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
-                self.on & REST == Paths::MASS
+                const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & REST == Paths::<Owned>::MASS
             }
 
             /// As [`Elements::each_memory`], each as what it is, by code of its own.
@@ -300,7 +363,7 @@ macro_rules! assembled {
             pub fn each_own_memory(&self, visitor: &mut impl VisitMemory) {
                 let mut place = self.paths.slots().count();
                 $(if self.has(Place::$memory) {
-                    visitor.visit(place, &self.$memory);
+                    visitor.visit(place, &*self.$memory);
                     place += 1;
                 })*
                 debug_assert!(place <= MAX_MEMORY);
@@ -327,7 +390,7 @@ impl<F: FnMut(usize, &dyn Memory)> VisitMemory for Shown<F> {
     }
 }
 
-impl Elements {
+impl<T: Tables> Elements<T> {
     /// Where friction and preload act on the mass, takes them out of the force of the springs there and counts them where they
     /// belong.
     #[inline(always)]
@@ -341,14 +404,16 @@ impl Elements {
     }
 }
 
-impl Elements {
+impl<T: Tables> Elements<T> {
     /// Whether the fade is all that acts in the paths, and scales the whole FV curve by a factor that the host's temperature gives: such
     /// a damper takes the plain step. Springs that bend are solved to rounding in the paths alone.
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
         self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.bends()
     }
+}
 
+impl Elements {
     /// Gives one element what another one brings along: the internal mass, a mass inside.
     pub(crate) fn join(&mut self) {
         self.paths.join();

@@ -107,6 +107,14 @@ pub trait Prepare: Describe + Sized {
     /// The parameter that does not fit the others.
     fn prepare(parameters: &View<Self>) -> Result<Self, Fault>;
 
+    /// Whether it can be made ready; large elements have one of their own, which takes no room for it.
+    ///
+    /// # Errors
+    /// As [`Prepare::prepare`].
+    fn check(parameters: &View<Self>) -> Result<(), Fault> {
+        Self::prepare(parameters).map(|_| ())
+    }
+
     /// As [`Prepare::prepare`], where the element is kept; large elements have one of their own.
     ///
     /// # Errors

@@ -8,6 +8,7 @@ use crate::input::Input;
 use crate::model::Model;
 use crate::state::MAX_MEMORY;
 use crate::state::{Output, State};
+use crate::tables::{ForceLaw, Tables};
 use paths::Beside;
 
 /// All partial derivatives of force and state rates at one instant.
@@ -59,14 +60,19 @@ fn displacement(state: &State, input: &Input) -> f64 {
 
 /// Force at a state, with the slopes over the input at constant state.
 pub fn force(model: &Model, state: &State, input: &Input) -> Output {
+    force_of(model, state, input)
+}
+
+/// As [`force`], of a model whose tables may be borrowed.
+pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Output {
     if !model.has_laid_out(state) {
-        return force(model, &model.laid_out(state), input);
+        return force_of(model, &model.converted(state), input);
     }
     force_with(model, state, input, Beside::Nothing)
 }
 
 /// As [`force`] of a state that is laid out, with what is asked of the paths beside it: both come of one instant.
-fn force_with(model: &Model, state: &State, input: &Input, beside: Beside) -> Output {
+fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: Beside) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let outer = at(x, v, input);
@@ -115,7 +121,7 @@ fn force_with(model: &Model, state: &State, input: &Input, beside: Beside) -> Ou
 }
 
 /// Adds the elements beside the damper that have private states.
-fn memories(model: &Model, state: &State, outer: &Motion, output: &mut Output) {
+fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &mut Output) {
     model.elements.each_memory(|place, element| {
         let z = state.memory.get(place).copied().unwrap_or(0.0);
         let recall = element.recall(outer, z);
@@ -128,8 +134,13 @@ fn memories(model: &Model, state: &State, outer: &Motion, output: &mut Output) {
 
 /// Force and state rates at a state. `rate.velocity` is 0: it is no state but the last input.
 pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) {
+    evaluate_of(model, state, input)
+}
+
+/// As [`evaluate`], of a model whose tables may be borrowed.
+pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Input) -> (Output, State) {
     if !model.has_laid_out(state) {
-        return evaluate(model, &model.laid_out(state), input);
+        return evaluate_of(model, &model.converted(state), input);
     }
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
@@ -153,8 +164,13 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
 
 /// All partials at a state.
 pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
+    partials_of(model, state, input)
+}
+
+/// As [`partials`], of a model whose tables may be borrowed.
+pub(crate) fn partials_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Partials {
     if !model.has_laid_out(state) {
-        return partials(model, &model.laid_out(state), input);
+        return partials_of(model, &model.converted(state), input);
     }
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);

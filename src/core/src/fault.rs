@@ -47,6 +47,16 @@ pub enum Reason {
     TooManyStates,
     /// An element that bends the series compliance, without it.
     NeedsSeries,
+    /// The grid of a setting is none.
+    SettingGrid,
+    /// Values over a setting, of which there are not as many as the grid has.
+    SettingCount,
+    /// Something that cannot depend on the setting.
+    SettingFixed,
+    /// More numbers depend on the setting than there is room for.
+    SettingTooMany,
+    /// The damper has other private states at one setting than at another.
+    SettingStates,
 }
 
 impl Reason {
@@ -76,6 +86,15 @@ impl Reason {
             Reason::NeedsSeries => "belongs to an element that needs series_compliance, which is off",
             Reason::TooManyStates => {
                 "the elements that are on have more than 8 private states; switch some of them off"
+            }
+            Reason::SettingGrid => "must be 2 to 8 increasing numbers, in a line setting = [...] of the model file",
+            Reason::SettingCount => "needs one value for each value of the setting",
+            Reason::SettingFixed => {
+                "cannot depend on the setting; single numbers of elements and the list fv_force can"
+            }
+            Reason::SettingTooMany => "is one number too many that depends on the setting; at most 32 can",
+            Reason::SettingStates => {
+                "is 0 at one setting and not at another, which adds a state; make it small there and not 0"
             }
         }
     }

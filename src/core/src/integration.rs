@@ -90,6 +90,19 @@ pub enum Method {
     BackwardEuler,
 }
 
+impl Method {
+    /// Number of stages.
+    pub(crate) fn stages(self) -> u32 {
+        match self {
+            Method::Fourth => 5,
+            Method::Third => 4,
+            Method::ThreeStage => 3,
+            Method::Second => 2,
+            Method::Euler | Method::BackwardEuler => 1,
+        }
+    }
+}
+
 impl Integration {
     /// One step of the method of fourth order.
     pub const OFF: Integration = Integration {

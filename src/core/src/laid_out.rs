@@ -4,25 +4,25 @@ use crate::input::Input;
 use crate::layout::{MARK, bits, slot};
 use crate::model::Model;
 use crate::state::State;
+use crate::tables::Tables;
 
-impl Model {
+impl<T: Tables> Model<T> {
     /// Whether the private states of a state are those of this model.
     #[inline(always)]
     pub(crate) fn has_laid_out(&self, state: &State) -> bool {
         state.layout == self.layout
     }
 
-    /// A state as this model has it: what an element remembers goes with it, and an element that was off begins settled where the
-    /// driven end is. A state whose layout nobody wrote is taken for one of this model.
+    /// A state as this model has it: see [`Model::laid_out`].
     #[cold]
     #[inline(never)]
-    pub fn laid_out(&self, state: &State) -> State {
+    pub(crate) fn converted(&self, state: &State) -> State {
         let own = State { layout: self.layout, ..*state };
         let (Some(before), Some(now)) = (bits(state.layout), bits(self.layout)) else { return own };
         if before == now {
             return own;
         }
-        let mut memory = self.settled(&Input::motion(state.displacement, state.velocity)).memory;
+        let mut memory = self.equilibrium(&Input::motion(state.displacement, state.velocity)).memory;
         for kind in 0..MARK.trailing_zeros() {
             if let (Some(from), Some(to)) = (slot(before, kind), slot(now, kind))
                 && let (Some(from), Some(to)) = (state.memory.get(from), memory.get_mut(to))
@@ -31,5 +31,15 @@ impl Model {
             }
         }
         State { memory, ..own }
+    }
+}
+
+impl Model {
+    /// A state as this model has it: what an element remembers goes with it, and an element that was off begins settled where the
+    /// driven end is. A state whose layout nobody wrote is taken for one of this model.
+    #[cold]
+    #[inline(never)]
+    pub fn laid_out(&self, state: &State) -> State {
+        self.converted(state)
     }
 }

@@ -12,6 +12,17 @@ pub(crate) const MARK: u64 = 1 << 40;
 /// Kinds of states of the paths: places, of which two hold different things in different forms.
 const IN_PATHS: u32 = 11;
 
+/// Kinds of states of the actuator of a family, behind all others.
+pub(crate) const LAG: u64 = 1 << 30;
+/// See [`LAG`].
+pub(crate) const HYSTERESIS: u64 = 1 << 31;
+
+/// A layout with the states of an actuator.
+pub(crate) fn with_actuator(layout: f64, lag: bool, hysteresis: bool) -> f64 {
+    let own = if lag { LAG } else { 0 } | if hysteresis { HYSTERESIS } else { 0 };
+    (layout as u64 | own) as f64
+}
+
 /// The layout of an element set.
 pub(crate) fn of(e: &Elements) -> f64 {
     let paths = &e.paths;

@@ -12,6 +12,8 @@
 //!
 //! Private states take a place in [`crate::State::memory`] in the order of the list, those of elements that are on only.
 //!
+//! `T` stands for whoever keeps the tables of an element ([`crate::tables`]): who calls the list has it in scope.
+//!
 //! Whoever needs the list hands the name of a macro to [`each_element!`], which calls it with all blocks: the table makes its groups of
 //! them ([`crate::parameter::groups`]), the model its prepared set ([`crate::assembly`]).
 
@@ -21,7 +23,7 @@ macro_rules! each_element {
         $crate::paths::list::each_path_element! {
             $then
             inner {
-                parallel_spring: $crate::elements::parallel_spring::ParallelSpring,
+                parallel_spring: $crate::elements::parallel_spring::ParallelSpring<T>,
             }
             friction {
                 coulomb_friction: $crate::elements::coulomb_friction::CoulombFriction,

@@ -5,6 +5,7 @@ use crate::fault::{Fault, Reason};
 use crate::integration::Integration;
 use crate::parameter::{Element, Params};
 use crate::paths;
+use crate::tables::{ForceLaw, Owned, Tables};
 
 use crate::{element, number};
 
@@ -20,8 +21,8 @@ const MEMORY_UNITS: [(Element, &str); 3] =
 /// A prepared damper. Constant while it runs; one model serves any number of states.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub struct Model {
-    pub(crate) elements: Elements,
+pub struct Model<T: Tables = Owned> {
+    pub(crate) elements: Elements<T>,
     pub(crate) integration: Integration,
     /// Which private states its states hold.
     pub(crate) layout: f64,
@@ -60,6 +61,11 @@ impl Model {
         Ok(())
     }
 
+    /// Number of private states of a set that [`Model::check`] accepted.
+    pub(crate) fn memories_of(params: &Params) -> usize {
+        Elements::memories_of(params)
+    }
+
     /// As [`Model::new`], where the model is kept: it is too large for the stack of a small thread.
     ///
     /// # Errors
@@ -73,6 +79,13 @@ impl Model {
         Ok(())
     }
 
+    /// The same model with another integration.
+    pub fn with_integration(&self, integration: Integration) -> Model {
+        Model { integration, ..*self }
+    }
+}
+
+impl<T: Tables> Model<T> {
     /// Number of states that a solver of the host's has to integrate: those of the internal mass and the private ones of the
     /// elements that are on.
     pub fn states(&self) -> usize {
@@ -100,18 +113,13 @@ impl Model {
     }
 
     /// The prepared elements.
-    pub fn elements(&self) -> &Elements {
+    pub fn elements(&self) -> &Elements<T> {
         &self.elements
     }
 
     /// How a step is integrated.
     pub fn integration(&self) -> Integration {
         self.integration
-    }
-
-    /// The same model with another integration.
-    pub fn with_integration(&self, integration: Integration) -> Model {
-        Model { integration, ..*self }
     }
 
     /// Whether `velocity` lies inside the identified FV curve; outside, the curve is prolonged straight.

@@ -9,13 +9,27 @@
 //! fv_interpolation = "monotone_cubic"
 //! ```
 //!
+//! A damper over a setting names its grid, and gives numbers and the forces of the FV table as one value for each setting of it ([`crate::family`]):
+//!
+//! ```toml
+//! setting = [0.0, 0.8, 1.6]
+//! setting_name = "current"
+//! setting_unit = "A"
+//! gas_force = [80.0, 82.0, 85.0]
+//! fv_force = [[-900.0, 0.0, 1200.0], [-1500.0, 0.0, 2500.0], [-1900.0, 0.0, 3300.0]]
+//! ```
+//!
 //! A value is a number, a word in quotes, or a list, which may run over several lines. Parameters that the file does
 //! not name keep their defaults. Reading ends at the first `[table]`: what follows is for people and tools, not for
 //! the damper. A table that is named as an element is refused, for who wrote it meant its parameters. A file whose comment announces such a table (`# The lines up to [end] are the damper`), as all do that dashpot
 //! writes, and that ends before it was cut off: the parameters that are lost would silently take their defaults.
 
+use crate::family::Axis;
+use crate::family::axis::{ENTRIES, can_vary, check_entry, check_grid, check_text, check_values, index_of};
+use crate::family::interpolation::MAX_GRID;
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::number;
+use crate::parameter::values::check;
 use crate::parameter::{COUNT, Element, GROUPS, List, Number, Params, Row, Shape, table};
 
 /// Number that the key `format` must have.
@@ -55,6 +69,10 @@ pub enum Problem {
     ElementTable,
     /// The parameter table refuses the value.
     Parameter(Fault),
+    /// A number of the setting is none that it can have.
+    Setting(Reason),
+    /// The damper depends on a setting where an ordinary one is wanted.
+    Family,
 }
 
 impl Problem {
@@ -75,6 +93,14 @@ impl Problem {
                 "parameters stand above the first [table], in no table of their own; write them there and delete this heading"
             }
             Problem::Parameter(fault) => fault.reason.text(),
+            Problem::Setting(Reason::OutOfBounds) => {
+                "is out of its bounds: times and rates are not negative, and a time is at most 100 s, a dead time 10 s"
+            }
+            Problem::Setting(Reason::PointCount) => "is too long; at most 31 bytes",
+            Problem::Setting(reason) => reason.text(),
+            Problem::Family => {
+                "the damper depends on this setting, and what was asked takes a damper at one setting; write that with dashpot setting"
+            }
         }
     }
 }
@@ -88,15 +114,98 @@ pub const ANNOUNCES: &str = "# The lines up to [";
 /// Most numbers in one list.
 const LONGEST: usize = 64;
 
-/// Reads a model file into `params`, which start from the defaults.
+/// Reads a model file into `params`, which start from the defaults. A damper over a setting is rejected: see [`read_family`].
 ///
 /// # Errors
 /// The first thing wrong, with its line; `params` is then unchanged.
 pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
-    let mut read = Params::new();
+    if let (_, _, Some(line)) = grid_of(text)? {
+        return Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::Family });
+    }
+    let mut scratch = Params::BLANK;
+    read_into(text, &mut scratch, None)?;
+    *params = scratch;
+    Ok(())
+}
+
+/// Whether a text can be read by [`read_family`].
+///
+/// # Errors
+/// The first thing wrong, with its line.
+pub fn check_family(text: &[u8]) -> Result<(), ReadError> {
+    read_into(text, &mut Params::BLANK.clone(), None)
+}
+
+/// Reads a model file of an ordinary damper or of one over a setting. `params` are those at the start setting; `axis` has no grid where the damper is an
+/// ordinary one.
+///
+/// # Errors
+/// The first thing wrong, with its line; `params` and `axis` are then unchanged.
+pub fn read_family(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
+    // First into room of its own: what a caller keeps changes only where all of it can be read.
+    check_family(text)?;
+    read_checked(text, params, axis)
+}
+
+/// As [`read_family`], of a text that [`check_family`] accepted: it takes no room beside that of the caller, which it leaves in parts where it was not.
+///
+/// # Errors
+/// As [`read_family`].
+pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
+    axis.clear();
+    let (grid, count, line) = grid_of(text)?;
+    let Some(line) = line else { return read_into(text, params, None) };
+    let wrong = |_| ReadError { line, parameter: NO_PARAMETER, problem: Problem::Setting(Reason::SettingGrid) };
+    axis.set_grid(grid.get(..count).unwrap_or(&[])).map_err(wrong)?;
+    read_into(text, params, Some(axis))?;
+    axis.put(params, axis.start());
+    Ok(())
+}
+
+/// The grid that a text names, how many values it has, and its line; none where it names no setting.
+fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadError> {
+    let mut reader = Reader { rest: text, line: 1, announced: false };
+    if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
+        reader.rest = tail;
+    }
+    let mut grid = [0.0; MAX_GRID];
+    loop {
+        reader.blank(true);
+        let line = reader.line;
+        // What is no line of a model file is told by who reads all of it.
+        let Some(name) = reader.name() else { return Ok((grid, 0, None)) };
+        reader.blank(false);
+        if !reader.take(b'=') {
+            return Ok((grid, 0, None));
+        }
+        reader.blank(false);
+        if name != b"setting" {
+            reader.skip_value();
+            continue;
+        }
+        let wrong = |line| ReadError { line, parameter: NO_PARAMETER, problem: Problem::Setting(Reason::SettingGrid) };
+        let mut count = 0;
+        reader.list(|value, line| {
+            let (Value::Number(number), Some(slot)) = (value, grid.get_mut(count)) else { return Err(wrong(line)) };
+            *slot = number;
+            count += 1;
+            Ok(())
+        })?;
+        check_grid(grid.get(..count).unwrap_or(&[])).map_err(|_| wrong(line))?;
+        return Ok((grid, count, Some(line)));
+    }
+}
+
+/// Reads the text into values that it need not leave as they were; what depends on a setting goes to the `axis`, where there is one, and is only checked else.
+#[inline(never)]
+fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Result<(), ReadError> {
+    let (_, settings, _) = grid_of(text)?;
+    read.set_defaults();
     read.disable_all();
     let mut seen = [false; COUNT];
+    let mut seen_of_setting = [false; ENTRIES.len() + 3];
     let (mut has_format, mut has_elements) = (false, false);
+    let mut varying = 0;
     let mut reader = Reader { rest: text, line: 1, announced: false };
     // Some editors begin a file with a byte-order mark.
     if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
@@ -145,6 +254,22 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                     Ok(())
                 })?;
             }
+            _ if name == b"setting" || name.starts_with(b"setting_") => {
+                let index = match name {
+                    b"setting" => ENTRIES.len(),
+                    b"setting_name" => ENTRIES.len() + 1,
+                    b"setting_unit" => ENTRIES.len() + 2,
+                    _ => index_of(name).ok_or(at(UNKNOWN))?,
+                };
+                match seen_of_setting.get_mut(index) {
+                    Some(seen) if !*seen => *seen = true,
+                    _ => return Err(at(Problem::Repeated)),
+                }
+                if settings == 0 {
+                    return Err(at(Problem::Setting(Reason::SettingGrid)));
+                }
+                reader.setting(index, axis.as_deref_mut())?;
+            }
             _ => {
                 let row = table().find(|row| row.parameter.name.as_bytes() == name).ok_or(at(UNKNOWN))?;
                 let of_row = |error| ReadError { parameter: row.index as u16, ..error };
@@ -154,7 +279,12 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
                 if let Some(seen) = seen.get_mut(row.index) {
                     *seen = true;
                 }
-                reader.parameter(row, &mut read).map_err(of_row)?;
+                if settings > 0 && reader.is_over_setting(row) {
+                    varying += usize::from(!can_vary_list(row));
+                    reader.over_setting(row, settings, varying, axis.as_deref_mut(), read).map_err(of_row)?;
+                } else {
+                    reader.parameter(row, read).map_err(of_row)?;
+                }
             }
         }
         reader.blank(false);
@@ -169,7 +299,6 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     if !has_elements {
         return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: Problem::NoElements });
     }
-    *params = read;
     Ok(())
 }
 
@@ -183,7 +312,7 @@ pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
         Problem::UnknownElement => {
             find_word(line, |word| Element::all().all(|element| element.name().as_bytes() != word))?
         }
-        Problem::Parameter(Fault { reason: Reason::UnknownName, .. }) => {
+        Problem::Parameter(Fault { reason: Reason::UnknownName, .. }) | Problem::Setting(_) | Problem::Family => {
             let end = line.iter().position(|b| *b == b'=').unwrap_or(line.len());
             line.get(..end)?.trim_ascii()
         }
@@ -255,7 +384,156 @@ struct Reader<'a> {
     announced: bool,
 }
 
+/// Whether a row is the list that may depend on a setting.
+fn can_vary_list(row: Row) -> bool {
+    List::try_from(row).is_ok_and(can_vary)
+}
+
 impl<'a> Reader<'a> {
+    /// Whether the value that comes next is one for each setting.
+    fn is_over_setting(&self, row: Row) -> bool {
+        let mut ahead = Reader { ..*self };
+        if !ahead.take(b'[') {
+            return false;
+        }
+        ahead.blank(true);
+        match row.parameter.shape {
+            Shape::List(_) => ahead.peek() == Some(b'['),
+            Shape::Scalar | Shape::Choice(_) => true,
+        }
+    }
+
+    /// A number of the setting, or its name or unit.
+    fn setting(&mut self, index: usize, axis: Option<&mut Axis>) -> Result<(), ReadError> {
+        let line = self.line;
+        let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
+        let wrong = |fault: Fault| at(Problem::Setting(fault.reason));
+        if index == ENTRIES.len() {
+            // Read and checked before all else.
+            self.skip_value();
+            return Ok(());
+        }
+        match self.value().ok_or(at(Problem::Value))? {
+            Value::Number(number) if index < ENTRIES.len() => {
+                check_entry(index, number).map_err(wrong)?;
+                axis.map_or(Ok(()), |axis| axis.set_number(index, number)).map_err(wrong)
+            }
+            Value::Word(word) if index > ENTRIES.len() => {
+                check_text(word).map_err(wrong)?;
+                axis.map_or(Ok(()), |axis| {
+                    if index == ENTRIES.len() + 1 { axis.set_name_bytes(word) } else { axis.set_unit_bytes(word) }
+                })
+                .map_err(wrong)
+            }
+            _ => Err(at(Problem::Value)),
+        }
+    }
+
+    /// The values of a row over the setting. `varying` is its number among the numbers that depend on it.
+    fn over_setting(
+        &mut self,
+        row: Row,
+        settings: usize,
+        varying: usize,
+        mut axis: Option<&mut Axis>,
+        read: &mut Params,
+    ) -> Result<(), ReadError> {
+        let line = self.line;
+        let at = |problem| ReadError { line, parameter: row.index as u16, problem };
+        let fault = |reason| at(Problem::Parameter(Fault { parameter: row.index as u16, reason }));
+        let of_table = |found: Fault| fault(found.reason);
+        if let Ok(number) = Number::try_from(row) {
+            if !matches!(row.parameter.shape, Shape::Scalar) {
+                return Err(fault(Reason::SettingFixed));
+            }
+            let (mut values, mut count) = ([0.0; MAX_GRID], 0);
+            self.list(|value, line| {
+                let Value::Number(value) = value else { return Err(ReadError { line, ..at(Problem::Value) }) };
+                *values.get_mut(count).ok_or(fault(Reason::SettingCount))? = value;
+                count += 1;
+                Ok(())
+            })?;
+            let values = values.get(..count).unwrap_or(&[]);
+            check_values(number, values, settings).map_err(of_table)?;
+            if varying > crate::family::axis::MAX_NUMBERS {
+                return Err(fault(Reason::SettingTooMany));
+            }
+            return axis.map_or(Ok(()), |axis| axis.set_values(number, values)).map_err(of_table);
+        }
+        let list = List::try_from(row).map_err(of_table)?;
+        if !can_vary(list) {
+            return Err(fault(Reason::SettingFixed));
+        }
+        self.take(b'[');
+        let (mut index, mut points) = (0, 0);
+        loop {
+            self.blank(true);
+            if self.take(b']') {
+                break;
+            }
+            let line = self.line;
+            let (mut forces, mut count) = ([0.0; LONGEST], 0);
+            self.list(|value, line| {
+                let Value::Number(value) = value else { return Err(ReadError { line, ..at(Problem::Value) }) };
+                *forces.get_mut(count).ok_or(ReadError { line, ..at(Problem::TooLong) })? = value;
+                count += 1;
+                Ok(())
+            })?;
+            let of_line = |error: ReadError| ReadError { line, ..error };
+            let forces = forces.get(..count).unwrap_or(&[]);
+            check(&row, forces).map_err(of_table).map_err(of_line)?;
+            if index > 0 && count != points {
+                return Err(of_line(fault(Reason::CurveLengths)));
+            }
+            if forces.is_empty() {
+                return Err(of_line(fault(Reason::PointCount)));
+            }
+            points = count;
+            if index == 0 {
+                // Until the axis has all of them.
+                read.set_list(list, forces).map_err(of_table).map_err(of_line)?;
+            }
+            if let Some(axis) = axis.as_deref_mut() {
+                axis.set_forces(index, forces).map_err(of_table).map_err(of_line)?;
+            }
+            index += 1;
+            self.blank(true);
+            if !self.take(b',') && self.peek() != Some(b']') {
+                return Err(at(Problem::Value));
+            }
+        }
+        if index == settings { Ok(()) } else { Err(fault(Reason::SettingCount)) }
+    }
+
+    /// Passes over a value and what stands behind it in its line.
+    fn skip_value(&mut self) {
+        let mut depth = 0i32;
+        while let Some(c) = self.peek() {
+            match c {
+                b'"' => {
+                    self.advance();
+                    while self.peek().is_some_and(|c| c != b'"' && c != b'\n') {
+                        self.advance();
+                    }
+                    self.take(b'"');
+                    continue;
+                }
+                b'#' => {
+                    self.blank(false);
+                    continue;
+                }
+                b'[' => depth += 1,
+                b']' => depth -= 1,
+                b'\n' if depth <= 0 => return,
+                _ => {}
+            }
+            self.advance();
+            if depth == 0 && c == b']' {
+                return;
+            }
+        }
+    }
+
     /// The value of a row of the table.
     fn parameter(&mut self, row: Row, read: &mut Params) -> Result<(), ReadError> {
         let line = self.line;
@@ -423,6 +701,105 @@ mod tests {
         assert_eq!(params.list(list!("fv_velocity")), [-1.0, 0.0, 1.0]);
         assert_eq!(params.list(list!("fv_force")), [-1000.0, 0.0, 2000.0]);
         assert_eq!(params.number(number!("series_stiffness")), Params::new().number(number!("series_stiffness")));
+    }
+
+    const OVER_CURRENT: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\n\
+        gas_force = [80, 82.5,\n 85] # N\nfv_velocity = [-1, 0, 1.0]\n\
+        fv_force = [[-900, 0, 1200], # soft\n [-1500, 0, 2500],\n [-1900, 0, 3300],]\n\
+        setting = [0.0, 0.8, 1.6]\nsetting_name = \"current\"\nsetting_unit = \"A\"\nsetting_start = 0.8\n\
+        setting_time_up = 0.008\nsetting_hysteresis = 0.05\n[notes]\nsetting = [3]\n";
+
+    #[test]
+    fn a_damper_over_a_setting_is_read_in_any_order_of_its_lines() {
+        let (mut params, mut axis) = (Params::new(), Axis::NONE);
+        read_family(OVER_CURRENT.as_bytes(), &mut params, &mut axis).unwrap();
+        assert_eq!((axis.grid(), axis.name(), axis.unit(), axis.start()), (&[0.0, 0.8, 1.6][..], "current", "A", 0.8));
+        assert_eq!(axis.values(number!("gas_force")), Some(&[80.0, 82.5, 85.0][..]));
+        assert_eq!(axis.forces(2), Some(&[-1900.0, 0.0, 3300.0][..]));
+        let actuator = axis.actuator();
+        assert_eq!((actuator.time, actuator.hysteresis), ([0.008, 0.0], 0.05));
+        // The parameters are those at the start.
+        assert_eq!(params.number(number!("gas_force")), 82.5);
+        assert_eq!(params.list(list!("fv_force")), [-1500.0, 0.0, 2500.0]);
+        crate::family::Family::check(&params, &axis).unwrap();
+        // Where an ordinary damper is wanted it is none, and nothing is read.
+        let mut plain = Params::new();
+        let error = read(OVER_CURRENT.as_bytes(), &mut plain).unwrap_err();
+        assert_eq!((error.line, error.problem), (9, Problem::Family));
+        assert_eq!(name_at(OVER_CURRENT.as_bytes(), &error), Some(&b"setting"[..]));
+        assert_eq!(plain, Params::new());
+        // An ordinary one is one without an axis.
+        read_family(SMALL.as_bytes(), &mut params, &mut axis).unwrap();
+        assert!(!axis.is_some() && axis.numbers().is_empty() && !axis.has_forces() && axis.name().is_empty());
+        assert_eq!(params.number(number!("gas_force")), 12.5);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_setting_is_told_with_its_line() {
+        let head = "format = 1\nelements = [\"fv_curve\"]\nsetting = [0.0, 1.0]\n";
+        let wrong = |text: &str| {
+            let (mut params, mut axis) = (Params::new(), Axis::NONE);
+            let error = read_family(text.as_bytes(), &mut params, &mut axis).unwrap_err();
+            assert!(params == Params::new() && !axis.is_some());
+            error
+        };
+        let row =
+            |reason| move |problem: Problem| matches!(problem, Problem::Parameter(fault) if fault.reason == reason);
+        for (text, line, reason) in [
+            ("gas_force = [1, 2, 3]", 4, Reason::SettingCount),
+            ("gas_force = [1]", 4, Reason::SettingCount),
+            ("gas_force = [1, 1e9]", 4, Reason::OutOfBounds),
+            ("fv_form = [\"table\", \"table\"]", 4, Reason::SettingFixed),
+            ("substeps = [1, 2]", 4, Reason::SettingFixed),
+            ("fv_velocity = [[-1, 1], [-1, 1]]", 4, Reason::SettingFixed),
+            ("fv_force = [[0, 1],\n[0, 1, 2]]", 5, Reason::CurveLengths),
+            ("fv_force = [[0, 1],\n[0, 1], [0, 1]]", 4, Reason::SettingCount),
+            ("fv_force = [[0, 1],\n[0, 1e9]]", 5, Reason::OutOfBounds),
+        ] {
+            let error = wrong(&format!("{head}{text}\n"));
+            assert!(error.line == line && row(reason)(error.problem), "{text}: {error:?}");
+        }
+        for (text, line, problem) in [
+            ("setting_time_up = -1", 4, Problem::Setting(Reason::OutOfBounds)),
+            ("setting_time_up = [1]", 4, Problem::Value),
+            ("setting_name = 3", 4, Problem::Value),
+            (
+                "setting_name = \"a name that is longer than there is room for\"",
+                4,
+                Problem::Setting(Reason::PointCount),
+            ),
+            ("setting_unit = \"A\"\nsetting_unit = \"A\"", 5, Problem::Repeated),
+            ("setting_tine_up = 1", 4, UNKNOWN),
+            ("gas_force = [1, x]", 4, Problem::Value),
+        ] {
+            let error = wrong(&format!("{head}{text}\n"));
+            assert_eq!((error.line, error.problem), (line, problem), "{text}");
+        }
+        for grid in ["[1.0]", "[1, 1]", "[2, 1]", "[1, 2, 3, 4, 5, 6, 7, 8, 9]", "[]", "3", "[\"a\", \"b\"]"] {
+            let error = wrong(&format!("format = 1\nelements = []\nsetting = {grid}\n"));
+            assert!(
+                matches!(error.problem, Problem::Setting(Reason::SettingGrid) | Problem::Value) && error.line == 3,
+                "{grid}: {error:?}"
+            );
+        }
+        // Nothing of it without a grid.
+        let error = wrong("format = 1\nelements = []\nsetting_time_up = 1\n");
+        assert_eq!((error.line, error.problem), (3, Problem::Setting(Reason::SettingGrid)));
+        let error = wrong("format = 1\nelements = []\ngas_force = [1, 2]\n");
+        assert!(row(Reason::WrongShape)(error.problem));
+        let many: std::vec::Vec<_> = table()
+            .filter(|row| matches!(row.parameter.shape, Shape::Scalar) && row.element().is_some())
+            .take(33)
+            .collect();
+        let lines: std::string::String = many
+            .iter()
+            .map(|row| {
+                let d = row.parameter.default[0];
+                format!("{} = [{d}, {d}]\n", row.parameter.name)
+            })
+            .collect();
+        let error = wrong(&format!("{head}{lines}"));
+        assert!(error.line == 36 && row(Reason::SettingTooMany)(error.problem), "{error:?}");
     }
 
     #[test]

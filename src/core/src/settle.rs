@@ -5,6 +5,7 @@ use crate::input::Input;
 use crate::model::Model;
 use crate::paths;
 use crate::state::{Output, State};
+use crate::tables::{ForceLaw, Tables};
 
 /// Newton steps, kept inside a bracket, to the deflection of the series spring: setting up may cost more than a step.
 const STEPS: usize = 100;
@@ -12,22 +13,46 @@ const STEPS: usize = 100;
 /// Half the distance over which static slopes are taken where no formula gives them, m and m/s.
 const NEAR: f64 = 1e-6;
 
+// Compiled here for the model that owns its tables, once for all crates that ask.
 impl Model {
     /// The settled state at an initial position: where the damper rests, or moves steadily with `input.velocity`.
     ///
     /// A missing displacement is 0.
     pub fn settled(&self, input: &Input) -> State {
-        let x = input.displacement.unwrap_or(0.0);
-        self.settled_from(&State { displacement: x, layout: self.layout, ..State::ZERO }, input)
+        self.equilibrium(input)
     }
 
     /// The same of a damper that has moved: what a contact keeps at rest stays. A missing displacement is that of `from`.
     pub fn settled_from(&self, from: &State, input: &Input) -> State {
+        self.equilibrium_from(from, input)
+    }
+
+    /// The static force at `input`, with its slopes: the state settled there, evaluated.
+    pub fn static_output(&self, input: &Input) -> Output {
+        self.static_output_from(&self.settled(input), input)
+    }
+
+    /// The same of a damper that has moved. At rest the slope over velocity is that of what answers a velocity at once: a contact
+    /// that keeps its bend turns over with travel.
+    pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
+        self.equilibrium_output_from(from, input)
+    }
+}
+
+impl<T: Tables> Model<T> {
+    /// Equilibrium at a position: see [`Model::settled`].
+    pub(crate) fn equilibrium(&self, input: &Input) -> State {
+        let x = input.displacement.unwrap_or(0.0);
+        self.equilibrium_from(&State { displacement: x, layout: self.layout, ..State::ZERO }, input)
+    }
+
+    /// Equilibrium of a damper that has moved: see [`Model::settled_from`].
+    pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
         let laid_out;
         let from = if self.has_laid_out(from) {
             from
         } else {
-            laid_out = self.laid_out(from);
+            laid_out = self.converted(from);
             &laid_out
         };
         let x = input.displacement.unwrap_or(from.displacement);
@@ -74,16 +99,10 @@ impl Model {
         State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
     }
 
-    /// The static force at `input`, with its slopes: the state settled there, evaluated.
-    pub fn static_output(&self, input: &Input) -> Output {
-        self.static_output_from(&self.settled(input), input)
-    }
-
-    /// The same of a damper that has moved. At rest the slope over velocity is that of what answers a velocity at once: a contact
-    /// that keeps its bend turns over with travel.
-    pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
-        let state = self.settled_from(from, input);
-        let mut output = crate::evaluate::force(self, &state, input);
+    /// Force at equilibrium: see [`Model::static_output_from`].
+    pub(crate) fn equilibrium_output_from(&self, from: &State, input: &Input) -> Output {
+        let state = self.equilibrium_from(from, input);
+        let mut output = crate::evaluate::force_of(self, &state, input);
         let at = Motion {
             displacement: state.mass_displacement,
             velocity: input.velocity,
@@ -96,7 +115,7 @@ impl Model {
             // Slopes of what has settled, the elements with memory beside the damper included.
             let force = |x: f64, v: f64| {
                 let input = Input { displacement: Some(x), velocity: v, ..*input };
-                let mut settled = self.settled_from(from, &input);
+                let mut settled = self.equilibrium_from(from, &input);
                 if x == state.displacement {
                     e.each_memory(|place, element| {
                         if element.keeps(&outer)
@@ -106,7 +125,7 @@ impl Model {
                         }
                     });
                 }
-                crate::evaluate::force(self, &settled, &input).force
+                crate::evaluate::force_of(self, &settled, &input).force
             };
             let (x, v) = (state.displacement, input.velocity);
             output.force_by_displacement = (force(x + NEAR, v) - force(x - NEAR, v)) / (2.0 * NEAR);

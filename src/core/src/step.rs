@@ -32,6 +32,7 @@ use crate::integration::{LONGEST, SHORTEST};
 use crate::math::{larger, smaller};
 use crate::model::Model;
 use crate::state::{Output, State};
+use crate::tables::Tables;
 use beside::advance_extras;
 use follow::ByEnd;
 pub use follow::{Follow, Stage};
@@ -104,6 +105,33 @@ fn move_on_laid_out(model: &Model, state: &mut State, to: Input, dt: f64, output
     done
 }
 
+/// A step in place of a damper whose tables are borrowed, from a state that is laid out for it.
+#[inline(always)]
+pub(crate) fn step_borrowed(
+    model: &Model<impl Tables>,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) -> bool {
+    let (mut reached, mut answer) = (*state, Output::ZERO);
+    let is_cheap = dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass();
+    if !(is_cheap && cheap_step::<false>(model, &mut reached, to, dt, &mut answer)) {
+        if is_cheap {
+            answer_by_table(&EULER, model, &mut reached, to, dt, &mut answer, true);
+        } else {
+            step_by_its_method(model, &mut reached, to, dt, &mut answer, slopes);
+        }
+    }
+    let finite = reached.is_finite() && answer.is_finite();
+    if finite {
+        *state = reached;
+        *output = answer;
+    }
+    finite
+}
+
 /// A step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers;
 /// beside the others the call is nothing.
 #[cold]
@@ -120,10 +148,17 @@ fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output
 }
 
 #[inline(always)]
-fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
+fn step_by_its_method(
+    model: &Model<impl Tables>,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) {
     if dt == 0.0 {
         let x = to.displacement.unwrap_or(state.displacement);
-        *output = model.static_output_from(state, &Input { displacement: Some(x), ..*to });
+        *output = model.equilibrium_output_from(state, &Input { displacement: Some(x), ..*to });
         return;
     }
     if model.elements.has_paths() {
@@ -147,13 +182,13 @@ fn step_by_its_method(model: &Model, state: &mut State, to: &Input, dt: f64, out
 /// five stages, of springs that bend and of a curve that fades their stages too ([`mass`]): each written out, with all around it, made a third of the
 /// library.
 #[inline(always)]
-fn is_common(model: &Model, dt: f64) -> bool {
+fn is_common(model: &Model<impl Tables>, dt: f64) -> bool {
     let of = &model.integration;
     of.method == Method::ThreeStage && of.is_one(dt)
 }
 
 /// The method of a step in which no spring gets stiffer.
-fn tableau(model: &Model, dt: f64) -> &'static Tableau {
+fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
     let of = &model.integration;
     Tableau::of(of.method_of(dt, of.substeps(dt), || 1.0))
 }
@@ -161,7 +196,14 @@ fn tableau(model: &Model, dt: f64) -> &'static Tableau {
 /// A step of a damper whose FV curve fades as a whole and which is a plain one otherwise ([`Elements::fades_alone`]): the factor
 /// is known before the step. The cheap step is another method than what goes through the paths, and does not come here.
 #[inline(never)]
-fn step_of_a_fading_damper(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
+fn step_of_a_fading_damper(
+    model: &Model<impl Tables>,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) {
     if is_common(model, dt) {
         answer::<Faded, false>(model, state, to, dt, output, slopes);
     } else {
@@ -171,7 +213,14 @@ fn step_of_a_fading_damper(model: &Model, state: &mut State, to: &Input, dt: f64
 
 /// A step of a damper with elements in its series or hydraulic path, with exact slopes where they are asked for.
 #[inline(never)]
-fn step_through_paths(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) {
+fn step_through_paths(
+    model: &Model<impl Tables>,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+    slopes: bool,
+) {
     let mut by_end = paths::PathsByEnd::new(slopes);
     advance_paths_with(model, state, to, dt, &mut by_end, output);
     if to.displacement.is_none() {
@@ -192,7 +241,7 @@ pub fn advance_paths(
 }
 
 fn advance_paths_with(
-    model: &Model,
+    model: &Model<impl Tables>,
     state: &mut State,
     to: &Input,
     dt: f64,
@@ -226,7 +275,7 @@ fn advance_paths_with(
 
 /// How many times as stiff as at rest rubber gets before the energy at the start of a step, with the driven end at the faster of its speeds, is
 /// all in it.
-fn stiffer(e: &Elements, from: &State, v: f64) -> f64 {
+fn stiffer(e: &Elements<impl Tables>, from: &State, v: f64) -> f64 {
     if !e.paths.has_bushing() {
         return 1.0;
     }
@@ -238,7 +287,7 @@ fn stiffer(e: &Elements, from: &State, v: f64) -> f64 {
 /// A cheap step in which some element takes its time, or in which a line does not hold.
 #[cold]
 #[inline(never)]
-fn cheap_step_in_full(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output) {
+fn cheap_step_in_full(model: &Model<impl Tables>, state: &mut State, to: Input, dt: f64, output: &mut Output) {
     if !cheap_step::<false>(model, state, &to, dt, output) {
         answer_by_table(&EULER, model, state, &to, dt, output, true);
     }
@@ -248,7 +297,13 @@ fn cheap_step_in_full(model: &Model, state: &mut State, to: Input, dt: f64, outp
 /// lines do not hold and, with `AT_ONCE`, unless all elements answer at once; nothing is then called, and all stays in
 /// registers.
 #[inline(always)]
-fn cheap_step<const AT_ONCE: bool>(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
+fn cheap_step<const AT_ONCE: bool>(
+    model: &Model<impl Tables>,
+    state: &mut State,
+    to: &Input,
+    dt: f64,
+    output: &mut Output,
+) -> bool {
     let elements = &model.elements;
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let end = path.last();
@@ -326,7 +381,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
 /// A common step with its exact slopes where they are asked for; `BENT`: with springs that bend. Not inlined, so that it has the registers to itself.
 #[inline(never)]
 fn answer<P: Primary, const BENT: bool>(
-    model: &Model,
+    model: &Model<impl Tables>,
     state: &mut State,
     to: &Input,
     dt: f64,
@@ -340,7 +395,7 @@ fn answer<P: Primary, const BENT: bool>(
 #[inline(never)]
 fn answer_by_table(
     method: &Tableau,
-    model: &Model,
+    model: &Model<impl Tables>,
     state: &mut State,
     to: &Input,
     dt: f64,
@@ -354,7 +409,7 @@ fn answer_by_table(
 #[inline(always)]
 fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
-    model: &Model,
+    model: &Model<impl Tables>,
     state: &mut State,
     to: &Input,
     dt: f64,
@@ -362,7 +417,7 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
     slopes: bool,
 ) {
     let mut by_end = ByEnd::new(slopes);
-    advance_by::<P, _, COMMON, BENT>(method, model, to, dt, &mut by_end, state, output);
+    advance_by::<P, _, _, COMMON, BENT>(method, model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
         output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
     }
@@ -373,14 +428,14 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
 /// another kind: see [`advance_paths`].
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = tableau(model, dt);
-    advance_by::<Plain, _, false, true>(method, model, to, dt, follow, state, output);
+    advance_by::<Plain, _, _, false, true>(method, model, to, dt, follow, state, output);
 }
 
 /// By one method, in place. `COMMON`: where [`is_common`] says so; springs may then bend where it is `BENT`.
 #[inline(always)]
-fn advance_by<P: Primary, F: Follow, const COMMON: bool, const BENT: bool>(
+fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
-    model: &Model,
+    model: &Model<T>,
     to: &Input,
     dt: f64,
     follow: &mut F,
@@ -406,7 +461,7 @@ fn advance_by<P: Primary, F: Follow, const COMMON: bool, const BENT: bool>(
         let start = Mass { x: state.mass_displacement, v: state.mass_velocity, primary: 0.0, inner: 0.0 };
         let drive = Drive { elements: e, primary, path: &path, side };
         let mass = if COMMON {
-            move_mass_at_once::<BENT>(method, &drive, start, follow)
+            move_mass_at_once::<_, BENT>(method, &drive, start, follow)
         } else {
             move_mass(method, &drive, substeps, start, follow)
         };

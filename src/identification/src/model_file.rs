@@ -6,9 +6,11 @@
 use super::short::short;
 use crate::phrases;
 use crate::{Estimate, Fit, Measured, Standing, describe_item, off};
+use dashpot_core::family::axis::ENTRIES;
+use dashpot_core::family::{Axis, Definition, Family};
 use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
-use dashpot_core::{Model, Params, model_file};
+use dashpot_core::{Fault, Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_records::sentence::Sentence;
 use dashpot_records::{Record, clock};
@@ -22,6 +24,8 @@ use std::path::{Path, PathBuf};
 pub struct ModelFile {
     /// The damper.
     pub params: Params,
+    /// The setting that it depends on; without a grid in a file that [`read`] accepts.
+    pub axis: Axis,
     /// What the fit left behind; empty in a file written by hand.
     pub identification: Identification,
     /// Places of the parameters that the text gives a value, whether their element is on or off.
@@ -199,6 +203,11 @@ pub fn prepared(params: &Params) -> Result<Model, NoModel> {
 }
 
 impl ModelFile {
+    /// The damper, which may depend on a setting.
+    pub fn definition(&self) -> Definition {
+        Definition { params: self.params, axis: self.axis }
+    }
+
     /// What does nothing: parameters that the file gives although their element is off, a sentence for each element. That is no error: a host
     /// that reads the file may switch the element on.
     pub fn idle(&self) -> Vec<Sentence> {
@@ -283,17 +292,43 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     of_text(&text, path)
 }
 
+/// As [`read`], of a damper that may depend on a setting.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
+    let file = path.to_path_buf();
+    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
+    family_of_text(&text, path)
+}
+
 /// As [`read`], of a text that is at hand; `path` is how messages name it.
 ///
 /// # Errors
 /// As [`read`].
 pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
+    parsed(text, path, |params, _| model_file::read(text.as_bytes(), params))
+}
+
+/// As [`read_family`], of a text that is at hand.
+///
+/// # Errors
+/// As [`read`].
+pub fn family_of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
+    parsed(text, path, |params, axis| model_file::read_family(text.as_bytes(), params, axis))
+}
+
+fn parsed(
+    text: &str,
+    path: &Path,
+    read: impl FnOnce(&mut Params, &mut Axis) -> Result<(), model_file::ReadError>,
+) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
     if crate::literature::file::is_one(text) {
         return Err(ModelFileError::ForComparison { file });
     }
-    let mut params = Params::new();
-    model_file::read(text.as_bytes(), &mut params).map_err(|e| {
+    let (mut params, mut axis) = (Params::new(), Axis::NONE);
+    read(&mut params, &mut axis).map_err(|e| {
         let (subject, mut words) = match e.problem {
             model_file::Problem::Parameter(fault) => (subject(fault.parameter), e.problem.text().to_owned()),
             _ => (name_of(e.parameter).map_or(String::new(), |name| format!("{name}: ")), e.problem.text().to_owned()),
@@ -307,7 +342,9 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
             let name = name.as_ref();
             let meant = match e.problem {
                 model_file::Problem::UnknownElement => nearest(name, Element::all().map(Element::name)),
-                model_file::Problem::Repeated => String::new(),
+                model_file::Problem::Repeated | model_file::Problem::Setting(_) | model_file::Problem::Family => {
+                    String::new()
+                }
                 _ => nearest(name, parameter::table().map(|row| row.parameter.name)),
             };
             words = format!("{name:?}: {words}{meant}");
@@ -322,6 +359,14 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
         return Err(ModelFileError::Line { file, line, subject: "substeps: ".to_owned(), text: words });
     }
     prepared(&params).map_err(|fault| ModelFileError::Model { file: file.clone(), fault })?;
+    if axis.is_some() {
+        let no_family = |fault: Fault| NoModel {
+            parameter: name_of(fault.parameter).unwrap_or("the setting"),
+            text: fault.reason.text(),
+        };
+        Family::check(&params, &axis)
+            .map_err(|fault| ModelFileError::Model { file: file.clone(), fault: no_family(fault) })?;
+    }
     #[derive(Deserialize)]
     struct Tables {
         #[serde(default)]
@@ -335,7 +380,7 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
     if given.is_empty() {
         parameters_in_tables(text, path)?;
     }
-    Ok(ModelFile { params, identification: tables.identification, given })
+    Ok(ModelFile { params, axis, identification: tables.identification, given })
 }
 
 /// Refuses a file that names no parameter but in tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits, which hold
@@ -409,12 +454,20 @@ fn text(value: &str) -> String {
     out + "\""
 }
 
-fn value(row: &Row, params: &Params) -> String {
+fn value(row: &Row, params: &Params, axis: &Axis) -> String {
     let values = params.get(row);
+    let all = |values: &[f64]| format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", "));
+    if let Some(over) = dashpot_core::parameter::Number::try_from(*row).ok().and_then(|number| axis.values(number)) {
+        return all(over);
+    }
+    if *row == *list!("fv_force").row() && axis.has_forces() {
+        let lines: Vec<String> = (0..axis.grid().len()).filter_map(|index| axis.forces(index)).map(all).collect();
+        return format!("[\n    {},\n]", lines.join(",\n    "));
+    }
     match row.parameter.shape {
         Shape::Scalar => number(values[0]),
         Shape::Choice(words) => text(words[values[0] as usize]),
-        Shape::List(_) => format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", ")),
+        Shape::List(_) => all(values),
     }
 }
 
@@ -426,8 +479,39 @@ pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
 /// As [`flat`], with those parameters of elements that are off whose places are `kept`: what a file gave is not lost by changing another number, as
 /// the element may be switched on by whoever reads it.
 pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> String) -> String {
+    flat_over(params, &Axis::NONE, kept, comment)
+}
+
+/// As [`flat`], of a damper that may depend on a setting.
+pub fn flat_family(damper: &Definition, comment: impl Fn(&Row) -> String) -> String {
+    flat_over(&damper.params, &damper.axis, &[], comment)
+}
+
+/// The lines of the setting.
+fn setting(axis: &Axis) -> String {
+    if !axis.is_some() {
+        return String::new();
+    }
+    let grid = axis.grid().iter().map(|value| number(*value)).collect::<Vec<_>>().join(", ");
+    let mut out = format!("\n# The setting that this damper depends on\nsetting = [{grid}]\n");
+    for (name, word) in [("setting_name", axis.name()), ("setting_unit", axis.unit())] {
+        if !word.is_empty() {
+            let _ = writeln!(out, "{name} = {}", text(word));
+        }
+    }
+    for (index, entry) in ENTRIES.iter().enumerate() {
+        let value = axis.number(index);
+        // Times, rates and hysteresis of 0 are none.
+        if index == 0 || value != 0.0 {
+            let _ = writeln!(out, "{} = {}  # {}", entry.name, number(value), entry.meaning);
+        }
+    }
+    out
+}
+
+fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row) -> String) -> String {
     let on: Vec<String> = Element::all().filter(|e| params.is_on(*e)).map(|e| text(e.name())).collect();
-    let mut out = format!("format = 1\nelements = [{}]\n", on.join(", "));
+    let mut out = format!("format = 1\nelements = [{}]\n{}", on.join(", "), setting(axis));
     for (g, group) in GROUPS.iter().enumerate() {
         let element = Element::of_group(g);
         let is_off = element.is_some_and(|element| !params.is_on(element));
@@ -444,7 +528,7 @@ pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> S
         let off = if is_off { " (off; the numbers are kept)" } else { "" };
         let _ = write!(out, "\n# {}: {}{off}\n", group.name, group.meaning);
         for row in rows {
-            let _ = writeln!(out, "{} = {}  # {}", row.parameter.name, value(&row, params), comment(&row));
+            let _ = writeln!(out, "{} = {}  # {}", row.parameter.name, value(&row, params, axis), comment(&row));
         }
     }
     out
@@ -591,6 +675,37 @@ mod tests {
         let table: toml::Table = text.parse().unwrap();
         assert_eq!(table["series_stiffness"].as_float(), Some(2.345_678_901_234_5e6));
         assert_eq!(table["fv_force"].as_array().unwrap().len(), params.list(list!("fv_force")).len());
+    }
+
+    #[test]
+    fn a_family_is_toml_and_reads_back_exactly() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 0.7, 1.6]).unwrap();
+        axis.set_name("current").unwrap();
+        axis.set_unit("A").unwrap();
+        for (index, value) in [0.1, 0.008, 0.02, 0.005, 100.0, 50.0, 0.03].into_iter().enumerate() {
+            axis.set_number(index, value).unwrap();
+        }
+        let mut params = Params::new();
+        axis.set_values(number!("gas_force"), &[80.0, 81.5, 90.1]).unwrap();
+        for index in 0..3 {
+            let forces: Vec<f64> =
+                params.list(list!("fv_force")).iter().map(|force| force * (1.0 + index as f64 / 3.0)).collect();
+            axis.set_forces(index, &forces).unwrap();
+        }
+        axis.put(&mut params, 0.1);
+        let damper = Definition { params, axis };
+        let text = flat_family(&damper, |row| row.parameter.meaning.to_owned());
+        let _: toml::Table = text.parse().unwrap();
+        let file = family_of_text(&text, Path::new("family.toml")).unwrap();
+        assert_eq!(file.definition(), damper);
+        assert_eq!(flat_family(&file.definition(), |row| row.parameter.meaning.to_owned()), text);
+        // Where an ordinary damper is wanted it is none, and the message says what to do.
+        let error = of_text(&text, Path::new("family.toml")).unwrap_err().to_string();
+        assert!(error.starts_with("family.toml, line 5: \"setting\": the damper depends on this setting"), "{error}");
+        let error = family_of_text(&text.replace("setting_start = 0.1", "setting_start = 9.0"), Path::new("f.toml"))
+            .unwrap_err();
+        assert!(error.to_string().starts_with("f.toml: the setting"), "{error}");
     }
 
     #[test]

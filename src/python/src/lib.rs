@@ -29,6 +29,7 @@ mod damper;
 mod errors;
 mod examine;
 mod export;
+mod family;
 mod groups;
 mod identify;
 mod limits;
@@ -63,6 +64,8 @@ mod _native {
     use crate::examine::{Diagnosed, diagnose};
     #[pymodule_export]
     use crate::export::export_fmu;
+    #[pymodule_export]
+    use crate::family::Family;
     #[pymodule_export]
     use crate::groups::{Grouped, diagnose_groups};
     #[pymodule_export]

@@ -1,5 +1,6 @@
 //! A motion imposed on a model: made complete, sampled anew if wanted, and run.
 
+use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
 use dashpot_records::MotionRecord;
@@ -193,6 +194,33 @@ impl ImposedMotion {
     /// Where the motion is so far from any damper's that a number overflows.
     pub fn drive(&self, model: &Model) -> Result<Vec<Answer>, ImposeError> {
         self.drive_telling(model, &|_, _| {})
+    }
+
+    /// The same of a damper that depends on a setting: `setting` is that which is commanded in the step that ends at a time, s.
+    ///
+    /// # Errors
+    /// As [`ImposedMotion::drive`].
+    pub fn drive_family(&self, family: &Family, setting: &dyn Fn(f64) -> f64) -> Result<Vec<Answer>, ImposeError> {
+        let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
+        let start = Some(setting(self.time.first().copied().unwrap_or(0.0)));
+        let mut state = family.settled(&first, start);
+        let mut delay = family.settled_delay(start);
+        let mut output = family.evaluate(&state, &first, start).0;
+        let mut answers = Vec::with_capacity(self.time.len());
+        for (i, &time) in self.time.iter().enumerate() {
+            if i > 0 {
+                let (to, dt) = (self.input(i), time - self.time[i - 1]);
+                if !family.step_in_place(&mut state, &mut delay, &to, Some(setting(time)), dt, &mut output, false) {
+                    return Err(ImposeError::NotFinite(time, "force"));
+                }
+            }
+            if !(state.is_finite() && output.force.is_finite()) {
+                return Err(ImposeError::NotFinite(time, "force"));
+            }
+            let (displacement, velocity) = (state.displacement, self.velocity[i]);
+            answers.push(Answer { time, displacement, velocity, force: output.force });
+        }
+        Ok(answers)
     }
 
     /// The same, telling every [`TELL`] samples how many of how many are done.

@@ -23,6 +23,7 @@ mod fmu_units;
 mod mujoco;
 mod octave;
 mod python_hosts;
+mod setting;
 mod simulator_shims;
 mod static_library;
 mod vehicle_bridge;

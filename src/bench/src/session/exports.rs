@@ -2,6 +2,7 @@
 
 use crate::session::guarded::write;
 use anyhow::{Context as _, bail};
+use dashpot_core::family::Axis;
 use dashpot_core::{Model, Params};
 use dashpot_hosts::{fmu, handed_out, runtimes};
 use dashpot_identification::model_file::{self, ModelFile};
@@ -94,7 +95,7 @@ impl Export {
     fn file(&self) -> ModelFile {
         let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
         let (identification, given) = read.map(|file| (file.identification, file.given)).unwrap_or_default();
-        ModelFile { params: self.params, identification, given }
+        ModelFile { params: self.params, axis: Axis::NONE, identification, given }
     }
 
     fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {

@@ -1,6 +1,7 @@
 //! The model that is tuned, beside the one that was identified, with every step back.
 
 use crate::session::history::History;
+use dashpot_core::family::Axis;
 use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params};
 use dashpot_estimation::priors::{self, Usual};
@@ -57,7 +58,8 @@ impl Tuned {
     }
 
     fn new(file: ModelFile) -> Tuned {
-        let ModelFile { params, identification, given } = file;
+        // The reader took no damper over a setting.
+        let ModelFile { params, identification, given, axis: _ } = file;
         Tuned {
             path: None,
             identified: params,
@@ -102,7 +104,12 @@ impl Tuned {
 
     /// As the file it would be saved to reads.
     pub fn file(&self) -> ModelFile {
-        ModelFile { params: *self.params(), identification: self.identification.clone(), given: self.given.clone() }
+        ModelFile {
+            params: *self.params(),
+            axis: Axis::NONE,
+            identification: self.identification.clone(),
+            given: self.given.clone(),
+        }
     }
 
     /// Whether something would be lost by closing.
@@ -331,7 +338,12 @@ mod tests {
     use dashpot_core::parameter::find;
 
     fn tuned() -> Tuned {
-        Tuned::new(ModelFile { params: Params::new(), identification: Identification::default(), given: Vec::new() })
+        Tuned::new(ModelFile {
+            params: Params::new(),
+            axis: Axis::NONE,
+            identification: Identification::default(),
+            given: Vec::new(),
+        })
     }
 
     #[test]

@@ -18,6 +18,7 @@ pub mod matrix;
 mod model;
 pub mod open;
 pub mod rig;
+pub mod setting;
 pub mod simulate;
 pub mod validate;
 mod verdict;

@@ -5,7 +5,15 @@ use std::path::Path;
 
 /// Reads a model file, and says what does nothing in it.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
-    let file = model_file::read(path)?;
+    told(path, model_file::read(path)?)
+}
+
+/// As [`read`], of a damper that may depend on a setting.
+pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
+    told(path, model_file::read_family(path)?)
+}
+
+fn told(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
     // Beside the result, which may go to standard output.
     file.idle().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
     Ok(file)

@@ -4,6 +4,7 @@ use super::data::ColumnArgs;
 use super::model;
 use crate::progress::Progress;
 use dashpot_core::Model;
+use dashpot_core::family::Family;
 use dashpot_core::step::LONG_STEP;
 use dashpot_identification::model_file::prepared;
 use dashpot_records::read_motion;
@@ -17,10 +18,11 @@ use std::path::PathBuf;
 /// drive the model; displacement alone is differentiated by a cubic spline; velocity alone is integrated. Noise of a
 /// measured displacement comes back multiplied by the series stiffness: `dashpot validate` smooths, this does not. The
 /// damper starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
-/// time_s, displacement_m, velocity_m_s and force_N; tension is positive.
+/// time_s, displacement_m, velocity_m_s and force_N; tension is positive. A damper that depends on a setting is at that of
+/// --setting, or at the start setting of its file.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head"
+    after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head\n  dashpot simulate semi_active.toml road.csv --setting 0:0.4,1.5:1.2 -o force.csv"
 )]
 pub struct Args {
     /// Model file
@@ -35,6 +37,9 @@ pub struct Args {
     /// Fixed step, s; the file's own times if not given
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     step: Option<f64>,
+    /// Setting of a damper that depends on one: a number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2
+    #[arg(long, value_name = "SETTING", value_parser = Commands::parse, allow_negative_numbers = true)]
+    setting: Option<Commands>,
     #[command(flatten)]
     columns: ColumnArgs,
     /// Displacement at the first sample, m, where the motion gives velocity alone; 0 if not given
@@ -45,8 +50,11 @@ pub struct Args {
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
-    let file = model::read(&args.model)?;
+    let file = model::read_family(&args.model)?;
     let model = prepared(&file.params)?;
+    if args.setting.is_some() && !file.axis.is_some() {
+        anyhow::bail!("{} depends on no setting; leave --setting out", args.model.display());
+    }
     let record = read_motion(&args.motion, &args.columns.options()?)?;
     let mut motion = ImposedMotion::new(record, args.initial_position)?;
     if let Some(step) = args.step {
@@ -54,14 +62,63 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let progress = Progress::new("simulating");
     progress.set(0.2);
-    let answers = motion.drive(&model)?;
+    let answers = if file.axis.is_some() {
+        let mut family = Box::new(Family::OFF);
+        // The reader of the file has checked it.
+        family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
+        let start = family.start();
+        motion.drive_family(&family, &|time| args.setting.as_ref().map_or(start, |commands| commands.at(time)))?
+    } else {
+        motion.drive(&model)?
+    };
     drop(progress);
     dashpot_output::write(&args.output, csv(&answers))?;
     // Remarks go where the rows do not.
-    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)) {
+    let outside = args.setting.as_ref().and_then(|commands| commands.outside(file.axis.range()));
+    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(outside) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
+}
+
+/// Settings over the time.
+#[derive(Debug, Clone, PartialEq)]
+struct Commands(Vec<(f64, f64)>);
+
+impl Commands {
+    /// From a number, or from times and numbers.
+    fn parse(text: &str) -> Result<Commands, String> {
+        let number = |text: &str| {
+            let value = text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or_else(|| format!("{text:?} is no number; give one, or times and numbers such as 0:0.4,1.5:1.2"))
+        };
+        if !text.contains(':') {
+            return Ok(Commands(vec![(f64::NEG_INFINITY, number(text)?)]));
+        }
+        let mut all = Vec::new();
+        for part in text.split(',') {
+            let (time, value) = part.split_once(':').ok_or_else(|| format!("{part:?} has no time, as in 1.5:1.2"))?;
+            all.push((number(time)?, number(value)?));
+        }
+        if all.windows(2).any(|pair| pair[1].0 <= pair[0].0) {
+            return Err("the times must increase".to_owned());
+        }
+        Ok(Commands(all))
+    }
+
+    /// That at a time; before the first time the first.
+    fn at(&self, time: f64) -> f64 {
+        let begun = self.0.iter().rev().find(|(from, _)| *from <= time);
+        begun.or(self.0.first()).map_or(0.0, |(_, value)| *value)
+    }
+
+    /// A remark where one lies outside the grid.
+    fn outside(&self, (low, high): (f64, f64)) -> Option<String> {
+        let (_, value) = self.0.iter().find(|(_, value)| *value < low || *value > high)?;
+        Some(format!(
+            "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them"
+        ))
+    }
 }
 
 /// Numbers are written so that they read back to the bit.

@@ -83,10 +83,16 @@ impl Prepare for FvCurve {
         } else {
             Interpolation::MonotoneCubic
         };
-        self.0.set(p.list(VELOCITY), p.list(FORCE), interpolation).map_err(|reason| {
-            let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
-            p.fault(row, reason)
-        })
+        self.0.set(p.list(VELOCITY), p.list(FORCE), interpolation).map_err(|reason| of_table(p, reason))
+    }
+
+    fn check(p: &View<Self>) -> Result<(), Fault> {
+        if p.number(own!("fv_form")) == 1.0 {
+            check_order(p)?;
+            let (v, f) = knees(p);
+            return Curve::check(&v, &f).map_err(|reason| of_knees(p, reason));
+        }
+        Curve::check(p.list(VELOCITY), p.list(FORCE)).map_err(|reason| of_table(p, reason))
     }
 
     fn clear(&mut self) {
@@ -97,24 +103,41 @@ impl Prepare for FvCurve {
 impl FvCurve {
     /// The thesis's comparison model: straight lines from the origin with two rebound knees and one compression knee.
     fn set_piecewise(&mut self, p: &View<Self>) -> Result<(), Fault> {
-        let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
-        let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
-        let [cc1, cc2] = COMPRESSION_C.map(|row| p.number(row));
-        let vc1 = p.number(own!("fv_compression_v1"));
-        if vr2 <= vr1 {
-            return Err(p.fault(REBOUND_V[1], Reason::Order));
-        }
-        let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
-        let fr2 = fr1 + cr2 * (vr2 - vr1);
-        // One more point beyond each last knee carries the last slope outwards.
-        let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
-        let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
-        self.0.set(&v, &f, Interpolation::Linear).map_err(|reason| {
-            // Slopes are bounded by the table, so that only knees beside each other are left.
-            let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
-            p.fault(row, reason)
-        })
+        check_order(p)?;
+        let (v, f) = knees(p);
+        self.0.set(&v, &f, Interpolation::Linear).map_err(|reason| of_knees(p, reason))
     }
+}
+
+/// The fault of a table.
+fn of_table(p: &View<FvCurve>, reason: Reason) -> Fault {
+    let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
+    p.fault(row, reason)
+}
+
+/// The fault of slopes and knees. Slopes are bounded by the table, so that only knees beside each other are left.
+fn of_knees(p: &View<FvCurve>, reason: Reason) -> Fault {
+    let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
+    p.fault(row, reason)
+}
+
+fn check_order(p: &View<FvCurve>) -> Result<(), Fault> {
+    let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
+    if vr2 <= vr1 { Err(p.fault(REBOUND_V[1], Reason::Order)) } else { Ok(()) }
+}
+
+/// Points of the curve of slopes and knees.
+pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
+    let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
+    let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
+    let [cc1, cc2] = COMPRESSION_C.map(|row| p.number(row));
+    let vc1 = p.number(own!("fv_compression_v1"));
+    let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
+    let fr2 = fr1 + cr2 * (vr2 - vr1);
+    // One more point beyond each last knee carries the last slope outwards.
+    let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
+    let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
+    (v, f)
 }
 
 impl FvCurve {

@@ -6,15 +6,16 @@ use crate::fault::{Fault, Reason};
 use crate::math::pair;
 use crate::schema::kind::{Many, One};
 use crate::schema::{Describe, Own, Parameter, View};
+use crate::tables::{Lookup, Owned, Tables};
 
 /// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
 #[derive(Clone, Copy, Debug)]
-pub struct ParallelSpring {
+pub struct ParallelSpring<T: Tables = Owned> {
     /// By power of |x|: the coefficient in F_p / x and in F_p', so that both run side by side.
     k: [[f64; 2]; 4],
     /// Whether there is more than the linear and the quadratic term.
     has_higher: bool,
-    lookup: Curve,
+    lookup: T::Spring,
     has_lookup: bool,
 }
 
@@ -67,18 +68,21 @@ impl Prepare for ParallelSpring {
         let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
         let has_lookup = !x.is_empty() || !f.is_empty();
         if has_lookup {
-            self.lookup.set(x, f, Interpolation::MonotoneCubic).map_err(|reason| {
-                let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
-                p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
-            })?;
+            self.lookup.set(x, f, Interpolation::MonotoneCubic).map_err(|reason| of_table(p, reason))?;
         } else {
             self.lookup.clear();
         }
         self.has_lookup = has_lookup;
-        let k = POWERS.map(|power| p.number(power));
-        self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);
-        self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
+        self.set_powers(p);
         Ok(())
+    }
+
+    fn check(p: &View<Self>) -> Result<(), Fault> {
+        let (x, f) = (p.list(DISPLACEMENT), p.list(FORCE));
+        if x.is_empty() && f.is_empty() {
+            return Ok(());
+        }
+        Curve::check(x, f).map_err(|reason| of_table(p, reason))
     }
 
     fn clear(&mut self) {
@@ -87,7 +91,13 @@ impl Prepare for ParallelSpring {
     }
 }
 
-impl Force for ParallelSpring {
+/// The fault of a table.
+fn of_table(p: &View<ParallelSpring>, reason: Reason) -> Fault {
+    let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
+    p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
+}
+
+impl<T: Tables> Force for ParallelSpring<T> {
     #[inline(always)]
     fn force(&self, at: &Motion) -> Response {
         if self.has_higher || self.has_lookup { self.bent(at.displacement) } else { self.even(at.displacement) }
@@ -109,7 +119,24 @@ impl Force for ParallelSpring {
     }
 }
 
-impl ParallelSpring {
+impl<T: Tables> ParallelSpring<T> {
+    /// The same spring, whose table somebody else keeps.
+    pub(crate) fn with_table<U: Tables>(&self, lookup: U::Spring) -> ParallelSpring<U> {
+        ParallelSpring { k: self.k, has_higher: self.has_higher, lookup, has_lookup: self.has_lookup }
+    }
+
+    /// Its table.
+    pub(crate) fn table(&self) -> &T::Spring {
+        &self.lookup
+    }
+
+    /// Sets the coefficients.
+    pub(crate) fn set_powers(&mut self, p: &View<ParallelSpring>) {
+        let k = POWERS.map(|power| p.number(power));
+        self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);
+        self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
+    }
+
     /// The linear and the quadratic term.
     #[inline(always)]
     fn even(&self, x: f64) -> Response {
@@ -130,7 +157,7 @@ impl ParallelSpring {
         let [secant, mut by_x] = pair(|i| k1[i] + r * from_k2[i]);
         let mut force = x * secant;
         if self.has_lookup {
-            let value = self.lookup.at(x);
+            let value = self.lookup.lookup(x);
             force += value.value;
             by_x += value.slope;
         }

@@ -12,6 +12,7 @@ use crate::paths::series::{self, Frame};
 use crate::paths::solve::{ROUNDS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, Slots, place};
 use crate::state::State;
+use crate::tables::{ForceLaw, Tables};
 
 /// Directions in which an instant is differentiated at once. All that is asked here is compiled for this one kind of number, whether or not its slopes
 /// are needed: hosts ask now and then, and with all thirteen directions at once the formulas were as long as those of all steps together.
@@ -32,19 +33,25 @@ struct Instant {
 
 /// [`hydraulic::flow`], once for all who ask.
 #[inline(never)]
-fn flow(e: &Paths, curve: Sloped, w: Sloped, around: &Around<Sloped>, states: &[Sloped; STATES]) -> Flow<Sloped> {
+fn flow(
+    e: &Paths<impl Tables>,
+    curve: Sloped,
+    w: Sloped,
+    around: &Around<Sloped>,
+    states: &[Sloped; STATES],
+) -> Flow<Sloped> {
     hydraulic::flow(e, curve, Dual::constant(e.fv_curve.at_zero()), w, around, states)
 }
 
 /// [`bypass::flow`], once for all who ask.
 #[inline(never)]
-fn past(e: &Paths, force: Sloped, x: Sloped, states: &[Sloped; STATES]) -> Sloped {
+fn past(e: &Paths<impl Tables>, force: Sloped, x: Sloped, states: &[Sloped; STATES]) -> Sloped {
     bypass::flow(e, force, x, states)
 }
 
 #[inline(never)]
 fn instant(
-    elements: &Elements,
+    elements: &Elements<impl Tables>,
     states: &[Sloped; STATES],
     around: &Around<Sloped>,
     w: Sloped,
@@ -110,7 +117,7 @@ const TOLERANCE: f64 = 1e-13;
 
 /// The velocity w of the oil that leaves nothing of what is `left` at it and the force of the FV curve there, from a guess.
 #[inline(never)]
-fn sought(e: &Paths, guess: f64, least: [f64; 2], left: &dyn Fn(Sloped, Sloped) -> Sloped) -> f64 {
+fn sought(e: &Paths<impl Tables>, guess: f64, least: [f64; 2], left: &dyn Fn(Sloped, Sloped) -> Sloped) -> f64 {
     let residual = |w: f64, f: f64| {
         let r = left(Dual::along(w, 0), Dual::along(f, 1));
         Residual { value: r.value, by_w: r.slope(0), by_curve: r.slope(1) }
@@ -119,7 +126,7 @@ fn sought(e: &Paths, guess: f64, least: [f64; 2], left: &dyn Fn(Sloped, Sloped) 
 }
 
 /// The velocity of the oil at given states.
-fn oil(elements: &Elements, states: &[f64; STATES], at: &Around<f64>) -> f64 {
+fn oil(elements: &Elements<impl Tables>, states: &[f64; STATES], at: &Around<f64>) -> f64 {
     let e = &elements.paths;
     let Around { x, v, side_force, temperature } = *at;
     let u = if e.has_series() { states[place::U] } else { v };
@@ -139,16 +146,16 @@ const V: usize = X + 1;
 const W: usize = DIRECTIONS - 1;
 
 /// The damper at given states and input, with the oil at its velocity there.
-struct At<'a> {
-    e: &'a Elements,
+struct At<'a, T: Tables> {
+    e: &'a Elements<T>,
     states: [f64; STATES],
     around: Around<f64>,
     w: f64,
     curve: Value,
 }
 
-impl<'a> At<'a> {
-    fn new(e: &'a Elements, state: &State, input: &Input) -> At<'a> {
+impl<'a, T: Tables> At<'a, T> {
+    fn new(e: &'a Elements<T>, state: &State, input: &Input) -> At<'a, T> {
         let x = super::displacement(state, input);
         let Input { velocity: v, side_force, temperature, .. } = *input;
         let states = e.paths.slots().read(state);
@@ -206,7 +213,7 @@ pub(super) enum Beside<'a> {
     Partials(&'a mut Partials),
 }
 
-pub(super) fn through(e: &Elements, state: &State, input: &Input, beside: Beside) -> Through {
+pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, beside: Beside) -> Through {
     let at = At::new(e, state, input);
     // The last of the states with the input, which the force is differentiated by in any case.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
@@ -267,7 +274,7 @@ const TOGETHER: usize = 200;
 const DRAWN: usize = 40;
 
 /// The velocity of the oil and the hydraulic force where nothing opens or closes any more: what [`crate::settle`] needs.
-pub(crate) fn settled(e: &Paths, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
+pub(crate) fn settled(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
     // What a state is drawn to follows the force, and the force the state: both have settled long before the end.
     let mut force = 0.0;

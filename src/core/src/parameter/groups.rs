@@ -2,6 +2,7 @@
 
 use crate::list::each_element;
 use crate::schema::{Describe, Group};
+use crate::tables::Owned as T;
 
 /// Where an element acts: the blocks of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +36,7 @@ macro_rules! groups {
         series { $series:ident: $Series:ty }
         series_law { $($law:ident: $Law:ty,)* }
         hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+        late { $late:ident: $Late:ty }
         inner { $($inner:ident: $Inner:ty,)* }
         friction { $($friction:ident: $Friction:ty,)* }
         preload { $($preload:ident: $Preload:ty,)* }
@@ -46,7 +48,7 @@ macro_rules! groups {
         /// Places of the elements in the table's groups.
         #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
         #[derive(Clone, Copy)]
-        pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
+        pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
         // A static, so that the texts are in a program once and not in each crate that looks at them.
@@ -59,6 +61,7 @@ macro_rules! groups {
                 meaning: <$Hydraulic>::MEANING,
                 parameters: <$Hydraulic>::PARAMETERS,
             },)*
+            Group { name: stringify!($late), meaning: <$Late>::MEANING, parameters: <$Late>::PARAMETERS },
             $(Group { name: stringify!($inner), meaning: <$Inner>::MEANING, parameters: <$Inner>::PARAMETERS },)*
             $(Group { name: stringify!($friction), meaning: <$Friction>::MEANING, parameters: <$Friction>::PARAMETERS },)*
             $(Group { name: stringify!($preload), meaning: <$Preload>::MEANING, parameters: <$Preload>::PARAMETERS },)*
@@ -77,6 +80,7 @@ macro_rules! groups {
                 Acts::Series,
                 $(acts(Acts::SeriesLaw, Place::$law),)*
                 $(acts(Acts::Hydraulic, Place::$hydraulic),)*
+                Acts::Hydraulic,
                 $(acts(Acts::Inner, Place::$inner),)*
                 $(acts(Acts::Friction, Place::$friction),)*
                 $(acts(Acts::Preload, Place::$preload),)*

@@ -201,7 +201,7 @@ impl Element {
         self.group
     }
 
-    pub(super) const fn bit(self) -> u64 {
+    pub(crate) const fn bit(self) -> u64 {
         1 << self.place
     }
 }

@@ -28,6 +28,27 @@ pub const SLOTS: usize = {
     n
 };
 
+/// Index of the first row of a group, and the slot of its first value.
+pub(crate) const fn start_of(group: usize) -> (usize, usize) {
+    let (mut index, mut slot, mut g) = (0, 0, 0);
+    while g < group {
+        index += GROUPS[g].parameters.len();
+        slot += slots_of(GROUPS[g].parameters);
+        g += 1;
+    }
+    (index, slot)
+}
+
+/// Numbers that the values of these rows take.
+pub(crate) const fn slots_of(rows: &[Parameter]) -> usize {
+    let (mut slots, mut row) = (0, 0);
+    while row < rows.len() {
+        slots += rows[row].slots();
+        row += 1;
+    }
+    slots
+}
+
 /// All rows in order, each with its group and the place of its first value.
 pub fn table() -> impl Iterator<Item = Row> {
     Rows { index: 0, group: 0, local: 0, slot: 0 }

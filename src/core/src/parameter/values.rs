@@ -22,13 +22,22 @@ impl Default for Params {
 }
 
 impl Params {
+    /// No values: to be filled in whole.
+    pub(crate) const BLANK: Params = Params { elements: 0, lengths: [0; COUNT], values: [0.0; SLOTS] };
+
     /// The defaults of the table, with the elements of the thesis's model on.
     pub fn new() -> Params {
-        let mut params = Params { elements: DEFAULT_ON, lengths: [0; COUNT], values: [0.0; SLOTS] };
-        for row in table() {
-            params.store(&row, row.parameter.default);
-        }
+        let mut params = Params::BLANK;
+        params.set_defaults();
         params
+    }
+
+    /// As [`Params::new`], where the set is kept.
+    pub(crate) fn set_defaults(&mut self) {
+        self.elements = DEFAULT_ON;
+        for row in table() {
+            self.store(&row, row.parameter.default);
+        }
     }
 
     fn store(&mut self, row: &Row, values: &[f64]) {
@@ -62,6 +71,16 @@ impl Params {
         let before = GROUPS.iter().take(group).flat_map(|group| group.parameters);
         let (first, slot) = before.fold((0, 0), |(index, slot), row| (index + 1, slot + row.slots()));
         View::new(first, self.lengths.get(first..).unwrap_or(&[]), self.values.get(slot..).unwrap_or(&[]))
+    }
+
+    /// The values in these slots.
+    pub(crate) fn slots(&self, from: usize, count: usize) -> &[f64] {
+        self.values.get(from..).and_then(|tail| tail.get(..count)).unwrap_or(&[])
+    }
+
+    /// Lengths of the rows from `first` on.
+    pub(crate) fn lengths(&self, first: usize) -> &[u32] {
+        self.lengths.get(first..).unwrap_or(&[])
     }
 
     /// Sets one number or choice.
@@ -143,7 +162,8 @@ impl Params {
     }
 }
 
-fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
+/// Whether the table allows these values of a row.
+pub(crate) fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
     let p = row.parameter;
     let fault = |reason| Err(row.fault(reason));
     if values.len() > p.slots() || (values.is_empty() && !matches!(p.shape, Shape::List(_))) {

@@ -6,12 +6,13 @@ use super::bits::{
     SLOW_BUSHING, SPOOL, VALVE,
 };
 use super::slots::place;
+use crate::tables::Tables;
 
 /// Those that scale the FV curve slowly and do nothing else.
 const FACTORS: u32 = FADE | HEAT;
 
 /// Whether the elements of the paths bend the forces more sharply within a step than the plain damper does.
-pub(crate) fn is_sharp(e: &Paths) -> bool {
+pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
 
@@ -33,7 +34,7 @@ pub(crate) enum Bends {
 }
 
 /// How sharply those of an element set do.
-pub(crate) fn bends(e: &Paths) -> Bends {
+pub(crate) fn bends(e: &Paths<impl Tables>) -> Bends {
     let turns = !e.aeration.is_even() || !e.oil_compressibility.is_even();
     let acting = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
     match acting {
@@ -56,14 +57,14 @@ const ADDED: u32 = AIR | HEAT | SPOOL;
 
 /// Whether a stage that is compiled for those `ON` does for an element set.
 #[inline(always)]
-pub fn is_for<const ON: u32>(e: &Paths) -> bool {
+pub fn is_for<const ON: u32>(e: &Paths<impl Tables>) -> bool {
     let acting = e.acting();
     acting & !ON == 0 && acting & !ADDED == ON & !ADDED
 }
 
 /// Whether one acts in a stage that is compiled for those `ON`.
 #[inline(always)]
-pub fn acts<const ON: u32>(e: &Paths, bit: u32) -> bool {
+pub fn acts<const ON: u32>(e: &Paths<impl Tables>, bit: u32) -> bool {
     let certain = if ON == ANY { 0 } else { !ADDED };
     ON & bit & certain != 0 || ON & bit & !certain != 0 && e.acting() & bit != 0
 }

@@ -11,6 +11,7 @@ use super::bits::{GROOVE, PASSAGE};
 use super::{STATES, place};
 use crate::dual::{Dual, Real};
 use crate::elements::passage::{STATED, law};
+use crate::tables::Tables;
 
 /// F_l of a groove, which is short, N.
 const LAMINAR: f64 = 20.0;
@@ -21,13 +22,13 @@ fn short<R: Real>(force: R) -> R {
 }
 
 /// Whether oil flows past the valves.
-pub(crate) fn is_open(e: &Paths) -> bool {
+pub(crate) fn is_open(e: &Paths<impl Tables>) -> bool {
     e.has_groove() || e.has_passage()
 }
 
 /// b at given states, m/s; 0 where nothing is open.
 #[inline(always)]
-pub fn flow<R: Real>(e: &Paths, force: R, x: R, states: &[R; STATES]) -> R {
+pub fn flow<R: Real>(e: &Paths<impl Tables>, force: R, x: R, states: &[R; STATES]) -> R {
     let mut flow = R::constant(0.0);
     if e.has_groove() {
         flow = e.position_dependent_damping.groove(x, force.value() >= 0.0) * short(force);
@@ -57,7 +58,7 @@ impl Past {
 
     /// From the `known` states and the force that the stage tries, at displacement `x`.
     #[inline(always)]
-    pub fn stage<const ON: u32>(e: &Paths, force: f64, x: f64, known: f64, g: f64) -> Past {
+    pub fn stage<const ON: u32>(e: &Paths<impl Tables>, force: f64, x: f64, known: f64, g: f64) -> Past {
         let force = Dual::<3>::along(force, 0);
         let mut flow = Dual::constant(0.0);
         let (mut state, mut state_by) = (known, [0.0, 1.0]);

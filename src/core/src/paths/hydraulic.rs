@@ -7,6 +7,7 @@ use super::bits::{AIR, FADE, LENGTH, POSITION, SELECTIVE, VALVE};
 use super::place;
 use crate::dual::{Dual, Real};
 use crate::elements::soft_gap::SoftGap;
+use crate::tables::Tables;
 use core::cell::Cell;
 
 /// What surrounds the path at one instant.
@@ -42,7 +43,14 @@ const LEAKAGE: f64 = 0.01;
 /// F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). What the FV curve has at standstill is no flow's: the
 /// force `standing` keeps its size.
 #[inline(always)]
-pub fn flow<R: Real>(e: &Paths, curve: R, standing: R, w: R, around: &Around<R>, states: &[R; STATES]) -> Flow<R> {
+pub fn flow<R: Real>(
+    e: &Paths<impl Tables>,
+    curve: R,
+    standing: R,
+    w: R,
+    around: &Around<R>,
+    states: &[R; STATES],
+) -> Flow<R> {
     let mut above = curve - standing;
     if e.has_position() {
         above = above * e.position_dependent_damping.factor(around.x, above.value() >= 0.0);
@@ -78,7 +86,7 @@ pub(crate) struct Factors {
 
 impl Factors {
     #[inline(always)]
-    pub fn of<const ON: u32>(e: &Paths, x: f64, temperature: f64, rise: f64) -> Factors {
+    pub fn of<const ON: u32>(e: &Paths<impl Tables>, x: f64, temperature: f64, rise: f64) -> Factors {
         let mut factors = Factors { strokes: [[1.0, 0.0]; 2], fade: [1.0, 0.0] };
         if acts::<ON>(e, POSITION) {
             let x = Dual::<1>::along(x, 0);
@@ -156,7 +164,7 @@ impl Valves {
     /// taken, `raised` by how much it raised the force when it was solved last; `leaks` where there is an oil column.
     #[inline(always)]
     pub fn stage<const ON: u32>(
-        e: &Paths,
+        e: &Paths<impl Tables>,
         factors: &Factors,
         [curve, standing, w]: [f64; 3],
         known: &[f64; STATES],
@@ -218,7 +226,7 @@ impl Valves {
 
     /// What the force, where the valve stands and the state of frequency-selective damping become in a direction.
     #[inline(always)]
-    pub fn along<const ON: u32>(&self, e: &Paths, by: &Moves, leaks: bool) -> [f64; 3] {
+    pub fn along<const ON: u32>(&self, e: &Paths<impl Tables>, by: &Moves, leaks: bool) -> [f64; 3] {
         let [factor, by_x, by_rise] = self.scaled_by;
         let mut force = factor * by.curve + (1.0 - factor) * by.standing;
         if acts::<ON>(e, POSITION) {
@@ -251,27 +259,27 @@ impl Valves {
 
 /// The oil column as air in line with oil, on the side of a force or deflection, and the oil's compliance.
 #[inline(always)]
-fn column(e: &Paths, side: f64) -> (SoftGap, f64) {
+fn column(e: &Paths<impl Tables>, side: f64) -> (SoftGap, f64) {
     (e.aeration.under(side), e.oil_compressibility.compliance(side))
 }
 
 /// q(F_h).
 #[inline(always)]
-pub fn deflection<R: Real>(e: &Paths, force: R) -> R {
+pub fn deflection<R: Real>(e: &Paths<impl Tables>, force: R) -> R {
     let (air, compliance) = column(e, force.value());
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
 /// The state of an oil column under a force: its deflection or, with two chambers whose length changes, what it has taken up of
 /// the piston's stroke.
-pub(crate) fn column_state(e: &Paths, x: f64, force: f64) -> f64 {
+pub(crate) fn column_state(e: &Paths<impl Tables>, x: f64, force: f64) -> f64 {
     let q = deflection(e, force);
     if e.counts_stroke() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
 /// F_h = φ_o(q) of a column in a state, and q.
 #[inline(always)]
-pub fn column_force<R: Real>(e: &Paths, x: R, state: R) -> (R, R) {
+pub fn column_force<R: Real>(e: &Paths<impl Tables>, x: R, state: R) -> (R, R) {
     let q = if e.counts_stroke() { e.oil_compressibility.deflection(x, state) } else { state };
     let (air, compliance) = column(e, q.value());
     (air.force(R::constant(1.0 / compliance), q).0, q)
@@ -279,7 +287,7 @@ pub fn column_force<R: Real>(e: &Paths, x: R, state: R) -> (R, R) {
 
 /// The rate of the state of a column of which so much is `pressed` in, u − w, while the driven end moves at v.
 #[inline(always)]
-pub fn column_rate<R: Real>(e: &Paths, [x, v]: [R; 2], deflection: R, pressed: R) -> R {
+pub fn column_rate<R: Real>(e: &Paths<impl Tables>, [x, v]: [R; 2], deflection: R, pressed: R) -> R {
     if e.counts_stroke() {
         return pressed + v * e.oil_compressibility.taken_up_by_place(x, deflection);
     }
@@ -312,7 +320,7 @@ impl Column {
     /// The last, of two chambers, is the stage of ds/dt = u − w + v ∂s/∂x, whose last term is taken as s(x) − s(X), where the
     /// stage moves the driven end `from` X to x.
     #[inline(always)]
-    pub fn stage<const ON: u32>(e: &Paths, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
+    pub fn stage<const ON: u32>(e: &Paths<impl Tables>, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
         let (air, compliance) = column(e, force);
         let [q, per_force] = if acts::<ON>(e, AIR) {
             let q = air.deflection(compliance, Dual::<1>::along(force, 0));

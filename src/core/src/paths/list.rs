@@ -2,7 +2,10 @@
 //!
 //! - `primary` (the FV curve) and `series` (the compliance with its mass) make the frame that the others act in;
 //! - `series_law`: bends the law of the series compliance (see [`super::series`]);
-//! - `hydraulic`: between the internal mass and the FV curve (see [`super::hydraulic`]).
+//! - `hydraulic`: between the internal mass and the FV curve (see [`super::hydraulic`]);
+//! - `late`: the last of these, which keeps a large table.
+//!
+//! `T` stands for whoever keeps the tables of an element ([`crate::tables`]): who calls the list has it in scope.
 //!
 //! What they need of each other is said in this folder: which states they have and where those are kept ([`super::slots`]), which of them act in a
 //! stage ([`super::acting`]), and what one gives another ([`super::Paths::join`]).
@@ -24,8 +27,8 @@ macro_rules! each_path_element {
                 position_dependent_damping: $crate::elements::position_dependent_damping::PositionDependentDamping,
                 temperature_fade: $crate::elements::temperature_fade::TemperatureFade,
                 frequency_selective_damping: $crate::elements::frequency_selective_damping::FrequencySelectiveDamping,
-                valve_hysteresis: $crate::elements::valve_hysteresis::ValveHysteresis,
             }
+            late { valve_hysteresis: $crate::elements::valve_hysteresis::ValveHysteresis<T> }
             $($behind)*
         }
     };

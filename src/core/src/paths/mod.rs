@@ -24,10 +24,13 @@ pub mod slots;
 pub(crate) mod solve;
 
 use crate::element::Prepare;
+use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
+use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, Reason};
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
-use crate::preparing::{checked, placed};
+use crate::preparing::{Keep, checked, placed};
+use crate::tables::{Held, Owned, Tables};
 use bits::{
     AIR, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
     SLOW_BUSHING, SPOOL, VALVE, WHOLE,
@@ -42,18 +45,20 @@ macro_rules! gathered {
         series { $series:ident: $Series:ty }
         series_law { $($law:ident: $Law:ty,)* }
         hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
+        late { $late:ident: $Late:ty }
     ) => {
         /// The prepared elements in the way of the force.
         #[derive(Clone, Copy, Debug)]
         #[repr(C)]
-        pub struct Paths {
+        pub struct Paths<T: Tables = Owned> {
             on: u64,
             /// The primary damper.
-            pub $primary: $Primary,
+            pub $primary: T::Fv,
             /// The series compliance.
-            pub $series: $Series,
-            $(pub(crate) $law: $Law,)*
-            $(pub(crate) $hydraulic: $Hydraulic,)*
+            pub $series: T::Kept<$Series>,
+            $(pub(crate) $law: T::Kept<$Law>,)*
+            $(pub(crate) $hydraulic: T::Kept<$Hydraulic>,)*
+            pub(crate) $late: $Late,
             /// Where the states are kept.
             slots: Slots,
             /// What acts in a stage.
@@ -62,18 +67,22 @@ macro_rules! gathered {
 
         impl Paths {
             /// No element.
-            pub const OFF: Paths = Paths {
+            pub const OFF: Paths = {
+                type T = Owned;
+                Paths {
                 on: 0,
                 $primary: <$Primary>::OFF,
-                $series: <$Series>::OFF,
-                $($law: <$Law>::OFF,)*
-                $($hydraulic: <$Hydraulic>::OFF,)*
+                $series: Held(<$Series>::OFF),
+                $($law: Held(<$Law>::OFF),)*
+                $($hydraulic: Held(<$Hydraulic>::OFF),)*
+                    $late: <$Late>::OFF,
                 slots: Slots::NONE,
                 acting: 0,
+                }
             };
 
             /// Those beside the FV curve and a straight series spring: where one of them is on, the plain step does not do.
-            pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)*;
+            pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)* | 1 << Place::$late as usize;
             /// The series compliance.
             pub(crate) const MASS: u64 = 1 << Place::$series as usize;
 
@@ -82,6 +91,7 @@ macro_rules! gathered {
             /// # Errors
             /// The parameter that does not fit.
             pub(crate) fn check(params: &Params) -> Result<(), Fault> {
+                type T = Owned;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
                         if params.elements() & (1 << Place::$name as usize) != 0 {
@@ -93,6 +103,7 @@ macro_rules! gathered {
                 each!($series, $Series);
                 $(each!($law, $Law);)*
                 $(each!($hydraulic, $Hydraulic);)*
+                each!($late, $Late);
                 Ok(())
             }
 
@@ -101,7 +112,7 @@ macro_rules! gathered {
             /// # Errors
             /// The element that lacks it.
             pub(crate) fn check_together(params: &Params) -> Result<(), Fault> {
-                if params.elements() & Paths::MASS == 0 {
+                if params.elements() & Paths::<Owned>::MASS == 0 {
                     $(if params.elements() & (1 << Place::$law as usize) != 0 {
                         return Err(params.view::<$Law>(Place::$law as usize).fault_of_all(Reason::NeedsSeries));
                     })*
@@ -115,17 +126,61 @@ macro_rules! gathered {
                 self.on = on;
                 macro_rules! each {
                     ($name:ident) => {
-                        placed(&mut self.$name, on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                        placed(self.$name.kept(), on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
                     };
                 }
                 each!($primary);
                 each!($series);
                 $(each!($law);)*
                 $(each!($hydraulic);)*
+                each!($late);
                 self.acting = self.bits();
                 self.slots = self.laid_out();
             }
 
+            /// The elements at a setting: see [`crate::assembly::Elements::lent`].
+            #[inline(always)]
+            pub(crate) fn lent<'a>(
+                &'a self,
+                fv: Section<'a>,
+                numbers: &impl Numbers,
+                renewed: &'a mut RenewedPaths,
+            ) -> Paths<Lent<'a>> {
+                type T = Owned;
+                macro_rules! each {
+                    ($name:ident, $Type:ty) => {
+                        kept!(self, numbers, renewed, $name, $Type)
+                    };
+                }
+                Paths {
+                    on: self.on,
+                    $primary: fv,
+                    $series: each!($series, $Series),
+                    $($law: each!($law, $Law),)*
+                    $($hydraulic: each!($hydraulic, $Hydraulic),)*
+                    $late: lent_or_renewed!(self, numbers, $late, $Late),
+                    slots: self.slots,
+                    acting: self.acting,
+                }
+            }
+        }
+
+        /// Elements of the paths that were made ready for a setting.
+        pub(crate) struct RenewedPaths {
+            $series: Option<$Series>,
+            $($law: Option<$Law>,)*
+            $($hydraulic: Option<$Hydraulic>,)*
+        }
+
+        impl RenewedPaths {
+            /// None. No constant, which would be copied whole.
+            #[inline(always)]
+            pub(crate) fn none() -> RenewedPaths {
+                RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* }
+            }
+        }
+
+        impl<T: Tables> Paths<T> {
             #[inline(always)]
             fn has(&self, place: Place) -> bool {
                 self.on & (1 << place as usize) != 0
@@ -137,11 +192,11 @@ macro_rules! gathered {
 each_path_element!(gathered);
 
 /// What they are asked for.
-impl Paths {
+impl<T: Tables> Paths<T> {
     /// Whether the series compliance is on: without it the internal mass is the driven end.
     #[inline(always)]
     pub fn has_series(&self) -> bool {
-        self.on & Paths::MASS != 0
+        self.on & Paths::<Owned>::MASS != 0
     }
 
     /// Whether friction and preload act on the internal mass, behind the series compliance.
@@ -253,7 +308,9 @@ impl Paths {
             self.valve_hysteresis.join(&self.fv_curve);
         }
     }
+}
 
+impl<T: Tables> Paths<T> {
     /// Those that are on, as bits.
     fn bits(&self) -> u32 {
         let mut acting = 0;

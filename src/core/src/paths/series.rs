@@ -4,6 +4,7 @@ use super::Paths;
 use super::acting::acts;
 use super::bits::{ANY, BUSHING, FREE_PLAY};
 use crate::dual::{Dual, Real};
+use crate::tables::Tables;
 
 /// The series spring and damper, as numbers that may be differentiated by.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +20,7 @@ pub struct Frame<R> {
 impl<R: Real> Frame<R> {
     /// That of the model.
     #[inline(always)]
-    pub fn of(e: &Paths) -> Frame<R> {
+    pub fn of(e: &Paths<impl Tables>) -> Frame<R> {
         let s = &e.series_compliance;
         Frame { stiffness: R::constant(s.stiffness), damping: R::constant(s.damping), mass: R::constant(s.mass) }
     }
@@ -27,7 +28,7 @@ impl<R: Real> Frame<R> {
 
 /// The elastic force φ and its slope φ' at a deflection, and the share of the contact that is closed, from 0 to 1.
 #[inline(always)]
-fn elastic<const ON: u32, R: Real>(e: &Paths, stiffness: R, deflection: R) -> (R, R, R) {
+fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflection: R) -> (R, R, R) {
     let (mut force, mut slope, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
     if acts::<ON>(e, FREE_PLAY) {
         (force, slope) = e.free_play.0.force(stiffness, deflection);
@@ -41,7 +42,7 @@ fn elastic<const ON: u32, R: Real>(e: &Paths, stiffness: R, deflection: R) -> (R
 
 /// F_s at a deflection, its rate, and the deflections of what gives way in a bushing.
 #[inline(always)]
-pub fn force<R: Real>(e: &Paths, frame: &Frame<R>, deflection: R, rate: R, relaxing: [R; 2]) -> R {
+pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, rate: R, relaxing: [R; 2]) -> R {
     let (elastic, _, closed) = elastic::<ANY, _>(e, frame.stiffness, deflection);
     let mut force = elastic + frame.damping * closed * rate;
     if e.has_bushing() {
@@ -71,7 +72,7 @@ impl Sloped {
 
 /// As [`force`], in a stage.
 #[inline(always)]
-pub(crate) fn sloped<const ON: u32>(e: &Paths, deflection: f64, rate: f64, relaxing: f64) -> Sloped {
+pub(crate) fn sloped<const ON: u32>(e: &Paths<impl Tables>, deflection: f64, rate: f64, relaxing: f64) -> Sloped {
     let (k, c) = (e.series_compliance.stiffness, e.series_compliance.damping);
     let mut s = Sloped {
         force: k * deflection + c * rate,
@@ -98,13 +99,13 @@ pub(crate) fn sloped<const ON: u32>(e: &Paths, deflection: f64, rate: f64, relax
 }
 
 /// The elastic force and its slope, for the static answer.
-pub fn held(e: &Paths, deflection: f64) -> (f64, f64) {
+pub fn held(e: &Paths<impl Tables>, deflection: f64) -> (f64, f64) {
     let (force, slope, _) = elastic::<ANY, _>(e, e.series_compliance.stiffness, deflection);
     (force, slope)
 }
 
 /// Most that the path yields to a force.
-pub fn furthest(e: &Paths, force: f64) -> f64 {
+pub fn furthest(e: &Paths<impl Tables>, force: f64) -> f64 {
     let gap = if e.has_free_play() { e.free_play.0.gap } else { 0.0 };
     force.abs() / e.series_compliance.stiffness + gap
 }

@@ -2,6 +2,7 @@
 
 use super::Paths;
 use crate::curve::Value;
+use crate::tables::{ForceLaw, Tables};
 
 /// Most rounds; two are common. Past [`PATIENCE`] every other one takes four tenths of what is left at least, so that the
 /// bracket has shrunk by nine orders when they end.
@@ -94,7 +95,7 @@ struct End {
 /// inside, so that a slope is never carried beyond the places where R was looked at.
 #[inline(always)]
 pub fn oil_velocity<Q: Equation>(
-    e: &Paths,
+    e: &Paths<impl Tables>,
     guess: f64,
     rounds: usize,
     least: [f64; 2],
@@ -155,7 +156,7 @@ pub fn oil_velocity<Q: Equation>(
 /// The middle of a bracket; while one end is open, twice as far out in every round.
 #[cold]
 #[inline(never)]
-fn between(e: &Paths, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {
+fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {
     match (low.w.is_finite(), high.w.is_finite()) {
         (true, true) => middle(e, a, low, high),
         (true, false) if round >= PATIENCE => low.w + (low.w.abs() + 1e-3),
@@ -168,7 +169,7 @@ fn between(e: &Paths, a: f64, low: End, high: End, next: f64, round: usize) -> f
 ///
 /// The curve's own steps do not lead there in a piece that is level at one end and a thousand times steeper than a in the
 /// mean, and a middle that lies at the same end in every round closes no bracket.
-fn middle(e: &Paths, a: f64, low: End, high: End) -> f64 {
+fn middle(e: &Paths<impl Tables>, a: f64, low: End, high: End) -> f64 {
     let sum = a * (low.w + high.w) + low.curve + high.curve;
     let near = 0.2 * (a * (high.w - low.w) + (high.curve - low.curve));
     let (mut at, mut value) = e.fv_curve.solve::<STEPS>(a, 0.5 * sum);

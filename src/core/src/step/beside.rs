@@ -6,6 +6,7 @@ use crate::element::{Memory, Motion, Reached, Response, VisitMemory};
 use crate::input::Path;
 use crate::math::pair;
 use crate::state::{MAX_MEMORY, Output};
+use crate::tables::Tables;
 
 /// Advances all private states beside the damper along the path; returns the force of their elements and of the stops
 /// at its end, with its slopes, and counts their shares in `output`.
@@ -14,7 +15,7 @@ use crate::state::{MAX_MEMORY, Output};
 #[inline(never)]
 pub(super) fn advance_extras(
     (method, substeps): (&Tableau, u32),
-    elements: &Elements,
+    elements: &Elements<impl Tables>,
     path: &Path,
     end: &Motion,
     memory: &mut [f64; MAX_MEMORY],

@@ -26,6 +26,7 @@ use super::reach::{springs, within_reach};
 use crate::assembly::Elements;
 use crate::element::{Motion, Response};
 use crate::input::PathPoint;
+use crate::tables::{ForceLaw, Tables};
 
 /// The mass before the step, and what the step is given.
 pub(super) struct Before {
@@ -77,7 +78,7 @@ impl After {
 
     /// The same of the springs, in a step to `end`.
     #[inline(always)]
-    pub fn springs_hold(&self, elements: &Elements, end: &PathPoint, side: (f64, f64)) -> bool {
+    pub fn springs_hold(&self, elements: &Elements<impl Tables>, end: &PathPoint, side: (f64, f64)) -> bool {
         if !elements.bends() {
             return true;
         }
@@ -101,7 +102,13 @@ impl Before {
 
 /// Moves the mass by one step to the driven end at `end`; `springs` are those on the mass at `springs_at`.
 #[inline(always)]
-pub(super) fn take(elements: &Elements, before: &Before, end: &PathPoint, springs_at: f64, springs: Response) -> After {
+pub(super) fn take(
+    elements: &Elements<impl Tables>,
+    before: &Before,
+    end: &PathPoint,
+    springs_at: f64,
+    springs: Response,
+) -> After {
     let e = &elements.paths.series_compliance;
     let h = before.h;
     let mut held = springs.force + springs.by_x * (before.x - springs_at);

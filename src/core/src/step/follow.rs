@@ -5,6 +5,7 @@ use crate::assembly::Elements;
 use crate::element::Response;
 use crate::input::PathPoint;
 use crate::math::pair;
+use crate::tables::{Owned, Tables};
 
 /// What happened in one stage: all that a derivative of the step needs.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +41,7 @@ pub struct Stage<'a> {
 }
 
 /// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
-pub trait Follow {
+pub trait Follow<T: Tables = Owned> {
     /// Whether the answer's slopes are asked for.
     #[inline(always)]
     fn wants_slopes(&self) -> bool {
@@ -48,7 +49,7 @@ pub trait Follow {
     }
 
     /// Called after every stage.
-    fn stage(&mut self, elements: &Elements, stage: &Stage);
+    fn stage(&mut self, elements: &Elements<T>, stage: &Stage);
 
     /// Slopes of k_s x_m + c_s v_m over displacement and velocity at the end of the step: what the series force loses
     /// because the mass yields. Zero where the slopes of the output are to hold the mass still.
@@ -80,14 +81,14 @@ impl ByEnd {
     }
 }
 
-impl Follow for ByEnd {
+impl<T: Tables> Follow<T> for ByEnd {
     #[inline(always)]
     fn wants_slopes(&self) -> bool {
         self.wanted
     }
 
     #[inline(always)]
-    fn stage(&mut self, elements: &Elements, s: &Stage) {
+    fn stage(&mut self, elements: &Elements<T>, s: &Stage) {
         if !self.wanted {
             return;
         }

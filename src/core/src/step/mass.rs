@@ -10,6 +10,7 @@ use crate::curve::Value;
 use crate::element::{Motion, Response};
 use crate::input::Path;
 use crate::math::pair;
+use crate::tables::Tables;
 
 /// Where the mass is, and what acts on it.
 #[derive(Clone, Copy)]
@@ -21,8 +22,8 @@ pub(super) struct Mass {
 }
 
 /// One substep under way.
-struct Substep<'a, P> {
-    elements: &'a Elements,
+struct Substep<'a, T: Tables, P> {
+    elements: &'a Elements<T>,
     primary: P,
     path: &'a Path,
     /// Start and length of the substep as fractions of the step.
@@ -40,10 +41,10 @@ struct Substep<'a, P> {
     gains: [[f64; 2]; MOST_STAGES],
 }
 
-impl<P: Primary> Substep<'_, P> {
+impl<T: Tables, P: Primary> Substep<'_, T, P> {
     /// All stages, up to four, written out, so that their places are constants. `MAY_BEND`: with springs that no straight line may stand for.
     #[inline(always)]
-    fn written_out<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+    fn written_out<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         let mut mass = self.stage::<MAY_BEND>(method, 0, follow);
         if method.stages > 1 {
             mass = self.stage::<MAY_BEND>(method, 1, follow);
@@ -59,7 +60,7 @@ impl<P: Primary> Substep<'_, P> {
 
     /// All stages; `MAY_BEND` as there.
     #[inline(always)]
-    fn run<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+    fn run<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         let mut mass = self.start;
         for index in 0..method.stages {
             mass = self.stage::<MAY_BEND>(method, index, follow);
@@ -69,13 +70,13 @@ impl<P: Primary> Substep<'_, P> {
 
     /// All stages with springs that may bend, once for all who ask.
     #[inline(never)]
-    fn run_apart(&mut self, method: &Tableau, follow: &mut impl Follow) -> Mass {
+    fn run_apart(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         self.run::<true>(method, follow)
     }
 
     /// One stage; `MAY_BEND` as there.
     #[inline(always)]
-    fn stage<const MAY_BEND: bool>(&mut self, method: &Tableau, index: usize, follow: &mut impl Follow) -> Mass {
+    fn stage<const MAY_BEND: bool>(&mut self, method: &Tableau, index: usize, follow: &mut impl Follow<T>) -> Mass {
         let e = &self.elements.paths.series_compliance;
         let (Some(row), Some(place)) = (method.weights.get(index), method.c.get(index)) else {
             return self.start;
@@ -175,7 +176,7 @@ const ROUNDING: f64 = 1e-12;
 const ROUNDS: usize = 60;
 const PATIENCE: usize = 6;
 
-impl<P: Primary> Substep<'_, P> {
+impl<T: Tables, P: Primary> Substep<'_, T, P> {
     /// Solves a stage whose springs bend: the straight line that they were taken for at the predicted place holds neither beyond
     /// the next point of a table nor far out on a power, and a mass that meets a force which no spring makes is thrown.
     ///
@@ -210,10 +211,10 @@ impl<P: Primary> Substep<'_, P> {
     }
 }
 
-impl<'a, P: Primary> Substep<'a, P> {
+impl<'a, T: Tables, P: Primary> Substep<'a, T, P> {
     /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
     #[inline(always)]
-    fn new(drive: &Drive<'a, P>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a, P> {
+    fn new(drive: &Drive<'a, T, P>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a, T, P> {
         let h = drive.path.length() * part;
         Substep {
             elements: drive.elements,
@@ -234,8 +235,8 @@ impl<'a, P: Primary> Substep<'a, P> {
 
 /// What moves the internal mass during a step.
 #[derive(Clone, Copy)]
-pub(super) struct Drive<'a, P> {
-    pub elements: &'a Elements,
+pub(super) struct Drive<'a, T: Tables, P> {
+    pub elements: &'a Elements<T>,
     pub primary: P,
     pub path: &'a Path,
     pub side: (f64, f64),
@@ -243,23 +244,23 @@ pub(super) struct Drive<'a, P> {
 
 /// Moves the internal mass along the path in one substep by a method of up to four stages.
 #[inline(always)]
-pub(super) fn move_mass_at_once<const MAY_BEND: bool>(
+pub(super) fn move_mass_at_once<T: Tables, const MAY_BEND: bool>(
     method: &Tableau,
-    drive: &Drive<impl Primary>,
+    drive: &Drive<T, impl Primary>,
     mass: Mass,
-    follow: &mut impl Follow,
+    follow: &mut impl Follow<T>,
 ) -> Mass {
     Substep::new(drive, 0.0, 1.0, true, mass).written_out::<MAY_BEND>(method, follow)
 }
 
 /// Moves the internal mass along the path.
 #[inline(always)]
-pub(super) fn move_mass(
+pub(super) fn move_mass<T: Tables>(
     method: &Tableau,
-    drive: &Drive<impl Primary>,
+    drive: &Drive<T, impl Primary>,
     substeps: u32,
     mass: Mass,
-    follow: &mut impl Follow,
+    follow: &mut impl Follow<T>,
 ) -> Mass {
     let Drive { elements, ref primary, path, side } = *drive;
     if method.along_lines {
@@ -282,7 +283,7 @@ pub(super) fn move_mass(
 /// Substeps of the cheaper methods, written out: by the table they take 12 % more. That of five stages, which no plain step is given unless it is
 /// asked for, goes by it.
 #[inline(never)]
-fn in_two_stages(drive: &Drive<Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow) -> Mass {
+fn in_two_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
         Substep::new(drive, theta, part, last, mass).written_out::<false>(&SECOND, follow)
     })
@@ -290,7 +291,7 @@ fn in_two_stages(drive: &Drive<Plain>, substeps: u32, mass: Mass, follow: &mut i
 
 /// As [`in_two_stages`].
 #[inline(never)]
-fn in_three_stages(drive: &Drive<Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow) -> Mass {
+fn in_three_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
         Substep::new(drive, theta, part, last, mass).written_out::<false>(&THREE_STAGE, follow)
     })
@@ -298,7 +299,7 @@ fn in_three_stages(drive: &Drive<Plain>, substeps: u32, mass: Mass, follow: &mut
 
 /// As [`in_two_stages`].
 #[inline(never)]
-fn in_four_stages(drive: &Drive<Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow) -> Mass {
+fn in_four_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
         Substep::new(drive, theta, part, last, mass).written_out::<false>(&THIRD, follow)
     })
@@ -306,12 +307,12 @@ fn in_four_stages(drive: &Drive<Plain>, substeps: u32, mass: Mass, follow: &mut 
 
 /// As [`move_mass`] where springs bend or the curve fades; apart, so that others do not pay for it.
 #[inline(never)]
-fn move_mass_apart(
+fn move_mass_apart<T: Tables>(
     method: &Tableau,
-    drive: &Drive<impl Primary>,
+    drive: &Drive<T, impl Primary>,
     substeps: u32,
     mass: Mass,
-    follow: &mut impl Follow,
+    follow: &mut impl Follow<T>,
 ) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
         Substep::new(drive, theta, part, last, mass).run_apart(method, follow)
@@ -332,7 +333,12 @@ fn in_substeps(substeps: u32, mut mass: Mass, mut take: impl FnMut(f64, f64, boo
 
 /// As [`move_mass`] by cheap steps.
 #[inline(never)]
-fn move_mass_cheaply(drive: &Drive<impl Primary>, substeps: u32, mut mass: Mass, follow: &mut impl Follow) -> Mass {
+fn move_mass_cheaply<T: Tables>(
+    drive: &Drive<T, impl Primary>,
+    substeps: u32,
+    mut mass: Mass,
+    follow: &mut impl Follow<T>,
+) -> Mass {
     let (elements, path) = (drive.elements, drive.path);
     let part = 1.0 / substeps as f64;
     let h = path.length() * part;

@@ -25,6 +25,7 @@ use crate::paths::bits::{
 };
 use crate::paths::{Paths, STATES, place};
 use crate::state::{Output, State};
+use crate::tables::Tables;
 use stage::PathsStage;
 pub use stage::Seed;
 
@@ -127,7 +128,7 @@ pub(super) trait EachStage {
     /// Whether the answer's slopes are asked for.
     fn wants_slopes(&self) -> bool;
     /// Called after every stage.
-    fn stage<const ON: u32>(&mut self, stage: &PathsStage<ON>);
+    fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>);
     /// Slopes of the force over displacement and velocity at the end of the step.
     fn slopes(&self) -> [f64; 2];
 }
@@ -142,7 +143,7 @@ impl<F: FollowPaths> EachStage for Told<'_, F> {
     }
 
     #[inline(always)]
-    fn stage<const ON: u32>(&mut self, stage: &PathsStage<ON>) {
+    fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>) {
         self.0.paths_stage(stage);
     }
 
@@ -169,7 +170,7 @@ impl Carried {
 
     /// As [`StageSlopes::carry`].
     #[inline(always)]
-    fn over<const ON: u32>(&mut self, stage: &PathsStage<ON>, mut seed: Seed) {
+    fn over<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>, mut seed: Seed) {
         seed.known = known_part::<ON>(&self.states, stage.row, &self.gains, stage.index);
         if stage.valve_jumps {
             seed.known[place::VALVE] = self.states[place::VALVE];
@@ -213,7 +214,7 @@ impl EachStage for PathsByEnd {
     }
 
     #[inline(always)]
-    fn stage<const ON: u32>(&mut self, s: &PathsStage<ON>) {
+    fn stage<const ON: u32>(&mut self, s: &PathsStage<impl Tables, ON>) {
         if !self.wanted {
             return;
         }
@@ -256,7 +257,7 @@ fn known_part<const ON: u32>(
 /// not lie there: a valve that is open two and a half times over takes more than all its force away, and the stage's
 /// equation then has no one answer.
 #[inline(always)]
-fn keep<const ON: u32>(e: &Paths, known: &mut [f64; STATES]) -> u32 {
+fn keep<const ON: u32>(e: &Paths<impl Tables>, known: &mut [f64; STATES]) -> u32 {
     let mut kept = 0;
     let mut within = |place: usize, (low, high): (f64, f64)| {
         let at = known[place];
@@ -300,8 +301,8 @@ pub(super) fn held(dt: f64) -> f64 {
 
 /// What moves the states of the paths during a step.
 #[derive(Clone, Copy)]
-pub(super) struct Drive<'a> {
-    pub model: &'a Model,
+pub(super) struct Drive<'a, T: Tables> {
+    pub model: &'a Model<T>,
     pub path: &'a Path,
     pub substeps: u32,
     /// Side force and temperature.
@@ -310,7 +311,12 @@ pub(super) struct Drive<'a> {
 }
 
 /// Moves the states of both paths along the path of the driven end.
-pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, follow: &mut impl EachStage) -> Through {
+pub(super) fn advance(
+    drive: &Drive<impl Tables>,
+    state: &mut State,
+    output: &mut Output,
+    follow: &mut impl EachStage,
+) -> Through {
     let e = &drive.model.elements.paths;
     let slots = e.slots();
     let states = slots.read(state);
@@ -349,7 +355,7 @@ pub(super) fn advance(drive: &Drive, state: &mut State, output: &mut Output, fol
 }
 
 #[inline(never)]
-fn advance_on<const ON: u32>(drive: &Drive, now: &mut Now, follow: &mut impl EachStage) {
+fn advance_on<const ON: u32>(drive: &Drive<impl Tables>, now: &mut Now, follow: &mut impl EachStage) {
     let Drive { model, path, substeps, side, .. } = *drive;
     let part = 1.0 / substeps as f64;
     let mut theta = 0.0;
@@ -388,8 +394,8 @@ impl Now {
 
 /// A part of the step.
 #[derive(Clone, Copy)]
-struct Substep<'a> {
-    elements: &'a Elements,
+struct Substep<'a, T: Tables> {
+    elements: &'a Elements<T>,
     path: &'a Path,
     /// Start and length as fractions of the step.
     theta: f64,
@@ -439,7 +445,7 @@ enum Ended {
     Thrown,
 }
 
-impl Substep<'_> {
+impl<T: Tables> Substep<'_, T> {
     /// By the method of the model; in pieces where something turns inside that this would carry on beyond its turn.
     ///
     /// # What keeps the force near
@@ -527,7 +533,7 @@ impl Substep<'_> {
                 }
             }
             let known = Known { index, last, row, g, moved_from, since, valve_jumps, raised, states: known, kept };
-            let mut stage = PathsStage::<ON>::solve(self.elements, &known, point, self.side, guess);
+            let mut stage = PathsStage::<T, ON>::solve(self.elements, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {
                 if let Some(force) = forces.get_mut(index) {

@@ -2,20 +2,21 @@
 
 use crate::assembly::Elements;
 use crate::curve::Value;
+use crate::tables::{ForceLaw, Tables};
 
 /// A force that rises with the velocity of the mass.
 pub(super) trait Primary: Copy {
     /// That of an element set at a temperature that the host gives.
-    fn new(e: &Elements, temperature: f64) -> Self;
+    fn new(e: &Elements<impl Tables>, temperature: f64) -> Self;
 
     /// Whether it is the FV curve as it is.
     fn is_plain(&self) -> bool;
 
     /// Force and slope at a velocity.
-    fn at(&self, e: &Elements, v: f64) -> Value;
+    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value;
 
     /// The velocity u with a u + F(u) = r, and force and slope there.
-    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value);
+    fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value);
 }
 
 /// Householder steps inside a piece of the FV curve: what they leave is below the error of every method.
@@ -27,7 +28,7 @@ pub(super) struct Plain;
 
 impl Primary for Plain {
     #[inline(always)]
-    fn new(_: &Elements, _: f64) -> Plain {
+    fn new(_: &Elements<impl Tables>, _: f64) -> Plain {
         Plain
     }
 
@@ -37,12 +38,12 @@ impl Primary for Plain {
     }
 
     #[inline(always)]
-    fn at(&self, e: &Elements, v: f64) -> Value {
+    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
         e.paths.fv_curve.at(v)
     }
 
     #[inline(always)]
-    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
+    fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value) {
         e.paths.fv_curve.solve::<STEPS>(a, r)
     }
 }
@@ -66,7 +67,7 @@ impl Faded {
 
 impl Primary for Faded {
     #[inline(always)]
-    fn new(e: &Elements, temperature: f64) -> Faded {
+    fn new(e: &Elements<impl Tables>, temperature: f64) -> Faded {
         let factor: f64 = e.paths.temperature_fade.factor(temperature, 0.0);
         Faded { factor, per_factor: 1.0 / factor, standing: e.paths.fv_curve.at_zero() }
     }
@@ -77,12 +78,12 @@ impl Primary for Faded {
     }
 
     #[inline(always)]
-    fn at(&self, e: &Elements, v: f64) -> Value {
+    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
         self.of(e.paths.fv_curve.at(v))
     }
 
     #[inline(always)]
-    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
+    fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value) {
         let r = self.standing + (r - self.standing) * self.per_factor;
         let (u, curve) = e.paths.fv_curve.solve::<STEPS>(a * self.per_factor, r);
         (u, self.of(curve))
@@ -95,7 +96,7 @@ pub(super) struct Any(Option<Faded>);
 
 impl Primary for Any {
     #[inline(always)]
-    fn new(e: &Elements, temperature: f64) -> Any {
+    fn new(e: &Elements<impl Tables>, temperature: f64) -> Any {
         Any(e.has_paths().then(|| Faded::new(e, temperature)))
     }
 
@@ -105,13 +106,13 @@ impl Primary for Any {
     }
 
     #[inline(always)]
-    fn at(&self, e: &Elements, v: f64) -> Value {
+    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
         let curve = e.paths.fv_curve.at(v);
         self.0.map_or(curve, |faded| faded.of(curve))
     }
 
     #[inline(always)]
-    fn solve(&self, e: &Elements, a: f64, r: f64) -> (f64, Value) {
+    fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value) {
         match &self.0 {
             None => Plain.solve(e, a, r),
             Some(faded) => faded.solve(e, a, r),

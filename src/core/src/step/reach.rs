@@ -3,6 +3,7 @@
 use crate::assembly::Elements;
 use crate::element::{Motion, Response};
 use crate::math::{larger, smaller};
+use crate::tables::Tables;
 
 /// Deflection of the series spring, m, beyond which the springs on the mass are taken as straight.
 pub(super) const REACH: f64 = 0.05;
@@ -18,7 +19,13 @@ pub(super) fn within_reach(x: f64, driven: f64) -> f64 {
 /// The springs on the mass at a place, straight beyond the reach of the series spring about the driven end: as if from the place
 /// given, with the force at x itself.
 #[inline(always)]
-pub(super) fn springs(e: &Elements, x: f64, velocity: f64, driven: f64, side: (f64, f64)) -> (Response, f64, f64) {
+pub(super) fn springs(
+    e: &Elements<impl Tables>,
+    x: f64,
+    velocity: f64,
+    driven: f64,
+    side: (f64, f64),
+) -> (Response, f64, f64) {
     let at = within_reach(x, driven);
     let inner = e.inner(&Motion { displacement: at, velocity, side_force: side.0, temperature: side.1 });
     (inner, inner.force + inner.by_x * (x - at), at)

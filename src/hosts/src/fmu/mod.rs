@@ -19,7 +19,7 @@ pub use zip::check_sum;
 
 use crate::runtimes;
 use anyhow::{Context as _, bail};
-use dashpot_core::Params;
+use dashpot_core::family::Definition;
 use dashpot_identification::model_file;
 use std::path::Path;
 use std::process::Command;
@@ -100,7 +100,7 @@ pub struct Made {
 ///
 /// # Errors
 /// Any other number of models.
-pub fn corners(models: &[Params], four: bool) -> anyhow::Result<Vec<Params>> {
+pub fn corners<D: Copy>(models: &[D], four: bool) -> anyhow::Result<Vec<D>> {
     match (models, four) {
         ([one], false) => Ok(vec![*one]),
         ([one], true) => Ok(vec![*one; 4]),
@@ -117,7 +117,9 @@ const RUNTIME_MARK: &[u8] = b"dashpot-fmu 3";
 ///
 /// # Errors
 /// Where a compiler is asked for and missing or refuses, or there is no runtime.
-pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
+pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyhow::Result<Made> {
+    let corners: Vec<Definition> = corners.iter().map(|damper| (*damper).into()).collect();
+    let corners = corners.as_slice();
     let Options { version, scales, .. } = *options;
     let mut variables = variables::variables(corners, scales, options.inputs);
     if options.hide_parameters {
@@ -125,7 +127,7 @@ pub fn fmu(corners: &[Params], options: &Options) -> anyhow::Result<Made> {
     }
     // It follows from stiffness and mass.
     let explicit_step = if options.hide_parameters { 0.0 } else { options.explicit_step };
-    let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat(p, |_| String::new())).collect();
+        let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
     let describe =
         |guid: &str, sources: &[String]| description::description(version, &variables, guid, options.name, sources);
     let contents =

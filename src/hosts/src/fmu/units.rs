@@ -22,7 +22,19 @@ impl From<&'static str> for Unit {
     }
 }
 
+/// Units that a setting may have and that are known by their dimensions.
+const OF_A_SETTING: [&str; 7] = ["A", "s", "m", "m/s", "N", "kg", "degC"];
+
 impl Unit {
+    /// The unit of a setting, as a model file calls it; "-" where it has none.
+    pub fn of_setting(name: &str) -> Unit {
+        match OF_A_SETTING.iter().find(|known| **known == name) {
+            Some(known) => (*known).into(),
+            None if name.is_empty() => "-".into(),
+            None => Unit { name: name.to_owned(), factor: 1.0, si: "" },
+        }
+    }
+
     /// Whether an importer is told of it.
     pub fn is_told(&self) -> bool {
         self.name != "-"
@@ -32,6 +44,7 @@ impl Unit {
     pub fn dimensions(&self) -> Option<&'static str> {
         Some(match self.si {
             "s" => "s=\"1\"",
+            "A" => "A=\"1\"",
             "m" => "m=\"1\"",
             "m/s" => "m=\"1\" s=\"-1\"",
             "m/s^2" => "m=\"1\" s=\"-2\"",

@@ -2,8 +2,9 @@
 
 use super::scales::Scales;
 use super::units::{HostUnits, Unit};
-use dashpot_core::parameter::{self, Parameter, Shape};
-use dashpot_core::{Input, Model, Params, step};
+use dashpot_core::family::{Definition, Delay, Family};
+use dashpot_core::parameter::{self, Number, Parameter, Shape};
+use dashpot_core::{Input, Model, Output, Params, list, step};
 
 /// Numbers of a corner's states, as the FMU's sources count them.
 const TRAVEL: usize = 0;
@@ -53,6 +54,7 @@ pub enum Kind {
     InitialPosition,
     SpeedMargin,
     BetweenPoints,
+    Setting,
     State,
     Rate,
     Parameter,
@@ -79,7 +81,7 @@ impl Kind {
 
     /// Whether it is an input.
     pub fn is_input(self) -> bool {
-        matches!(self, Kind::Displacement | Kind::Velocity | Kind::SideForce | Kind::Temperature)
+        matches!(self, Kind::Displacement | Kind::Velocity | Kind::SideForce | Kind::Temperature | Kind::Setting)
     }
 }
 
@@ -113,7 +115,7 @@ pub fn model_file_name(corner: usize, corners: usize) -> String {
 }
 
 /// All variables of an FMU with these corners.
-pub fn variables(corners: &[Params], scales: Scales, inputs: Inputs) -> Vec<Variable> {
+pub fn variables(corners: &[Definition], scales: Scales, inputs: Inputs) -> Vec<Variable> {
     let mut all = vec![Variable {
         kind: Kind::Time,
         corner: None,
@@ -142,13 +144,45 @@ pub fn variables(corners: &[Params], scales: Scales, inputs: Inputs) -> Vec<Vari
             .into(),
         nominal: None,
     });
-    for (c, params) in corners.iter().enumerate() {
-        all.extend(states(c, four, params));
+    for (c, damper) in corners.iter().enumerate() {
+        all.extend(setting(c, four, damper));
     }
-    for (c, params) in corners.iter().enumerate() {
-        all.extend(parameters(c, four, params));
+    for (c, damper) in corners.iter().enumerate() {
+        all.extend(states(c, four, damper));
+    }
+    for (c, damper) in corners.iter().enumerate() {
+        all.extend(parameters(c, four, damper));
     }
     all
+}
+
+/// The input of a damper that depends on a setting.
+fn setting(corner: usize, four: bool, damper: &Definition) -> Option<Variable> {
+    let axis = &damper.axis;
+    if !axis.is_some() {
+        return None;
+    }
+    let (low, high) = axis.range();
+    let unit = axis.unit();
+    let of = if axis.name().is_empty() { "setting".to_owned() } else { format!("setting: {}", axis.name()) };
+    let delays = if axis.actuator().dead_time > 0.0 {
+        format!("; in model exchange behind the dead time of {:?} s", axis.actuator().dead_time)
+    } else {
+        String::new()
+    };
+    Some(Variable {
+        kind: Kind::Setting,
+        corner: Some(corner),
+        index: None,
+        name: if four { format!("Damper_Setting_{}", CORNERS[corner]) } else { "setting".into() },
+        parameter: None,
+        start: Some(axis.start()),
+        unit: Unit::of_setting(unit),
+        meaning: format!(
+            "{of}, {low:?} to {high:?} {unit}; outside it is clamped, with warning bit 4 of the status{delays}"
+        ),
+        nominal: None,
+    })
 }
 
 fn prefix(corner: usize, four: bool) -> String {
@@ -282,17 +316,59 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
 
 /// What the states are like on an ordinary stroke: the power of ten below the largest of each. Hosts multiply their relative tolerance
 /// by it. A private state may be a length, a speed, a force or a temperature, so it is measured and not told.
-fn usual(params: &Params) -> [f64; 11] {
+fn usual(damper: &Definition) -> [f64; 11] {
+    if damper.axis.is_some() { usual_of_family(damper) } else { usual_of(&damper.params) }
+}
+
+/// As [`usual`], of a damper that depends on a setting: at its start, while the setting goes to both ends of its grid.
+fn usual_of_family(damper: &Definition) -> [f64; 11] {
+    let mut family = Box::new(Family::OFF);
+    if family.set(&damper.params, &damper.axis).is_err() {
+        return [1e-4; 11];
+    }
+    let (low, high) = damper.axis.range();
+    let mut state = family.settled(&motion(0.0), None);
+    let (mut delay, mut largest) = (Delay::default(), [0.0_f64; 11]);
+    for k in 1..=900 {
+        let setting = if k / 100 % 2 == 0 { high } else { low };
+        let mut output = Output::ZERO;
+        family.step_in_place(
+            &mut state,
+            &mut delay,
+            &motion(f64::from(k) * STEP),
+            Some(setting),
+            STEP,
+            &mut output,
+            false,
+        );
+        let moved = [state.displacement, state.mass_displacement - state.displacement, state.mass_velocity];
+        for (most, now) in largest.iter_mut().zip(moved.iter().chain(&state.memory)) {
+            *most = most.max(now.abs());
+        }
+    }
+    decades(largest)
+}
+
+/// Step of that stroke, s.
+const STEP: f64 = 1e-3;
+
+/// The ordinary stroke.
+fn motion(t: f64) -> Input {
     // ±25 mm, 0.5 m/s, three strokes.
     const AMPLITUDE: f64 = 0.025;
     const SPEED: f64 = 0.5;
-    const STEP: f64 = 1e-3;
+    let phase = SPEED / AMPLITUDE * t;
+    Input::motion(-AMPLITUDE * libm::cos(phase), SPEED * libm::sin(phase))
+}
+
+/// Below the first, a state that stands still on that stroke.
+fn decades(largest: [f64; 11]) -> [f64; 11] {
+    largest.map(|most| if most > 1e-9 { decade(most) } else { 1e-4 })
+}
+
+fn usual_of(params: &Params) -> [f64; 11] {
     let mut largest = [0.0_f64; 11];
     if let Ok(model) = Model::new(params) {
-        let motion = |t: f64| {
-            let phase = SPEED / AMPLITUDE * t;
-            Input::motion(-AMPLITUDE * libm::cos(phase), SPEED * libm::sin(phase))
-        };
         let mut state = model.settled(&motion(0.0));
         for k in 1..=900 {
             state = step(&model, &state, &motion(f64::from(k) * STEP), STEP).0;
@@ -302,15 +378,16 @@ fn usual(params: &Params) -> [f64; 11] {
             }
         }
     }
-    // Below the first, a state that stands still on that stroke.
-    largest.map(|most| if most > 1e-9 { decade(most) } else { 1e-4 })
+    decades(largest)
 }
 
-fn states(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
-    let usual = usual(params);
+fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
+    let (usual, params) = (usual(damper), &damper.params);
+    let actuator = damper.axis.actuator();
+    let own = usize::from(actuator.has_lag()) + usize::from(actuator.has_hysteresis());
     // A model that cannot be is refused before anything is exported.
     let (series, memories) =
-        Model::new(params).map_or((true, 0), |m| (m.elements().has_series(), m.elements().memories()));
+        Model::new(params).map_or((true, 0), |m| (m.elements().has_series(), m.elements().memories() + own));
     let name = |k: usize| match k {
         TRAVEL => "travel".to_owned(),
         DEFLECTION => "deflection".to_owned(),
@@ -347,11 +424,16 @@ fn states(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
     used().map(|k| one(k, false)).chain(used().map(|k| one(k, true))).collect()
 }
 
-/// The parameters of the elements that are on.
-fn parameters(corner: usize, four: bool, params: &Params) -> Vec<Variable> {
+/// The parameters of the elements that are on, without those that depend on the setting.
+fn parameters(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
+    let Definition { params, axis } = damper;
     let mut all = Vec::new();
     for row in parameter::table() {
         if row.element().is_some_and(|element| !params.is_on(element)) {
+            continue;
+        }
+        let is_forces = axis.has_forces() && row == *list!("fv_force").row();
+        if is_forces || Number::try_from(row).is_ok_and(|number| axis.values(number).is_some()) {
             continue;
         }
         let p = row.parameter;

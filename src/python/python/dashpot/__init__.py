@@ -36,6 +36,7 @@ from ._native import VERSION as __version__
 from .adams import export_adm
 from .campaign import Campaign, Record
 from .damper import Damper
+from .family import Family
 from .identification import diagnose, diagnose_groups, fit
 from .limits import Limit, Limits, read_limits
 from .literature import LiteratureModel, fit_literature
@@ -54,6 +55,7 @@ __all__ = [
     "Diagnosis",
     "DiagnosisError",
     "ExportError",
+    "Family",
     "FitError",
     "FitResult",
     "FittedModel",

@@ -3,7 +3,7 @@
 use super::super::host_step::HostArgs;
 use crate::verbs::model;
 use anyhow::{Context as _, bail};
-use dashpot_core::Params;
+use dashpot_core::family::Definition;
 use dashpot_hosts::damper_length::in_metres;
 use dashpot_hosts::fmu::{self, Binary, Inputs, Scales, Version};
 use dashpot_hosts::plain_curve::PlainCurve;
@@ -94,11 +94,17 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         bail!("--carmaker takes one model: CarMaker has one FMU for each kind of damper");
     }
     let (mut notes, mut remarks) = (Vec::new(), Vec::new());
-    let mut models: Vec<Params> = Vec::new();
+    let mut models: Vec<Definition> = Vec::new();
     // Without a curve in the model there is none to show.
     let mut curve = None;
     for path in &args.models {
-        let file = model::read(path)?;
+        let file = model::read_family(path)?;
+        if args.carmaker.is_some() && file.axis.is_some() {
+            bail!(
+                "{} depends on a setting, which CarMaker's class of dampers has no input for; write the damper at one with dashpot setting",
+                path.display()
+            );
+        }
         if args.carmaker.is_some() && !args.hide_parameters {
             curve = PlainCurve::of(&file, args.model_curve).with_context(|| path.display().to_string())?;
         }
@@ -107,7 +113,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         notes.extend(ready.notes().into_iter().map(|note| format!("note: {}: {note}", path.display())));
         remarks.extend(ready.notes());
         remarks.extend(stiffness::remarks(&ready.params));
-        models.push(ready.params);
+        models.push(Definition { params: ready.params, axis: file.axis });
     }
     let corners = fmu::corners(&models, args.four)?;
     let scales = match args.carmaker {

@@ -1,6 +1,6 @@
 //! What the passage of a late valve conducts: g(h) = W(h)²/h, read off the FV curve and kept as a table.
 
-use crate::elements::fv_curve::FvCurve;
+use crate::tables::{Conducted as At, Conduction, ForceLaw};
 
 /// Resistance beside the FV curve, N s/m, so that W is found where the curve is level.
 const LEVEL: f64 = 5.0;
@@ -15,19 +15,10 @@ const BEHIND: u32 = 48;
 const OCTAVES: usize = 12;
 const PLACES: usize = OCTAVES * PER_OCTAVE;
 
-/// g at one place.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct At {
-    /// g.
-    pub g: f64,
-    /// dg/dh.
-    pub by_h: f64,
-}
-
 /// g over the force h, for both strokes: cubics between places that divide every power of two evenly, never beyond the
 /// values at either end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Conductance {
+pub struct Conductance {
     /// The leading bits of the first place.
     first: u64,
     strokes: [[At; PLACES + 1]; 2],
@@ -35,13 +26,13 @@ pub(super) struct Conductance {
 
 /// The velocity W at which the FV curve has the force h on a stroke.
 #[inline(always)]
-fn velocity(curve: &FvCurve, h: f64, stroke: f64) -> (f64, f64) {
+fn velocity(curve: &impl ForceLaw, h: f64, stroke: f64) -> (f64, f64) {
     let (w, read) = curve.solve::<STEPS>(LEVEL, h * stroke + curve.at_zero());
     (w, read.slope)
 }
 
 /// g and its slope from the FV curve itself.
-fn exact(curve: &FvCurve, h: f64, stroke: f64) -> At {
+pub(crate) fn exact(curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
     let (w, slope) = velocity(curve, h, stroke);
     let g = (w * w + LEAST) / h;
     At { g, by_h: (2.0 * w * stroke / (LEVEL + slope) - g) / h }
@@ -52,7 +43,7 @@ impl Conductance {
     pub const UNSET: Conductance = Conductance { first: 0, strokes: [[At { g: 0.0, by_h: 0.0 }; PLACES + 1]; 2] };
 
     /// From the force `opens` on, which h never falls below.
-    pub fn set(&mut self, curve: &FvCurve, opens: f64) {
+    pub fn set(&mut self, curve: &impl ForceLaw, opens: f64) {
         let table = self;
         table.first = opens.to_bits() >> BEHIND;
         for (stroke, places) in [-1.0, 1.0].into_iter().zip(&mut table.strokes) {
@@ -85,15 +76,16 @@ impl Conductance {
 
     /// As [`Conductance::set`], by value.
     #[cfg(test)]
-    fn new(curve: &FvCurve, opens: f64) -> Conductance {
+    fn new(curve: &impl ForceLaw, opens: f64) -> Conductance {
         let mut table = Conductance::UNSET;
         table.set(curve, opens);
         table
     }
+}
 
-    /// g at a force along a stroke, which has the sign `stroke`.
+impl Conduction for Conductance {
     #[inline(always)]
-    pub fn at(&self, curve: &FvCurve, h: f64, stroke: f64) -> At {
+    fn conducted(&self, curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
         let bits = h.to_bits();
         let place = (bits >> BEHIND).wrapping_sub(self.first) as usize;
         let places = &self.strokes[usize::from(stroke > 0.0)];
@@ -109,20 +101,21 @@ impl Conductance {
         let (c2, c3) = (3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise);
         At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
     }
+}
 
-    /// The velocity W where g was `g` at a force, and the slope of g over the height of the FV curve there.
-    #[inline(always)]
-    pub fn by_raised(curve: &FvCurve, g: f64, h: f64, stroke: f64) -> (f64, f64) {
-        let square = g * h - LEAST;
-        let w = libm::sqrt(if square > 0.0 { square } else { 0.0 }) * stroke;
-        (w, -2.0 * w / (h * (LEVEL + curve.at(w).slope)))
-    }
+/// The velocity W where g was `g` at a force, and the slope of g over the height of the FV curve there.
+#[inline(always)]
+pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
+    let square = g * h - LEAST;
+    let w = libm::sqrt(if square > 0.0 { square } else { 0.0 }) * stroke;
+    (w, -2.0 * w / (h * (LEVEL + curve.at(w).slope)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::curve::{Curve, Interpolation};
+    use crate::elements::fv_curve::FvCurve;
 
     fn curve(interpolation: Interpolation) -> FvCurve {
         let v = [-1.5, -0.5, -0.3, -0.1, 0.0, 0.1, 0.5, 1.5];
@@ -138,7 +131,7 @@ mod tests {
             for k in 0..2000 {
                 let h = 130.0 * 1.004_f64.powi(k);
                 let (w, slope) = velocity(&curve, h, stroke);
-                let g = table.at(&curve, h, stroke).g;
+                let g = table.conducted(&curve, h, stroke).g;
                 // Beside a level part the table rounds the corner.
                 let close = if slope > 1500.0 { 3e-3 } else { 0.4 };
                 assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
@@ -154,9 +147,9 @@ mod tests {
             for stroke in [-1.0, 1.0] {
                 for k in 0..4000 {
                     let h = 7.001 * 1.002_f64.powi(k);
-                    let at = table.at(&curve, h, stroke);
+                    let at = table.conducted(&curve, h, stroke);
                     let d = 1e-6 * h;
-                    let [below, above] = [h - d, h + d].map(|h| table.at(&curve, h, stroke).g);
+                    let [below, above] = [h - d, h + d].map(|h| table.conducted(&curve, h, stroke).g);
                     let seen = (above - below) / (2.0 * d);
                     assert!((seen - at.by_h).abs() < 1e-4 * (at.by_h.abs() + at.g / h), "{h}: {seen} {at:?}");
                     assert!(at.g > 0.0 && at.by_h > -2.0 * at.g / h, "g h = W² never falls: {h} {at:?}");

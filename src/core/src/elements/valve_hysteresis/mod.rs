@@ -8,7 +8,9 @@ use crate::elements::fv_curve::FvCurve;
 use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
-use conductance::Conductance;
+use crate::tables::{Conduction, ForceLaw, Owned, Tables};
+use conductance::by_raised;
+pub(crate) use conductance::{Conductance, exact};
 use core::cell::Cell;
 
 /// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
@@ -29,7 +31,7 @@ use core::cell::Cell;
 /// beyond which it takes the time τ, τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p); a spool has mass,
 /// τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
-pub struct ValveHysteresis {
+pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
     play: f64,
     /// ζ.
@@ -39,7 +41,7 @@ pub struct ValveHysteresis {
     half_width: f64,
     per_width: f64,
     pub(crate) per_time: f64,
-    conductance: Conductance,
+    conductance: T::Conductance,
 }
 
 /// How it is late.
@@ -144,6 +146,18 @@ impl Prepare for ValveHysteresis {
     };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
+        Ok(ValveHysteresis::of(p, Conductance::UNSET))
+    }
+
+    fn check(_: &View<Self>) -> Result<(), Fault> {
+        // The bounds of its numbers are all that it asks for.
+        Ok(())
+    }
+}
+
+impl<T: Tables> ValveHysteresis<T> {
+    /// From the parameters, with a passage whose conductance is kept there.
+    pub(crate) fn of(p: &View<ValveHysteresis>, conductance: T::Conductance) -> Self {
         let form = match p.number(own!("valve_form")) {
             1.0 => Form::Play,
             2.0 => Form::Spool,
@@ -151,7 +165,7 @@ impl Prepare for ValveHysteresis {
         };
         let closing = if form == Form::Opening { p.number(own!("valve_closing_ratio")) } else { 1.0 };
         let (opens, closes) = (p.number(own!("valve_opening_force")), p.number(own!("valve_opening_force")) * closing);
-        Ok(ValveHysteresis {
+        ValveHysteresis {
             form,
             play: p.number(own!("valve_play")),
             damping: p.number(own!("valve_damping")),
@@ -160,8 +174,28 @@ impl Prepare for ValveHysteresis {
             half_width: 0.5 * (opens - closes),
             per_width: 1.0 / p.number(own!("valve_width")),
             per_time: 1.0 / p.number(own!("valve_time")),
-            conductance: Conductance::UNSET,
-        })
+            conductance,
+        }
+    }
+
+    /// The same valve, with a passage whose conductance is kept there.
+    pub(crate) fn with_conductance<U: Tables>(&self, conductance: U::Conductance) -> ValveHysteresis<U> {
+        ValveHysteresis {
+            form: self.form,
+            play: self.play,
+            damping: self.damping,
+            share: self.share,
+            middle: self.middle,
+            half_width: self.half_width,
+            per_width: self.per_width,
+            per_time: self.per_time,
+            conductance,
+        }
+    }
+
+    /// What its passage conducts.
+    pub(crate) fn conductance(&self) -> &T::Conductance {
+        &self.conductance
     }
 }
 
@@ -178,7 +212,9 @@ impl ValveHysteresis {
             self.conductance.set(curve, self.middle);
         }
     }
+}
 
+impl<T: Tables> ValveHysteresis<T> {
     /// Whether its state is the force at which it stands, and not an opening.
     pub(crate) fn holds_force(&self) -> bool {
         self.form != Form::Opening
@@ -275,12 +311,12 @@ impl ValveHysteresis {
 
     /// What the passage conducts where a force has the valve stand that is x along the stroke, which has the sign `stroke`.
     #[inline(always)]
-    fn conducts(&self, curve: &FvCurve, x: f64, stroke: f64) -> Passage {
+    fn conducts(&self, curve: &impl ForceLaw, x: f64, stroke: f64) -> Passage {
         let beyond = x - self.middle;
         let width = 1.0 / self.per_width;
         let root = libm::sqrt(beyond * beyond + width * width);
         let h = self.middle + 0.5 * (beyond + root);
-        let at = self.conductance.at(curve, h, stroke);
+        let at = self.conductance.conducted(curve, h, stroke);
         Passage { g: at.g, h, by_x: 0.5 * (1.0 + beyond / root) * at.by_h }
     }
 
@@ -302,7 +338,14 @@ impl ValveHysteresis {
     /// F_h, and where the valve stands, after an implicit stage. `raised` is F_h/F where it was solved last, and is solved
     /// from there.
     #[inline(always)]
-    pub(crate) fn stage(&self, curve: &FvCurve, force: f64, known: f64, g: f64, raised: &Cell<f64>) -> Late<Dual<4>> {
+    pub(crate) fn stage(
+        &self,
+        curve: &impl ForceLaw,
+        force: f64,
+        known: f64,
+        g: f64,
+        raised: &Cell<f64>,
+    ) -> Late<Dual<4>> {
         let (before, from) = (Dual::<4>::along(force, 0), Dual::along(known, 1));
         if self.form == Form::Opening {
             let stands = self.opened(before, from, g);
@@ -316,7 +359,14 @@ impl ValveHysteresis {
     /// As [`ValveHysteresis::stage`], of a valve that stands where a force had it; apart, so that the more common one does not pay for it.
     #[cold]
     #[inline(never)]
-    fn stage_by_force(&self, curve: &FvCurve, force: f64, known: f64, g: f64, raised: f64) -> (Late<Dual<4>>, f64) {
+    fn stage_by_force(
+        &self,
+        curve: &impl ForceLaw,
+        force: f64,
+        known: f64,
+        g: f64,
+        raised: f64,
+    ) -> (Late<Dual<4>>, f64) {
         let (before, from) = (Dual::<4>::along(force, 0), Dual::along(known, 1));
         if force.abs() < NOTHING {
             return (Late { force: before, stands: self.follows(before, from, g), read: [0.0; 2] }, raised);
@@ -356,8 +406,7 @@ impl ValveHysteresis {
             // So close that the last step goes straight.
             let on = found * step;
             let per = 1.0 / (1.0 - by_p * p.slope(0));
-            let [(first, steady_by), (second, now_by)] =
-                [steady, now].map(|at| Conductance::by_raised(curve, at.g, at.h, stroke));
+            let [(first, steady_by), (second, now_by)] = [steady, now].map(|at| by_raised(curve, at.g, at.h, stroke));
             let slopes = [
                 (by + by_steady * steady.by_x * stroke) * per,
                 by_p * p.slope(1) * per,
@@ -376,7 +425,7 @@ impl ValveHysteresis {
 
     /// F_h at given states, and the rates of these: `stands` and, for a spool, its rate times τ.
     #[inline(always)]
-    pub(crate) fn now<R: Real>(&self, curve: &FvCurve, force: R, [stands, rate]: [R; 2]) -> (R, [R; 2]) {
+    pub(crate) fn now<R: Real>(&self, curve: &impl ForceLaw, force: R, [stands, rate]: [R; 2]) -> (R, [R; 2]) {
         let none = R::constant(0.0);
         if self.form == Form::Opening {
             let moved = self.target(force, stands) - stands;

@@ -14,6 +14,7 @@ use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
 use crate::paths::solve::{Equation, Found, ROUNDS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, place};
+use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
 
 /// Relative step of Newton's method that is the last of a stage: it leaves the square of it.
@@ -22,8 +23,8 @@ const TOLERANCE: f64 = 1e-5;
 /// One stage after it was solved: all that a derivative of the step needs. `ON` is what acts in it
 /// ([`crate::paths::acting`]).
 #[derive(Clone, Copy, Debug)]
-pub struct PathsStage<'a, const ON: u32> {
-    paths: &'a Paths,
+pub struct PathsStage<'a, T: Tables, const ON: u32> {
+    paths: &'a Paths<T>,
     /// Place of the stage in its substep.
     pub index: usize,
     /// Whether it ends the substep.
@@ -131,16 +132,16 @@ struct Look {
     resists: f64,
 }
 
-impl<'a, const ON: u32> PathsStage<'a, ON> {
+impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     /// Solves the stage from a guess of the velocity of the oil.
     #[inline(always)]
     pub(super) fn solve(
-        elements: &'a Elements,
+        elements: &'a Elements<T>,
         known: &Known<'a>,
         path: PathPoint,
         side: (f64, f64),
         guess: f64,
-    ) -> PathsStage<'a, ON> {
+    ) -> PathsStage<'a, T, ON> {
         let e = &elements.paths;
         let (g, states) = (known.g, known.states);
         let factors = Factors::of::<ON>(e, path.x, side.1, states[place::HEAT]);
@@ -168,7 +169,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
         let (from, rounds) = if is_sought { (guess, ROUNDS) } else { (path.v, 0) };
         let mut at = Look::NONE;
         let Found { w, step, curve } =
-            oil_velocity(e, from, rounds, least, tolerance, &Stage::<ON>(e, &given), &mut at);
+            oil_velocity(e, from, rounds, least, tolerance, &Stage::<T, ON>(e, &given), &mut at);
         at.go::<ON>(e, g, step, curve.slope);
         let by_w = at.residual.by_w + at.residual.by_curve * curve.slope;
         PathsStage {
@@ -198,7 +199,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
     /// bends, as behind rubber or in a void whose gas expands, the weights of a method turn what they miss into a hundredth of the
     /// slope of the step. Nothing else bends so within a straight step. States and forces are those found without.
     #[inline(always)]
-    pub(super) fn look_at_answer(&mut self, elements: &Elements, side: (f64, f64)) {
+    pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
         if !acts::<ON>(e, BUSHING | CAVITATION) {
             return;
@@ -361,7 +362,7 @@ impl<'a, const ON: u32> PathsStage<'a, ON> {
     }
 }
 
-impl<const ON: u32> StageSlopes for PathsStage<'_, ON> {
+impl<T: Tables, const ON: u32> StageSlopes for PathsStage<'_, T, ON> {
     fn oil_velocity(&self) -> f64 {
         self.oil_velocity
     }
@@ -384,8 +385,8 @@ impl<const ON: u32> StageSlopes for PathsStage<'_, ON> {
 }
 
 /// What a stage is given.
-struct Given<'a> {
-    elements: &'a Elements,
+struct Given<'a, T: Tables> {
+    elements: &'a Elements<T>,
     path: PathPoint,
     /// Where the stage moves the driven end from.
     from: f64,
@@ -401,9 +402,9 @@ struct Given<'a> {
 }
 
 /// The equation of a stage.
-struct Stage<'a, const ON: u32>(&'a Paths, &'a Given<'a>);
+struct Stage<'a, T: Tables, const ON: u32>(&'a Paths<T>, &'a Given<'a, T>);
 
-impl<const ON: u32> Equation for Stage<'_, ON> {
+impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
     type Seen = Look;
     #[inline(always)]
     fn look(&self, w: f64, curve: f64, seen: &mut Look) -> Residual {
@@ -415,7 +416,7 @@ impl<const ON: u32> Equation for Stage<'_, ON> {
 /// What acts on the mass beside the oil; straight where it is further from the driven end than a series spring reaches, as
 /// in the plain step: from a hardening spring at a far guess Newton's method would come back by a part of the way only.
 #[inline(always)]
-fn springs(e: &Elements, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
+fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };
     let at = if at > driven + REACH { driven + REACH } else { at };
     let near = e.on_the_mass(&Motion { displacement: at, velocity: u, side_force, temperature });
@@ -444,7 +445,7 @@ impl Look {
 
     /// Goes straight on by a step of w.
     #[inline(always)]
-    fn go<const ON: u32>(&mut self, e: &Paths, g: f64, step: f64, slope: f64) {
+    fn go<const ON: u32>(&mut self, e: &Paths<impl Tables>, g: f64, step: f64, slope: f64) {
         let moves = Moves { curve: slope * step, w: step, ..Moves::NONE };
         let [force, valve, selective] = self.valves.along::<ON>(e, &moves, acts::<ON>(e, COLUMN));
         self.valves.force += force;
@@ -471,7 +472,7 @@ impl Look {
     }
 
     #[inline(always)]
-    fn at<const ON: u32>(e: &Paths, given: &Given, w: f64, curve: f64) -> Look {
+    fn at<const ON: u32>(e: &Paths<impl Tables>, given: &Given<impl Tables>, w: f64, curve: f64) -> Look {
         let Given { elements, path, from, side, states: known, g, since, raised, per_g, standing, factors } = given;
         let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);

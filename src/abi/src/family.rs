@@ -1,0 +1,222 @@
+//! A damper that depends on a setting, behind the functions of an ordinary one: out of the way of these.
+
+use dashpot_core::family::Family;
+use dashpot_core::{Input, Output, Partials, State};
+
+use crate::evaluate::dashpot_partials;
+use crate::input::{self, dashpot_input, sane, sane_setting};
+use crate::model::{dashpot_model, family, prepared};
+use crate::pointer::{exclusive, present};
+use crate::setting::dashpot_by_setting;
+use crate::state::{checked, commands, computed, dashpot_output, dashpot_state, finite};
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_OUTSIDE_SETTING, Refused};
+use crate::step::{checked_step, move_on, range_warning, warnings};
+
+/// The warning for a setting.
+fn setting_warning(family: &Family, setting: Option<f64>) -> i32 {
+    if setting.is_some_and(|setting| family.is_outside(setting)) { DASHPOT_OUTSIDE_SETTING } else { DASHPOT_OK }
+}
+
+/// As `dashpot_force_setting()` of a family.
+///
+/// # Safety
+/// Aligned pointers of the caller's, or null.
+#[cold]
+#[inline(never)]
+pub(crate) unsafe fn force(
+    model: *const dashpot_model,
+    state: *mut dashpot_state,
+    velocity: f64,
+    setting: Option<f64>,
+    dt: f64,
+    force: *mut f64,
+) -> Result<i32, Refused> {
+    // SAFETY: the caller's promise.
+    let family = unsafe { family(model)? };
+    // SAFETY: as the model.
+    unsafe { finite(state)? };
+    if !sane(velocity) {
+        return Err(Refused(DASHPOT_BAD_INPUT));
+    }
+    let setting = setting.map(sane_setting).transpose()?;
+    let dt = checked_step(dt)?;
+    // SAFETY: as the model.
+    let force = unsafe { exclusive(force)? };
+    let mut output = Output::ZERO;
+    let to = Input::velocity(velocity);
+    // SAFETY: not null by `finite`, aligned and the caller's alone; its parts do not overlap.
+    let (damper, delay) = unsafe { (&mut *state.cast::<State>(), &mut *commands(state)) };
+    if !family.step_in_place(damper, delay, &to, setting, dt, &mut output, false) {
+        return Err(Refused(DASHPOT_NOT_COMPUTABLE));
+    }
+    *force = output.force;
+    Ok(warnings(family.model(), velocity, dt) | setting_warning(family, setting))
+}
+
+/// As `dashpot_step()` of a family.
+///
+/// # Safety
+/// Aligned pointers of the caller's, or null.
+#[cold]
+#[inline(never)]
+pub(crate) unsafe fn step(
+    model: *const dashpot_model,
+    from: *const dashpot_state,
+    to_input: *const dashpot_input,
+    dt: f64,
+    to: *mut dashpot_state,
+    output: *mut dashpot_output,
+) -> Result<i32, Refused> {
+    // SAFETY: the caller's promise.
+    let family = unsafe { family(model)? };
+    // SAFETY: as the model.
+    unsafe { finite(from)? };
+    // SAFETY: as the model.
+    let (input, setting) = unsafe { (input::checked(to_input)?, input::setting(to_input)?) };
+    let dt = checked_step(dt)?;
+    present(to)?;
+    present(output)?;
+    // SAFETY: all are aligned and not null by the questions before.
+    unsafe { step_checked(family, from, &input, setting, dt, to, output)? };
+    Ok(warnings(family.model(), input.velocity, dt) | setting_warning(family, setting))
+}
+
+/// One checked step.
+///
+/// # Safety
+/// Valid, aligned pointers; `from` and `to` may be the same.
+unsafe fn step_checked(
+    family: &Family,
+    from: *const dashpot_state,
+    input: &Input,
+    setting: Option<f64>,
+    dt: f64,
+    to: *mut dashpot_state,
+    output: *mut dashpot_output,
+) -> Result<(), Refused> {
+    // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
+    let output = unsafe { &mut *output.cast::<Output>() };
+    if from != to.cast_const() {
+        // SAFETY: valid and aligned by the caller's promise; through values, as states may overlap.
+        let (mut damper, mut delay) = unsafe { (*from.cast::<State>(), *commands(from.cast_mut())) };
+        computed(family.step_in_place(&mut damper, &mut delay, input, setting, dt, output, true))?;
+        // SAFETY: valid and aligned by the caller's promise.
+        unsafe {
+            *to.cast::<State>() = damper;
+            *commands(to) = delay;
+        }
+        return Ok(());
+    }
+    // SAFETY: valid and aligned by the caller's promise; its parts do not overlap.
+    let (damper, delay) = unsafe { (&mut *to.cast::<State>(), &mut *commands(to)) };
+    computed(family.step_in_place(damper, delay, input, setting, dt, output, true))
+}
+
+/// As `dashpot_step_batch()`, of dampers of which some depend on a setting.
+///
+/// # Safety
+/// Aligned arrays of `count` elements of the caller's, none of them null.
+#[cold]
+#[inline(never)]
+pub(crate) unsafe fn step_batch(
+    count: usize,
+    models: *const *const dashpot_model,
+    from: *const dashpot_state,
+    to_inputs: *const dashpot_input,
+    dt: f64,
+    to: *mut dashpot_state,
+    outputs: *mut dashpot_output,
+) -> Result<i32, Refused> {
+    for i in 0..count {
+        // SAFETY: `count` of each by the caller's promise.
+        unsafe {
+            let model = *models.add(i);
+            if prepared(model).is_err() {
+                family(model)?;
+            }
+            finite(from.add(i))?;
+            input::checked(to_inputs.add(i))?;
+            input::setting(to_inputs.add(i))?;
+        }
+    }
+    let mut status = DASHPOT_OK;
+    for i in 0..count {
+        // SAFETY: as above, and checked there.
+        unsafe {
+            let (model, input) = (*models.add(i), input::taken(to_inputs.add(i)));
+            match prepared(model) {
+                Ok(model) => {
+                    status |= warnings(model, input.velocity, dt);
+                    move_on(model, from.add(i), &input, dt, to.add(i), outputs.add(i))?;
+                }
+                Err(_) => {
+                    let (family, setting) = (family(model)?, input::setting(to_inputs.add(i))?);
+                    status |= warnings(family.model(), input.velocity, dt) | setting_warning(family, setting);
+                    step_checked(family, from.add(i), &input, setting, dt, to.add(i), outputs.add(i))?;
+                }
+            }
+        }
+    }
+    Ok(status)
+}
+
+/// As `dashpot_evaluate()` of a family.
+///
+/// # Safety
+/// Aligned pointers of the caller's, or null.
+#[cold]
+#[inline(never)]
+pub(crate) unsafe fn evaluate(
+    model: *const dashpot_model,
+    state: *const dashpot_state,
+    input: *const dashpot_input,
+    output: *mut dashpot_output,
+    rate: *mut dashpot_state,
+) -> Result<i32, Refused> {
+    // SAFETY: the caller's promise.
+    let (family, state) = unsafe { (family(model)?, checked(state)?) };
+    // SAFETY: as above.
+    let (input, setting) = unsafe { (input::checked(input)?, input::setting(input)?) };
+    present(output)?;
+    present(rate)?;
+    let (answer, rates) = family.evaluate(&state, &input, setting);
+    computed(answer.is_finite() && rates.is_finite())?;
+    // SAFETY: aligned and not null by the questions before; the same bytes under C names (asserted in `state`).
+    unsafe {
+        *output.cast::<Output>() = answer;
+        *rate.cast::<State>() = rates;
+        (*rate).commands = [0.0; 20];
+    }
+    Ok(range_warning(family.model(), input.velocity) | setting_warning(family, setting))
+}
+
+/// As `dashpot_jacobian()` of a family, and what depends on the setting where that is asked for.
+///
+/// # Safety
+/// Aligned pointers of the caller's, or null.
+#[cold]
+#[inline(never)]
+pub(crate) unsafe fn jacobian(
+    model: *const dashpot_model,
+    state: *const dashpot_state,
+    input: *const dashpot_input,
+    partials: *mut dashpot_partials,
+    by_setting: *mut dashpot_by_setting,
+) -> Result<i32, Refused> {
+    // SAFETY: the caller's promise.
+    let (family, state) = unsafe { (family(model)?, checked(state)?) };
+    // SAFETY: as above.
+    let (input, setting) = unsafe { (input::checked(input)?, input::setting(input)?) };
+    let (own, by) = family.partials(&state, &input, setting);
+    computed(own.is_finite() && (by.force + by.rate.iter().sum::<f64>()) * 0.0 == 0.0)?;
+    // SAFETY: null is asked for; else aligned and the caller's; the same bytes under C names (asserted where they are).
+    unsafe {
+        if by_setting.is_null() {
+            present(partials)?;
+            *partials.cast::<Partials>() = own;
+        } else {
+            *by_setting = dashpot_by_setting { force: by.force, rate: by.rate };
+        }
+    }
+    Ok(range_warning(family.model(), input.velocity) | setting_warning(family, setting))
+}

@@ -1,0 +1,255 @@
+//! Setting
+//!
+//! Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A parameter set may hold numbers and
+//! the forces of the FV table over a grid of 2 to 8 settings, as a model file does:
+//!
+//!     setting = [0.0, 0.8, 1.6]
+//!     setting_name = "current"
+//!     setting_unit = "A"
+//!     gas_force = [80.0, 82.0, 85.0]
+//!     fv_force = [[...], [...], [...]]
+//!
+//! A model of it takes the commanded setting with every input (DASHPOT_KNOWS_SETTING), for each damper its own. Between the grid the numbers and forces are
+//! monotone cubics, exact on it; outside it they are those at its end (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the ordinary one of
+//! the interpolated numbers.
+//!
+//! The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
+//! "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting where the host gives none. Where
+//! the valve stands is part of the state.
+//!
+//! An instant (see Evaluation) knows no past: a host that integrates the states delays the command itself where there is a dead time.
+
+use core::ffi::c_char;
+use core::mem::{align_of, offset_of, size_of};
+
+use dashpot_core::family::BySetting;
+use dashpot_core::parameter::List;
+
+use crate::family as over_setting;
+use crate::input::{self, dashpot_input};
+use crate::model::{dashpot_model, family, prepared};
+use crate::params::{axis, axis_mut, dashpot_params, parameter};
+use crate::pointer::{aligned, array, exclusive, present, usable};
+use crate::state::{checked, commands, computed, dashpot_state};
+use crate::status::{DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
+use crate::step::{checked_step, dashpot_force};
+use crate::text;
+
+/// Most settings of a grid.
+pub const DASHPOT_MOST_SETTINGS: u32 = 8;
+
+/// The setting of a parameter set. Set struct_size before the call.
+#[repr(C)]
+pub struct dashpot_setting {
+    /// sizeof(dashpot_setting).
+    pub struct_size: u32,
+    /// Settings of the grid; 0 where the damper depends on none.
+    pub count: u32,
+    /// The grid, increasing.
+    pub grid: [f64; 8],
+    /// Setting where the host gives none.
+    pub start: f64,
+    /// Name, zero-terminated, such as current; empty where none is given.
+    pub name: [c_char; 32],
+    /// Unit, zero-terminated, such as A; empty where none is given.
+    pub unit: [c_char; 32],
+}
+
+/// Derivatives of force and rates over the commanded setting, at constant states.
+#[repr(C)]
+pub struct dashpot_by_setting {
+    /// dF/d(setting). 0 where the actuator has a lag: the force then follows its state.
+    pub force: f64,
+    /// d(rate of state i)/d(setting), in the order of dashpot_partials.
+    pub rate: [f64; 10],
+}
+
+const _: () = {
+    assert!(size_of::<dashpot_by_setting>() == size_of::<BySetting>());
+    assert!(align_of::<dashpot_by_setting>() == align_of::<BySetting>());
+    assert!(offset_of!(dashpot_by_setting, rate) == offset_of!(BySetting, rate));
+};
+
+/// Sets the grid of the setting: count increasing numbers; 0: the damper depends on no setting any more. Values over another grid are dropped.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_set_grid(params: *mut dashpot_params, grid: *const f64, count: u32) -> i32 {
+    status((|| {
+        // SAFETY: null, misaligned, or a block of the caller's: the manual's promise.
+        let axis = unsafe { axis_mut(params) }?;
+        // SAFETY: null, misaligned, or that many numbers of the caller's: the manual's promise.
+        let grid = unsafe { array(grid, count as usize) }?;
+        if grid.is_empty() {
+            axis.clear();
+        } else {
+            axis.set_grid(grid)?;
+        }
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Sets a number over the setting: one value for each of the grid.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_set_over(
+    params: *mut dashpot_params,
+    name: *const c_char,
+    values: *const f64,
+    count: u32,
+) -> i32 {
+    status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
+        let (axis, row) = unsafe { (axis_mut(params)?, parameter(name)?) };
+        // SAFETY: null, misaligned, or that many numbers of the caller's: the manual's promise.
+        let values = unsafe { array(values, count as usize) }?;
+        axis.set_values(row.try_into()?, values)?;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Sets the forces of the FV table, fv_force, at setting number index of the grid, from 0. It has to be done at all of them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_set_list_over(
+    params: *mut dashpot_params,
+    name: *const c_char,
+    index: u32,
+    values: *const f64,
+    count: u32,
+) -> i32 {
+    status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
+        // zero-terminated: the manual's promise.
+        let (axis, row) = unsafe { (axis_mut(params)?, parameter(name)?) };
+        // SAFETY: null, misaligned, or that many numbers of the caller's: the manual's promise.
+        let values = unsafe { array(values, count as usize) }?;
+        axis.set_list(List::try_from(row)?, index as usize, values)?;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Tells the setting that a parameter set depends on.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_params_setting(params: *const dashpot_params, setting: *mut dashpot_setting) -> i32 {
+    status((|| {
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's promise.
+        let (axis, to) = unsafe { (axis(params)?, exclusive(setting)?) };
+        if to.struct_size as usize != size_of::<dashpot_setting>() {
+            return Err(Refused(DASHPOT_STRUCT_SIZE));
+        }
+        to.count = axis.grid().len() as u32;
+        to.grid = [0.0; 8];
+        for (to, from) in to.grid.iter_mut().zip(axis.grid()) {
+            *to = *from;
+        }
+        to.start = axis.start();
+        text::write_bytes(&mut to.name, [axis.name_bytes()].into_iter());
+        text::write_bytes(&mut to.unit, [axis.unit_bytes()].into_iter());
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// As dashpot_force(), with the commanded setting. A damper that depends on none does not look at it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_force_setting(
+    model: *const dashpot_model,
+    state: *mut dashpot_state,
+    velocity: f64,
+    setting: f64,
+    dt: f64,
+    force: *mut f64,
+) -> i32 {
+    // SAFETY: the manual's promise, which is that of the function.
+    if unsafe { prepared(model) }.is_ok() {
+        // SAFETY: as above.
+        return unsafe { dashpot_force(model, state, velocity, dt, force) };
+    }
+    status((|| {
+        aligned!(model, state, force);
+        // SAFETY: aligned by the question before; the rest is the manual's promise.
+        unsafe { over_setting::force(model, state, velocity, Some(setting), dt, force) }
+    })())
+}
+
+/// Where the valve stands in a state, to *setting: the command clamped to the grid, or what the actuator has made of it. 0 of a damper that depends on no
+/// setting.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_setting_at(
+    model: *const dashpot_model,
+    state: *const dashpot_state,
+    input: *const dashpot_input,
+    setting: *mut f64,
+) -> i32 {
+    status((|| {
+        aligned!(model, state, input);
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's promise.
+        let (to, state) = unsafe { (exclusive(setting)?, checked(state)?) };
+        // SAFETY: as above.
+        unsafe { input::checked(input)? };
+        *to = match unsafe { prepared(model) } {
+            Ok(_) => 0.0,
+            // SAFETY: as above.
+            Err(_) => unsafe { family(model)?.setting_of(&state, input::setting(input)?) },
+        };
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Derivative of the force over the setting at which the valve stands, to *derivative: of the force that dashpot_step() from *from to *to_input finds, all
+/// that happens in the step included; with dt = 0 of the force at equilibrium. What a controller divides by. Takes two steps. 0 of a damper that depends on
+/// no setting.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_force_by_setting(
+    model: *const dashpot_model,
+    from: *const dashpot_state,
+    to_input: *const dashpot_input,
+    dt: f64,
+    derivative: *mut f64,
+) -> i32 {
+    status((|| {
+        aligned!(model, from, to_input);
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's promise.
+        let (to, state) = unsafe { (exclusive(derivative)?, checked(from)?) };
+        // SAFETY: as above.
+        let input = unsafe { input::checked(to_input)? };
+        let dt = checked_step(dt)?;
+        // SAFETY: as above.
+        if unsafe { prepared(model) }.is_ok() {
+            *to = 0.0;
+            return Ok(DASHPOT_OK);
+        }
+        // SAFETY: as above.
+        let (family, setting, delay) =
+            unsafe { (family(model)?, input::setting(to_input)?, *commands(from.cast_mut())) };
+        let found = family.force_by_setting(&state, &delay, &input, setting, dt);
+        let found = found.ok_or(Refused(DASHPOT_NOT_COMPUTABLE))?;
+        computed(found.is_finite())?;
+        *to = found;
+        Ok(DASHPOT_OK)
+    })())
+}
+
+/// Derivatives of force and rates over the commanded setting at *state and *input, to *by_setting: what dashpot_jacobian() has no place for. 0 of a damper
+/// that depends on no setting.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dashpot_jacobian_setting(
+    model: *const dashpot_model,
+    state: *const dashpot_state,
+    input: *const dashpot_input,
+    by_setting: *mut dashpot_by_setting,
+) -> i32 {
+    status((|| {
+        aligned!(model, state, input);
+        usable(by_setting)?;
+        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's promise.
+        if unsafe { prepared(model) }.is_err() {
+            // SAFETY: as above.
+            return unsafe { over_setting::jacobian(model, state, input, core::ptr::null_mut(), by_setting) };
+        }
+        present(state)?;
+        // SAFETY: as above.
+        unsafe {
+            input::checked(input)?;
+            *by_setting = dashpot_by_setting { force: 0.0, rate: [0.0; 10] };
+        }
+        Ok(DASHPOT_OK)
+    })())
+}

@@ -1,0 +1,45 @@
+//! `dashpot setting`: a damper that depends on a setting, at one of it.
+
+use super::model;
+use anyhow::bail;
+use dashpot_identification::model_file::plain;
+use std::path::PathBuf;
+
+/// Write the ordinary damper that a model of many settings is at one of them
+///
+/// Verbs that have no place for a setting take the damper at one. Between the settings of the model file its numbers and forces are monotone cubics; at
+/// those of the file they are the file's own. The actuator is no part of an ordinary damper.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  dashpot setting semi_active.toml 0.8 -o at_0.8.toml\n  dashpot setting adjuster.toml 12 -o - | head"
+)]
+pub struct Args {
+    /// Model file with a setting
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+    /// The setting, in the unit of the file
+    #[arg(value_name = "SETTING", allow_negative_numbers = true)]
+    setting: f64,
+    /// Where to write; - for standard output
+    #[arg(short, long, value_name = "OUT.toml")]
+    output: PathBuf,
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    dashpot_output::check([args.output.as_path()])?;
+    let file = model::read_family(&args.model)?;
+    if !file.axis.is_some() {
+        bail!("{} depends on no setting; it is an ordinary damper already", args.model.display());
+    }
+    let (low, high) = file.axis.range();
+    if !(low..=high).contains(&args.setting) {
+        bail!("the setting {} lies outside those of {}, {low} to {high}", args.setting, args.model.display());
+    }
+    let named = args.model.file_name().unwrap_or_default().to_string_lossy();
+    let name = if file.axis.name().is_empty() { "setting" } else { file.axis.name() };
+    let remark = format!("{named} at {name} = {} {}", args.setting, file.axis.unit());
+    let text = plain(&file.definition().at(args.setting), &[remark.trim_end().to_owned()]);
+    dashpot_output::write(&args.output, text)?;
+    dashpot_output::say(Some(&args.output), &format!("{} in {}", remark.trim_end(), args.output.display()))
+}

@@ -1,0 +1,224 @@
+//! The actuator: from the setting that the host commands to where the valve stands.
+//!
+//! ```text
+//! dead time   u(t) = command(t − t_d)
+//! lag, rate   dy/dt = (u − y)/τ within the rate limits, τ and limit those of rising or of falling
+//! hysteresis  s = y − h z,   dz/dt = (dy/dt − |dy/dt| z)/(2 h)
+//! ```
+//!
+//! z is the state of a Dahl element over the setting: it tends to 1 while y rises and to −1 while it falls, so the valve stands h below y on the way up and
+//! h above it on the way down. After a reversal ds/dy begins at 0 and tends to 1: s never moves against y.
+
+use crate::math::{exp_below_bound, larger, smaller};
+
+/// Time constants below this, s, are none: an instant at which rates are asked takes this one for them.
+pub const QUICKEST: f64 = 1e-4;
+
+/// What moves the valve. Rising means toward larger settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Actuator {
+    /// Time constant while it rises and while it falls, s.
+    pub time: [f64; 2],
+    /// Largest rate while it rises and while it falls, in the setting's unit per second; 0: no limit.
+    pub rate: [f64; 2],
+    /// Dead time, s.
+    pub dead_time: f64,
+    /// h, in the setting's unit.
+    pub hysteresis: f64,
+}
+
+/// Where the valve stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stand {
+    /// y.
+    pub lagged: f64,
+    /// z.
+    pub turned: f64,
+}
+
+/// Rates of where the valve stands, and their derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rates {
+    /// dy/dt and dz/dt.
+    pub rate: [f64; 2],
+    /// Of dy/dt over y, and over u.
+    pub lagged_by: [f64; 2],
+    /// Of dz/dt over y, z and u.
+    pub turned_by: [f64; 3],
+}
+
+impl Actuator {
+    /// None: the valve stands where it is commanded.
+    pub const NONE: Actuator = Actuator { time: [0.0; 2], rate: [0.0; 2], dead_time: 0.0, hysteresis: 0.0 };
+
+    /// Whether y is a state.
+    #[inline(always)]
+    pub fn has_lag(&self) -> bool {
+        let [up, down] = self.time;
+        let [rising, falling] = self.rate;
+        up + down + rising + falling + self.hysteresis > 0.0
+    }
+
+    /// Whether z is a state.
+    #[inline(always)]
+    pub fn has_hysteresis(&self) -> bool {
+        self.hysteresis > 0.0
+    }
+
+    /// Where the valve stands: s.
+    #[inline(always)]
+    pub fn setting(&self, stand: &Stand) -> f64 {
+        stand.lagged - self.hysteresis * stand.turned
+    }
+
+    /// The valve at rest under a constant u. Its hysteresis is what the way there left.
+    pub fn at_rest(&self, from: &Stand, u: f64) -> Stand {
+        Stand { lagged: u, turned: self.turned(from.turned, u - from.lagged) }
+    }
+
+    /// Moves on by a step in which u is constant. Exact.
+    pub fn advance(&self, from: &Stand, u: f64, dt: f64) -> Stand {
+        let way = u - from.lagged;
+        let falls = usize::from(way < 0.0);
+        let (time, rate) = (self.time[falls], self.rate[falls]);
+        let (mut left, mut dt) = (way.abs(), dt);
+        if rate > 0.0 {
+            // At the limit until the lag alone is slower.
+            let slow = rate * time;
+            let until = larger(left - slow, 0.0) / rate;
+            let at_limit = smaller(until, dt);
+            left -= rate * at_limit;
+            dt -= at_limit;
+        }
+        if time > 0.0 {
+            left *= exp_below_bound(-dt / time);
+        } else if dt > 0.0 {
+            left = 0.0;
+        }
+        let moved = way - left.copysign(way);
+        Stand { lagged: u - left.copysign(way), turned: self.turned(from.turned, moved) }
+    }
+
+    /// z after y has moved by so much. Exact.
+    #[inline(always)]
+    fn turned(&self, z: f64, moved: f64) -> f64 {
+        if self.hysteresis == 0.0 {
+            return 0.0;
+        }
+        let target = 1.0f64.copysign(moved);
+        target + (z - target) * exp_below_bound(-moved.abs() / (2.0 * self.hysteresis))
+    }
+
+    /// Rates at an instant.
+    pub fn rates(&self, stand: &Stand, u: f64) -> Rates {
+        let way = u - stand.lagged;
+        let falls = usize::from(way < 0.0);
+        let per_time = 1.0 / larger(self.time[falls], QUICKEST);
+        let limit = self.rate[falls];
+        let (mut rate, mut by_way) = (way * per_time, per_time);
+        if limit > 0.0 && rate.abs() > limit {
+            (rate, by_way) = (limit.copysign(way), 0.0);
+        }
+        let mut rates = Rates { rate: [rate, 0.0], lagged_by: [-by_way, by_way], turned_by: [0.0; 3] };
+        if self.hysteresis > 0.0 {
+            let per = 1.0 / (2.0 * self.hysteresis);
+            let toward = 1.0f64.copysign(way) - stand.turned;
+            rates.rate[1] = rate.abs() * toward * per;
+            let by_way = by_way * 1.0f64.copysign(way) * toward * per;
+            rates.turned_by = [-by_way, -rate.abs() * per, by_way];
+        }
+        rates
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VALVE: Actuator = Actuator { time: [8e-3, 20e-3], rate: [60.0, 0.0], dead_time: 0.0, hysteresis: 0.05 };
+
+    /// The rates integrated in tiny steps.
+    fn integrated(valve: &Actuator, mut stand: Stand, u: f64, dt: f64) -> Stand {
+        let steps = 200_000;
+        for _ in 0..steps {
+            let [y, z] = valve.rates(&stand, u).rate;
+            stand.lagged += y * dt / f64::from(steps);
+            stand.turned += z * dt / f64::from(steps);
+        }
+        stand
+    }
+
+    #[test]
+    fn a_step_is_the_integral_of_the_rates() {
+        let rest = Stand { lagged: 0.3, turned: -1.0 };
+        for (u, dt) in [(1.6, 5e-3), (1.6, 40e-3), (0.0, 10e-3), (0.31, 3e-3), (0.3, 1e-3)] {
+            let (stepped, exact) = (VALVE.advance(&rest, u, dt), integrated(&VALVE, rest, u, dt));
+            assert!((stepped.lagged - exact.lagged).abs() < 2e-5, "{stepped:?} {exact:?}");
+            assert!((stepped.turned - exact.turned).abs() < 2e-4, "{stepped:?} {exact:?}");
+            let two = VALVE.advance(&VALVE.advance(&rest, u, 0.3 * dt), u, 0.7 * dt);
+            assert!((two.lagged - stepped.lagged).abs() < 1e-12 && (two.turned - stepped.turned).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn rising_takes_its_time_and_falling_its_own() {
+        let lag = Actuator { rate: [0.0; 2], hysteresis: 0.0, ..VALVE };
+        let reached = |from: f64, u: f64, dt: f64| {
+            (lag.advance(&Stand { lagged: from, turned: 0.0 }, u, dt).lagged - from) / (u - from)
+        };
+        let one = 1.0 - libm::exp(-1.0);
+        assert!((reached(0.0, 1.0, 8e-3) - one).abs() < 1e-12 && (reached(1.0, 0.0, 20e-3) - one).abs() < 1e-12);
+        let limited = Actuator { rate: [10.0, 5.0], time: [0.0; 2], ..lag };
+        let stand = limited.advance(&Stand { lagged: 0.0, turned: 0.0 }, 1.0, 30e-3);
+        assert!((stand.lagged - 0.3).abs() < 1e-12);
+        assert_eq!(limited.advance(&stand, 1.0, 1.0).lagged, 1.0);
+    }
+
+    #[test]
+    fn hysteresis_lies_between_the_ways_up_and_down_and_never_turns_against_the_current() {
+        let valve = Actuator { hysteresis: 0.1, ..Actuator::NONE };
+        let (mut stand, mut ways) = (Stand { lagged: 0.0, turned: 0.0 }, [[0.0; 41]; 2]);
+        let mut last = valve.setting(&stand);
+        for round in 0..3 {
+            for (way, of_way) in ways.iter_mut().enumerate() {
+                for k in 0..=40 {
+                    let u = f64::from(if way == 0 { k } else { 40 - k }) * 0.05;
+                    stand = valve.advance(&stand, u, 1e-3);
+                    let s = valve.setting(&stand);
+                    assert!((s - last) * if way == 0 { 1.0 } else { -1.0 } >= -1e-12, "{round} {way} {k}");
+                    assert!((-1e-12..=2.0 + 1e-12).contains(&s));
+                    last = s;
+                    of_way[if way == 0 { k as usize } else { 40 - k as usize }] = s;
+                }
+            }
+        }
+        let [up, down] = ways;
+        // Far from both ends the two ways are twice h apart.
+        assert!((down[20] - up[20] - 0.2).abs() < 0.01, "{} {}", up[20], down[20]);
+        assert!(up.iter().zip(&down).all(|(up, down)| up <= &(down + 1e-12)));
+    }
+
+    #[test]
+    fn derivatives_of_the_rates_are_their_differences() {
+        for (y, z, u) in [(0.3, -0.4, 1.6), (1.0, 0.7, 0.2), (0.5, 0.1, 0.52)] {
+            let rates = VALVE.rates(&Stand { lagged: y, turned: z }, u);
+            let e = 1e-7;
+            let by = |plus: Rates, minus: Rates| [0, 1].map(|k| (plus.rate[k] - minus.rate[k]) / (2.0 * e));
+            let at = |y: f64, z: f64, u: f64| VALVE.rates(&Stand { lagged: y, turned: z }, u);
+            let (by_y, by_z, by_u) = (
+                by(at(y + e, z, u), at(y - e, z, u)),
+                by(at(y, z + e, u), at(y, z - e, u)),
+                by(at(y, z, u + e), at(y, z, u - e)),
+            );
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-4 * (1.0 + b.abs());
+            assert!(near(rates.lagged_by[0], by_y[0]) && near(rates.lagged_by[1], by_u[0]), "{rates:?}");
+            assert!(
+                near(rates.turned_by[0], by_y[1])
+                    && near(rates.turned_by[1], by_z[1])
+                    && near(rates.turned_by[2], by_u[1]),
+                "{rates:?} {by_y:?} {by_z:?} {by_u:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,590 @@
+//! What a user fills in: the grid of the setting, the values over it, the actuator.
+
+use super::actuator::Actuator;
+use super::interpolation::{MAX_GRID, Place, derivatives, limit};
+use crate::curve::MAX_POINTS;
+use crate::fault::{Fault, NO_PARAMETER, Reason};
+use crate::math::larger;
+use crate::parameter::values::check;
+use crate::parameter::{Element, List, Number, Params, Shape, table};
+use crate::{element, list};
+
+/// Most numbers that depend on the setting, beside the forces of the FV table.
+pub const MAX_NUMBERS: usize = 32;
+/// Most bytes of the setting's name and unit.
+pub const MAX_TEXT: usize = 31;
+/// Largest setting in size: revolutions per minute and pascals are far below.
+const LARGEST: f64 = 1e9;
+/// Least part of the grid that an interval takes: less cannot be told from none.
+const LEAST_INTERVAL: f64 = 1e-6;
+
+/// A number of the axis that is no parameter of the damper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// Name in model files and in C.
+    pub name: &'static str,
+    /// Unit; `*` stands for the setting's own, `*/s` for that per second.
+    pub unit: &'static str,
+    /// Smallest and largest value.
+    pub bounds: (f64, f64),
+    /// One sentence.
+    pub meaning: &'static str,
+}
+
+const fn entry(name: &'static str, unit: &'static str, bounds: (f64, f64), meaning: &'static str) -> Entry {
+    Entry { name, unit, bounds, meaning }
+}
+
+/// The numbers of an axis, in the order of [`Axis::number`].
+pub const ENTRIES: [Entry; 7] = [
+    entry(
+        "setting_start",
+        "*",
+        (-LARGEST, LARGEST),
+        "setting where the host gives none, and at the start; the first of the grid where it is not given",
+    ),
+    entry("setting_time_up", "s", (0.0, 100.0), "time constant of the actuator while the setting rises; 0: none"),
+    entry("setting_time_down", "s", (0.0, 100.0), "time constant of the actuator while the setting falls; 0: none"),
+    entry("setting_dead_time", "s", (0.0, 10.0), "time between a command and the first movement of the actuator"),
+    entry("setting_rate_up", "*/s", (0.0, 1e12), "largest rate of the actuator while the setting rises; 0: no limit"),
+    entry("setting_rate_down", "*/s", (0.0, 1e12), "largest rate of the actuator while the setting falls; 0: no limit"),
+    entry(
+        "setting_hysteresis",
+        "*",
+        (0.0, LARGEST),
+        "how far the valve stands behind the setting after a long way up, and ahead of it after one down",
+    ),
+];
+
+/// A number of the damper over the grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Varying {
+    /// Index in the parameter table.
+    pub row: u64,
+    /// Value at each grid value.
+    pub values: [f64; MAX_GRID],
+}
+
+/// The setting that a damper depends on. Without a grid it depends on none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Axis {
+    count: u64,
+    grid: [f64; MAX_GRID],
+    /// The numbers of [`ENTRIES`]; the first is NaN where it is not given.
+    entries: [f64; ENTRIES.len()],
+    varying: u64,
+    numbers: [Varying; MAX_NUMBERS],
+    /// Points of the FV table that is given over the grid; 0: none.
+    points: u64,
+    /// Grid values at which forces are given, as bits.
+    given: u64,
+    forces: [[f64; MAX_POINTS]; MAX_GRID],
+    name: [u8; MAX_TEXT + 1],
+    unit: [u8; MAX_TEXT + 1],
+}
+
+/// A damper as a model file defines it: an ordinary one, or one over a setting.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Definition {
+    /// Its parameters: those at the start setting where there is one.
+    pub params: Params,
+    /// The setting that it depends on; without a grid where it depends on none.
+    pub axis: Axis,
+}
+
+impl From<Params> for Definition {
+    fn from(params: Params) -> Definition {
+        Definition { params, axis: Axis::NONE }
+    }
+}
+
+impl Definition {
+    /// The ordinary damper at a setting; the same where it depends on none.
+    pub fn at(&self, setting: f64) -> Params {
+        self.axis.at(&self.params, setting)
+    }
+}
+
+const NO_NUMBER: Varying = Varying { row: 0, values: [0.0; MAX_GRID] };
+
+impl Default for Axis {
+    fn default() -> Axis {
+        Axis::NONE
+    }
+}
+
+/// A fault of the axis as a whole.
+fn of_the_axis(reason: Reason) -> Fault {
+    Fault { parameter: NO_PARAMETER, reason }
+}
+
+/// The bytes of a text, up to its zero.
+fn text(bytes: &[u8]) -> &[u8] {
+    let end = bytes.iter().position(|byte| *byte == 0).unwrap_or(bytes.len());
+    bytes.get(..end).unwrap_or(&[])
+}
+
+impl Axis {
+    const NO_ENTRIES: [f64; ENTRIES.len()] = [f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+
+    /// No setting.
+    pub const NONE: Axis = Axis {
+        count: 0,
+        grid: [0.0; MAX_GRID],
+        entries: Axis::NO_ENTRIES,
+        varying: 0,
+        numbers: [NO_NUMBER; MAX_NUMBERS],
+        points: 0,
+        given: 0,
+        forces: [[0.0; MAX_POINTS]; MAX_GRID],
+        name: [0; MAX_TEXT + 1],
+        unit: [0; MAX_TEXT + 1],
+    };
+
+    /// Takes the setting away.
+    pub fn clear(&mut self) {
+        (self.count, self.varying, self.points, self.given) = (0, 0, 0, 0);
+        self.grid = [0.0; MAX_GRID];
+        self.entries = Axis::NO_ENTRIES;
+        (self.name, self.unit) = ([0; MAX_TEXT + 1], [0; MAX_TEXT + 1]);
+    }
+
+    /// Whether there is a setting.
+    pub fn is_some(&self) -> bool {
+        self.count > 0
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> &[f64] {
+        self.grid.get(..self.count as usize).unwrap_or(&[])
+    }
+
+    /// First and last value of the grid.
+    pub fn range(&self) -> (f64, f64) {
+        let grid = self.grid();
+        (grid.first().copied().unwrap_or(0.0), grid.last().copied().unwrap_or(0.0))
+    }
+
+    /// Sets the grid. Values over another grid are dropped; name, unit and actuator stay.
+    ///
+    /// # Errors
+    /// [`Reason::SettingGrid`]: fewer than two or more than eight numbers, or numbers that do not increase.
+    pub fn set_grid(&mut self, grid: &[f64]) -> Result<(), Fault> {
+        check_grid(grid).map_err(of_the_axis)?;
+        for (to, from) in self.grid.iter_mut().zip(grid) {
+            *to = *from;
+        }
+        (self.count, self.varying, self.points, self.given) = (grid.len() as u64, 0, 0, 0);
+        Ok(())
+    }
+
+    /// Name of the setting, such as current; empty where none is given.
+    // Inline, so that nothing of it is in the library: see below.
+    #[inline]
+    pub fn name(&self) -> &str {
+        core::str::from_utf8(self.name_bytes()).unwrap_or("")
+    }
+
+    /// As [`Axis::name`], in bytes: the standard library's reader of texts has panics that do not go away.
+    pub fn name_bytes(&self) -> &[u8] {
+        text(&self.name)
+    }
+
+    /// Unit of the setting, such as A; empty where none is given.
+    // Inline, so that nothing of it is in the library: see below.
+    #[inline]
+    pub fn unit(&self) -> &str {
+        core::str::from_utf8(self.unit_bytes()).unwrap_or("")
+    }
+
+    /// As [`Axis::unit`], in bytes.
+    pub fn unit_bytes(&self) -> &[u8] {
+        text(&self.unit)
+    }
+
+    /// Sets the name. At most [`MAX_TEXT`] bytes.
+    ///
+    /// # Errors
+    /// [`Reason::PointCount`] for a longer text.
+    pub fn set_name(&mut self, name: &str) -> Result<(), Fault> {
+        self.set_name_bytes(name.as_bytes())
+    }
+
+    pub(crate) fn set_name_bytes(&mut self, name: &[u8]) -> Result<(), Fault> {
+        keep(&mut self.name, name)
+    }
+
+    /// Sets the unit, as [`Axis::set_name`].
+    ///
+    /// # Errors
+    /// [`Reason::PointCount`] for a longer text.
+    pub fn set_unit(&mut self, unit: &str) -> Result<(), Fault> {
+        self.set_unit_bytes(unit.as_bytes())
+    }
+
+    pub(crate) fn set_unit_bytes(&mut self, unit: &[u8]) -> Result<(), Fault> {
+        keep(&mut self.unit, unit)
+    }
+
+    /// Number `index` of [`ENTRIES`].
+    pub fn number(&self, index: usize) -> f64 {
+        match index {
+            0 => self.start(),
+            _ => self.entries.get(index).copied().unwrap_or(0.0),
+        }
+    }
+
+    /// Sets number `index` of [`ENTRIES`].
+    ///
+    /// # Errors
+    /// A number that is not finite or out of bounds.
+    pub fn set_number(&mut self, index: usize, value: f64) -> Result<(), Fault> {
+        check_entry(index, value)?;
+        if let Some(slot) = self.entries.get_mut(index) {
+            *slot = value;
+        }
+        Ok(())
+    }
+
+    /// Setting where the host gives none.
+    pub fn start(&self) -> f64 {
+        let (first, _) = self.range();
+        self.entries.first().copied().filter(|start| !start.is_nan()).unwrap_or(first)
+    }
+
+    /// The actuator.
+    pub fn actuator(&self) -> Actuator {
+        let [_, up, down, dead_time, rising, falling, hysteresis] = self.entries;
+        Actuator { time: [up, down], rate: [rising, falling], dead_time, hysteresis }
+    }
+
+    /// The numbers that depend on the setting.
+    pub fn numbers(&self) -> &[Varying] {
+        self.numbers.get(..self.varying as usize).unwrap_or(&[])
+    }
+
+    /// Values of a number over the grid; `None` where it does not depend on the setting.
+    pub fn values(&self, number: Number) -> Option<&[f64]> {
+        let found = self.numbers().iter().find(|varying| varying.row == number.row().index as u64)?;
+        found.values.get(..self.count as usize)
+    }
+
+    /// Gives a number over the grid.
+    ///
+    /// # Errors
+    /// A number that cannot depend on the setting, too few or too many values, a value that the table refuses, no room for another number.
+    pub fn set_values(&mut self, number: Number, values: &[f64]) -> Result<(), Fault> {
+        let row = number.row();
+        check_values(number, values, self.count as usize)?;
+        let index = row.index as u64;
+        let place = self.numbers().iter().position(|varying| varying.row == index).unwrap_or(self.varying as usize);
+        let Some(slot) = self.numbers.get_mut(place) else { return Err(row.fault(Reason::SettingTooMany)) };
+        let mut kept = [0.0; MAX_GRID];
+        for (to, from) in kept.iter_mut().zip(values) {
+            *to = *from;
+        }
+        *slot = Varying { row: index, values: kept };
+        self.varying = self.varying.max(place as u64 + 1);
+        Ok(())
+    }
+
+    /// Makes a number one that does not depend on the setting.
+    pub fn forget_values(&mut self, number: Number) {
+        let index = number.row().index as u64;
+        let Some(place) = self.numbers().iter().position(|varying| varying.row == index) else { return };
+        for place in place..self.numbers().len() {
+            let next = self.numbers.get(place + 1).copied().unwrap_or(NO_NUMBER);
+            if let Some(slot) = self.numbers.get_mut(place) {
+                *slot = next;
+            }
+        }
+        self.varying = self.varying.saturating_sub(1);
+    }
+
+    /// Makes the forces of the FV table ones that do not depend on the setting.
+    pub fn forget_forces(&mut self) {
+        (self.points, self.given) = (0, 0);
+    }
+
+    /// Gives a list at grid value `index`: the forces of the FV table.
+    ///
+    /// # Errors
+    /// Another list; else as [`Axis::set_forces`].
+    pub fn set_list(&mut self, list: List, index: usize, values: &[f64]) -> Result<(), Fault> {
+        if can_vary(list) { self.set_forces(index, values) } else { Err(list.fault(Reason::SettingFixed)) }
+    }
+
+    /// Whether the forces of the FV table depend on the setting.
+    pub fn has_forces(&self) -> bool {
+        self.points > 0
+    }
+
+    /// Forces of the FV table at grid value `index`; `None` where they do not depend on the setting.
+    pub fn forces(&self, index: usize) -> Option<&[f64]> {
+        if index >= self.count as usize || !self.has_forces() {
+            return None;
+        }
+        self.forces.get(index)?.get(..self.points as usize)
+    }
+
+    /// Gives the forces of the FV table at grid value `index`. All grid values need as many.
+    ///
+    /// # Errors
+    /// An index beyond the grid, another count than at the grid values given before, a force that the table refuses.
+    pub fn set_forces(&mut self, index: usize, forces: &[f64]) -> Result<(), Fault> {
+        let row = *list!("fv_force").row();
+        if index >= self.count as usize {
+            return Err(row.fault(Reason::SettingCount));
+        }
+        if forces.is_empty() || forces.len() > MAX_POINTS {
+            return Err(row.fault(Reason::PointCount));
+        }
+        if self.points > 0 && self.points != forces.len() as u64 {
+            return Err(row.fault(Reason::CurveLengths));
+        }
+        check(&row, forces)?;
+        if let Some(to) = self.forces.get_mut(index) {
+            for (to, from) in to.iter_mut().zip(forces) {
+                *to = *from;
+            }
+        }
+        self.points = forces.len() as u64;
+        self.given |= 1 << index;
+        Ok(())
+    }
+
+    /// Forces of all points of the FV table at grid value `index` and their derivatives over the setting, which are limited so that the forces do not fall over velocity
+    /// between the grid.
+    pub(crate) fn forces_with_derivatives(&self, index: usize) -> ([f64; MAX_POINTS], [f64; MAX_POINTS]) {
+        let (grid, points) = (self.grid(), self.points as usize);
+        let forces = self.forces.get(index).copied().unwrap_or([0.0; MAX_POINTS]);
+        let mut slopes = [0.0; MAX_POINTS];
+        for (point, slope) in slopes.iter_mut().enumerate().take(points) {
+            let mut over = [0.0; MAX_GRID];
+            for (to, forces) in over.iter_mut().zip(&self.forces) {
+                *to = forces.get(point).copied().unwrap_or(0.0);
+            }
+            let of_point = derivatives(grid, over.get(..grid.len()).unwrap_or(&[]));
+            *slope = of_point.get(index).copied().unwrap_or(0.0);
+        }
+        let at = |place: usize| grid.get(place).copied();
+        let length = |from: Option<f64>, to: Option<f64>| match (from, to) {
+            (Some(from), Some(to)) => to - from,
+            _ => f64::INFINITY,
+        };
+        let before = length(index.checked_sub(1).and_then(at), at(index));
+        let after = length(at(index), at(index + 1));
+        let force = |point: usize| forces.get(point).copied().unwrap_or(0.0);
+        if let Some(slopes) = slopes.get_mut(..points) {
+            limit(slopes, |point| force(point + 1) - force(point), before, after);
+        }
+        (forces, slopes)
+    }
+
+    /// The ordinary damper at a setting, which is clamped to the grid: the set with the interpolated numbers and forces.
+    pub fn at(&self, params: &Params, setting: f64) -> Params {
+        let mut at = *params;
+        self.put(&mut at, setting);
+        at
+    }
+
+    /// As [`Axis::at`], into a set that holds what does not depend on the setting.
+    pub fn put(&self, params: &mut Params, setting: f64) {
+        let grid = self.grid();
+        if grid.len() < 2 {
+            return;
+        }
+        let place = Place::new(&self.grid, grid.len(), setting);
+        for varying in self.numbers() {
+            let Some(row) = table().nth(varying.row as usize) else { continue };
+            let Ok(number) = Number::try_from(row) else { continue };
+            let derivatives = derivatives(grid, varying.values.get(..grid.len()).unwrap_or(&[]));
+            // Between two values that the table allows.
+            let _ = params.set(number, number.inside(place.value(&varying.values, &derivatives)));
+        }
+        if self.has_forces() {
+            let (from, from_slopes) = self.forces_with_derivatives(place.interval);
+            let (to, to_slopes) = self.forces_with_derivatives(place.interval + 1);
+            let [w0, w1, w2, w3] = place.weights;
+            let mut forces = [0.0; MAX_POINTS];
+            let ends = from.iter().zip(&to).zip(from_slopes.iter().zip(&to_slopes));
+            // They rise but for rounding.
+            let mut last = f64::NEG_INFINITY;
+            for (force, ((f0, f1), (d0, d1))) in forces.iter_mut().zip(ends) {
+                *force = larger((w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1), last);
+                last = *force;
+            }
+            let _ = params.set_list(list!("fv_force"), forces.get(..self.points as usize).unwrap_or(&[]));
+        }
+    }
+
+    /// Checks what the setters cannot: values that belong to a grid, a start inside it, a hysteresis that leaves a way.
+    ///
+    /// # Errors
+    /// What is wrong, and of which parameter.
+    pub fn check(&self) -> Result<(), Fault> {
+        if !self.is_some() {
+            return if self.varying > 0 || self.has_forces() { Err(of_the_axis(Reason::SettingGrid)) } else { Ok(()) };
+        }
+        if !(2..=MAX_GRID).contains(&(self.count as usize))
+            || self.varying as usize > MAX_NUMBERS
+            || self.points as usize > MAX_POINTS
+        {
+            return Err(of_the_axis(Reason::SettingGrid));
+        }
+        check_grid(self.grid()).map_err(of_the_axis)?;
+        let (low, high) = self.range();
+        let start = self.start();
+        let leaves_a_way = 4.0 * self.actuator().hysteresis <= high - low;
+        if !(start >= low && start <= high && leaves_a_way) {
+            return Err(of_the_axis(Reason::OutOfBounds));
+        }
+        if self.has_forces() && self.given != (1 << self.count) - 1 {
+            return Err(list!("fv_force").fault(Reason::SettingCount));
+        }
+        for forces in (0..self.grid().len()).filter_map(|index| self.forces(index)) {
+            if forces.iter().zip(forces.iter().skip(1)).any(|(force, next)| next < force) {
+                return Err(list!("fv_force").fault(Reason::Falls));
+            }
+        }
+        for varying in self.numbers() {
+            let row = table().nth(varying.row as usize).ok_or(of_the_axis(Reason::UnknownName))?;
+            check_values(
+                Number::try_from(row)?,
+                varying.values.get(..self.count as usize).unwrap_or(&[]),
+                self.count as usize,
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The family through parameter sets that belong to the values of a grid: the set at the start, and what depends on the setting.
+    ///
+    /// # Errors
+    /// Sets that differ in what cannot depend on the setting.
+    pub fn through(grid: &[f64], sets: &[Params]) -> Result<(Params, Axis), Fault> {
+        let mut axis = Axis::NONE;
+        axis.set_grid(grid)?;
+        let Some(first) = sets.first().filter(|_| sets.len() == grid.len()) else {
+            return Err(of_the_axis(Reason::SettingCount));
+        };
+        for element in Element::all() {
+            if sets.iter().any(|set| set.is_on(element) != first.is_on(element)) {
+                let row = table().find(|row| row.group == element.place());
+                return Err(row.map_or(of_the_axis(Reason::SettingFixed), |row| row.fault(Reason::SettingFixed)));
+            }
+        }
+        for row in table() {
+            if sets.iter().all(|set| set.get(&row) == first.get(&row)) {
+                continue;
+            }
+            if let Ok(number) = Number::try_from(row) {
+                let mut values = [0.0; MAX_GRID];
+                for (value, set) in values.iter_mut().zip(sets) {
+                    *value = set.number(number);
+                }
+                axis.set_values(number, values.get(..sets.len()).unwrap_or(&[]))?;
+            } else if row == *list!("fv_force").row() {
+                for (index, set) in sets.iter().enumerate() {
+                    axis.set_forces(index, set.list(list!("fv_force")))?;
+                }
+            } else {
+                return Err(row.fault(Reason::SettingFixed));
+            }
+        }
+        Ok((*first, axis))
+    }
+
+    /// Numbers that depend on the setting and store energy, or act at rest: by these a change of the setting may do work on the host. Without one the
+    /// damper is passive however the setting changes.
+    ///
+    /// Energy is stored in springs, columns of oil and masses, by the force or the temperature of the gas, and in the bend of a contact. What only takes
+    /// energy may change at any time: at every instant its power is that of a damper at a constant setting.
+    pub fn stores_energy(&self) -> impl Iterator<Item = Number> {
+        self.numbers().iter().filter_map(|varying| {
+            let row = table().nth(varying.row as usize)?;
+            let element = row.element()?;
+            let dissipates = DISSIPATES.contains(&element) || row.parameter.name == "series_damping";
+            (!dissipates).then(|| Number::try_from(row).ok()).flatten()
+        })
+    }
+}
+
+/// Elements whose numbers only say how energy is taken.
+const DISSIPATES: [Element; 9] = [
+    element!("fv_curve"),
+    element!("coulomb_friction"),
+    element!("stribeck_friction"),
+    element!("viscous_friction"),
+    element!("side_force_friction"),
+    element!("position_dependent_damping"),
+    element!("temperature_fade"),
+    element!("frequency_selective_damping"),
+    element!("valve_hysteresis"),
+];
+
+/// Whether number `index` of [`ENTRIES`] can have a value.
+pub(crate) fn check_entry(index: usize, value: f64) -> Result<(), Fault> {
+    let entry = ENTRIES.get(index).ok_or(of_the_axis(Reason::UnknownName))?;
+    if !value.is_finite() {
+        return Err(of_the_axis(Reason::NotFinite));
+    }
+    if value < entry.bounds.0 || value > entry.bounds.1 {
+        return Err(of_the_axis(Reason::OutOfBounds));
+    }
+    Ok(())
+}
+
+/// Whether a text can be a name or a unit.
+pub(crate) fn check_text(text: &[u8]) -> Result<(), Fault> {
+    if text.len() > MAX_TEXT { Err(of_the_axis(Reason::PointCount)) } else { Ok(()) }
+}
+
+fn keep(slot: &mut [u8; MAX_TEXT + 1], text: &[u8]) -> Result<(), Fault> {
+    check_text(text)?;
+    *slot = [0; MAX_TEXT + 1];
+    for (to, from) in slot.iter_mut().zip(text.iter().copied()) {
+        *to = from;
+    }
+    Ok(())
+}
+
+pub(crate) fn check_grid(grid: &[f64]) -> Result<(), Reason> {
+    let (Some(first), Some(last)) = (grid.first(), grid.last()) else { return Err(Reason::SettingGrid) };
+    let known = grid.iter().all(|value| value.abs() <= LARGEST);
+    let least = LEAST_INTERVAL * (last - first);
+    let apart = grid.iter().zip(grid.iter().skip(1)).all(|(a, b)| b - a > 0.0 && b - a >= least);
+    if known && apart && (2..=MAX_GRID).contains(&grid.len()) { Ok(()) } else { Err(Reason::SettingGrid) }
+}
+
+pub(crate) fn check_values(number: Number, values: &[f64], count: usize) -> Result<(), Fault> {
+    let row = number.row();
+    if !matches!(row.parameter.shape, Shape::Scalar) || row.element().is_none() {
+        return Err(row.fault(Reason::SettingFixed));
+    }
+    if values.len() != count || count == 0 {
+        return Err(row.fault(Reason::SettingCount));
+    }
+    for value in values {
+        if !value.is_finite() {
+            return Err(row.fault(Reason::NotFinite));
+        }
+        let (low, high) = number.bounds();
+        if *value < low || *value > high {
+            return Err(row.fault(Reason::OutOfBounds));
+        }
+    }
+    Ok(())
+}
+
+/// The list that may depend on the setting.
+pub fn can_vary(list: List) -> bool {
+    list == list!("fv_force")
+}
+
+/// Index in [`ENTRIES`] of a name.
+pub fn index_of(name: &[u8]) -> Option<usize> {
+    ENTRIES.iter().position(|entry| entry.name.as_bytes() == name)
+}

@@ -1,0 +1,124 @@
+//! Dead time: a signal as it was a fixed time ago.
+//!
+//! The last dead time of the signal is kept in [`CELLS`] cells of equal length, each with the mean of the signal over it. What leaves in a step is the
+//! mean over the time that the step has moved on, so no part of the signal is lost or counted twice, whatever the lengths of the steps. A change is
+//! delayed by the dead time to within the length of a cell.
+
+use crate::math::larger;
+
+/// Cells in a dead time: a change is off by a sixteenth of it at most.
+pub const CELLS: usize = 16;
+
+/// Tells a signal that was kept from memory that nobody wrote.
+const MARK: f64 = 1_346_454_016.0;
+
+/// The signal of the last dead time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Delay {
+    /// Mean of the signal over each cell; the oldest is the one that is filled next.
+    cells: [f64; CELLS],
+    /// Integral of the signal over the part of a cell that has gone by.
+    filled: f64,
+    /// Length of that part, s.
+    elapsed: f64,
+    /// Index of the oldest cell.
+    oldest: f64,
+    /// [`MARK`] where a signal was kept.
+    mark: f64,
+}
+
+impl Default for Delay {
+    fn default() -> Delay {
+        Delay::UNSET
+    }
+}
+
+impl Delay {
+    /// No signal yet.
+    pub const UNSET: Delay = Delay { cells: [0.0; CELLS], filled: 0.0, elapsed: 0.0, oldest: 0.0, mark: 0.0 };
+
+    /// A signal that has long been constant.
+    pub fn constant(signal: f64) -> Delay {
+        Delay { cells: [signal; CELLS], mark: MARK, ..Delay::UNSET }
+    }
+
+    /// Whether a signal was kept, and every number of it is one.
+    pub fn is_set(&self) -> bool {
+        let sum = self.cells.iter().fold(self.filled + self.elapsed, |sum, cell| sum + cell);
+        let counts = self.oldest >= 0.0 && self.oldest < CELLS as f64 && self.elapsed >= 0.0;
+        self.mark == MARK && counts && sum * 0.0 == 0.0
+    }
+
+    /// Moves on by a step in which the signal is constant; returns the mean of the delayed signal over the step.
+    pub fn advance(&mut self, signal: f64, dead_time: f64, dt: f64) -> f64 {
+        if dt >= 2.0 * dead_time {
+            // The kept signal and then this one; all that is kept afterwards is this one.
+            let cell = dead_time / CELLS as f64;
+            let oldest = self.cells.get(self.oldest as usize).copied().unwrap_or(signal);
+            let all = self.cells.iter().fold(0.0, |sum, mean| sum + mean * cell);
+            let kept = all - oldest * self.elapsed + self.filled;
+            *self = Delay::constant(signal);
+            return (kept + signal * (dt - dead_time)) / dt;
+        }
+        let cell = dead_time / CELLS as f64;
+        let (mut left, mut sum) = (dt, 0.0);
+        // Less than two dead times and the part of a cell: a bound for memory that somebody else wrote.
+        for _ in 0..2 * CELLS + 2 {
+            if left <= 0.0 {
+                break;
+            }
+            let Some(mean) = self.cells.get_mut(self.oldest as usize) else { return signal };
+            let rest = larger(cell - self.elapsed, 0.0);
+            let part = if left < rest { left } else { rest };
+            sum += *mean * part;
+            self.filled += signal * part;
+            self.elapsed += part;
+            left -= part;
+            if part == rest {
+                *mean = self.filled / cell;
+                self.oldest = if self.oldest + 1.0 < CELLS as f64 { self.oldest + 1.0 } else { 0.0 };
+                (self.filled, self.elapsed) = (0.0, 0.0);
+            }
+        }
+        sum / dt
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_comes_out_a_dead_time_later_and_none_of_it_is_lost() {
+        for (dead_time, dt) in [(5e-3, 1e-3), (5e-3, 0.7e-3), (4e-3, 1e-4), (2e-3, 3e-3), (1e-3, 4e-3), (10e-3, 1e-3)] {
+            let mut delay = Delay::constant(1.0);
+            let (mut came_in, mut came_out, mut rose_at) = (0.0, 0.0, None);
+            for k in 0..200 {
+                // Steps between levels for a while, then constant.
+                let signal = if k < 100 { 1.0 + f64::from(k / 10 % 3) } else { 2.0 };
+                let out = delay.advance(signal, dead_time, dt);
+                (came_in, came_out) = (came_in + (signal - 1.0) * dt, came_out + (out - 1.0) * dt);
+                if out > 1.0 + 1e-9 && rose_at.is_none() {
+                    rose_at = Some(f64::from(k + 1) * dt);
+                }
+            }
+            // The first change is in the step from 10 dt on.
+            let late = rose_at.unwrap() - 10.0 * dt;
+            assert!(
+                late > dead_time - dead_time / 16.0 - 1e-12 && late <= dead_time + dt + 1e-9,
+                "{late} for {dead_time}"
+            );
+            // Of the last level a dead time is still inside.
+            assert!((came_in - came_out - dead_time).abs() < 1e-9, "{came_in} {came_out} {dead_time} {dt}");
+            assert!((delay.advance(2.0, dead_time, dt) - 2.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn what_nobody_wrote_is_no_signal() {
+        assert!(!Delay::UNSET.is_set() && Delay::constant(0.5).is_set());
+        assert!(!Delay { oldest: 16.0, ..Delay::constant(0.5) }.is_set());
+        assert!(!Delay { filled: f64::NAN, ..Delay::constant(0.5) }.is_set());
+    }
+}

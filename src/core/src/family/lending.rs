@@ -1,0 +1,103 @@
+//! What an element of the family is at a setting: the same, or made ready from the numbers there.
+
+use super::section::{Lent, Passage};
+use crate::elements::parallel_spring::ParallelSpring;
+use crate::elements::valve_hysteresis::ValveHysteresis;
+use crate::parameter::Params;
+use crate::schema::View;
+
+/// Values of the numbers at a setting.
+pub(crate) trait Numbers {
+    /// Whether an element depends on the setting.
+    fn vary(&self, group: usize) -> bool;
+
+    /// Puts the values of the numbers of a group into its slots, which hold those that do not depend on the setting.
+    fn put(&self, group: usize, first_slot: usize, slots: &mut [f64]);
+
+    /// The set that the others come from.
+    fn params(&self) -> &Params;
+}
+
+/// The slots of an element with the numbers at a setting, and what they are seen through.
+macro_rules! numbers_at_setting {
+    ($numbers:ident, $name:ident, $Type:ty, $then:expr) => {{
+        const SLOTS: usize = $crate::parameter::row::slots_of(<$Type as $crate::schema::Describe>::PARAMETERS);
+        const START: (usize, usize) = $crate::parameter::row::start_of(Place::$name as usize);
+        let mut values = [0.0; SLOTS];
+        for (to, from) in values.iter_mut().zip($numbers.params().slots(START.1, SLOTS)) {
+            *to = *from;
+        }
+        $numbers.put(Place::$name as usize, START.1, &mut values);
+        let lengths = $numbers.params().lengths(START.0);
+        $then(&$crate::schema::View::<$Type>::new(START.0, lengths, &values))
+    }};
+}
+pub(crate) use numbers_at_setting;
+
+/// A small element at a setting: that of the family, or one of the `renewed`, made ready from the numbers there. Those between two that can be prepared can
+/// be; else the element is that of the family.
+macro_rules! kept {
+    ($of:ident, $numbers:ident, $renewed:ident, $name:ident, $Type:ty) => {
+        if $numbers.vary(Place::$name as usize) {
+            let own = &*$of.$name;
+            let made = numbers_at_setting!($numbers, $name, $Type, |view| {
+                <$Type as $crate::element::Prepare>::prepare(view).unwrap_or(*own)
+            });
+            &*$renewed.$name.insert(made)
+        } else {
+            &*$of.$name
+        }
+    };
+}
+pub(crate) use kept;
+
+/// As [`kept`], of an element with a large table, which has methods of its own for both.
+macro_rules! lent_or_renewed {
+    ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
+        if $numbers.vary(Place::$name as usize) {
+            let own = &$of.$name;
+            numbers_at_setting!($numbers, $name, $Type, |view| own.renewed(view))
+        } else {
+            $of.$name.lent()
+        }
+    };
+}
+pub(crate) use lent_or_renewed;
+
+impl ParallelSpring {
+    /// The same, with its table borrowed.
+    #[inline(always)]
+    pub(crate) fn lent(&self) -> ParallelSpring<Lent<'_>> {
+        self.with_table(self.table())
+    }
+
+    /// From other numbers: the table does not depend on the setting.
+    #[inline(always)]
+    pub(crate) fn renewed(&self, numbers: &View<ParallelSpring>) -> ParallelSpring<Lent<'_>> {
+        let mut spring = self.lent();
+        spring.set_powers(numbers);
+        spring
+    }
+}
+
+impl ValveHysteresis {
+    /// The same, with its passage borrowed.
+    #[inline(always)]
+    pub(crate) fn lent(&self) -> ValveHysteresis<Lent<'_>> {
+        self.with_conductance(Passage(Some(self.conductance())))
+    }
+
+    /// From other numbers: what the passage conducts is read off the FV curve.
+    #[inline(always)]
+    pub(crate) fn renewed<'a>(&self, numbers: &View<ValveHysteresis>) -> ValveHysteresis<Lent<'a>> {
+        ValveHysteresis::of(numbers, Passage(None))
+    }
+}
+
+impl ValveHysteresis<Lent<'_>> {
+    /// Reads what the passage conducts off the FV curve: that depends on the setting.
+    #[inline(always)]
+    pub(crate) fn measure(&mut self) {
+        *self = self.with_conductance(Passage(None));
+    }
+}

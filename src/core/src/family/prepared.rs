@@ -1,0 +1,728 @@
+//! A family made ready.
+
+use super::actuator::{Actuator, Stand};
+use super::axis::{Axis, MAX_NUMBERS};
+use super::delay::Delay;
+use super::interpolation::{MAX_GRID, Place, derivatives};
+use super::lending::Numbers;
+use super::section::{Lent, Points, ROOM, Section};
+use crate::assembly::Renewed;
+use crate::evaluate::{evaluate_of, partials_of};
+use crate::fault::{Fault, NO_PARAMETER, Reason};
+use crate::input::Input;
+use crate::integration::Integration;
+use crate::layout::{LAG, bits, with_actuator};
+use crate::math::{larger, smaller};
+use crate::model::Model;
+use crate::parameter::{Element, Params, Row, table};
+use crate::state::{MAX_MEMORY, Output, State};
+use crate::step::step_borrowed;
+use crate::{Partials, element, list, number};
+
+/// Half the distance over which derivatives over the setting are taken, as a part of the grid: the forces are known to 1e-13, so 1e-6 leaves seven digits.
+const NEAR: f64 = 1e-6;
+/// Step at which methods of integration are compared, s: see [`crate::integration`].
+const COMPARED_AT: f64 = 1e-3;
+
+/// Elements of which a number at 0 switches a part off, with its state.
+const SWITCHED_BY_NUMBERS: [Element; 2] = [element!("bushing"), element!("oil_compressibility")];
+
+/// Points of a table that a section looks for among the first 16: see [`Section`].
+const FEW_POINTS: usize = 16;
+
+/// A number with what its interpolation needs.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+struct Interpolated {
+    group: u64,
+    slot: u64,
+    low: f64,
+    high: f64,
+    values: [f64; MAX_GRID],
+    derivatives: [f64; MAX_GRID],
+}
+
+impl Interpolated {
+    const NONE: Interpolated =
+        Interpolated { group: 0, slot: 0, low: 0.0, high: 0.0, values: [0.0; MAX_GRID], derivatives: [0.0; MAX_GRID] };
+}
+
+/// How the FV curve depends on the setting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u64)]
+enum Fv {
+    /// Not at all, or there is none.
+    Same,
+    /// By the forces of its table.
+    Forces,
+    /// By slopes and knees.
+    Knees,
+}
+
+/// A prepared family. Constant while it runs; one family serves any number of dampers, each at a setting of its own.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Family {
+    /// The damper at the start setting.
+    model: Model,
+    /// Its parameters.
+    params: Params,
+    count: u64,
+    grid: [f64; MAX_GRID],
+    start: f64,
+    actuator: Actuator,
+    /// Elements that depend on the setting, as bits.
+    varying: u64,
+    /// Numbers that do, in the order of the parameter table.
+    numbers: [Interpolated; MAX_NUMBERS],
+    used: u64,
+    /// Whether a mass inside the damper is added to an internal mass that is made ready anew.
+    has_mass_inside: bool,
+    fv: Fv,
+    /// Points of the FV curve at the start, and whether it bends smoothly.
+    points: Points,
+    point_count: u64,
+    is_cubic: bool,
+    /// Forces of the points at each grid value, and their derivatives over the setting.
+    forces: [[f64; ROOM]; MAX_GRID],
+    slopes: [[f64; ROOM]; MAX_GRID],
+    layout: f64,
+    /// Place of the actuator's states in memory.
+    lagged_at: u64,
+}
+
+/// Derivatives of force and rates over the setting that the host commands, at constant states.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct BySetting {
+    /// dF/d(setting). 0 where the actuator has a lag: the force then follows its states.
+    pub force: f64,
+    /// d(rate of state i)/d(setting).
+    pub rate: [f64; 10],
+}
+
+impl BySetting {
+    /// All zero.
+    pub const ZERO: BySetting = BySetting { force: 0.0, rate: [0.0; 10] };
+}
+
+/// The numbers of a family at a place of its grid.
+struct At<'a> {
+    family: &'a Family,
+    place: Place,
+}
+
+impl Numbers for At<'_> {
+    #[inline(always)]
+    fn vary(&self, group: usize) -> bool {
+        self.family.varying & (1 << group) != 0
+    }
+
+    #[inline(always)]
+    fn put(&self, group: usize, first_slot: usize, slots: &mut [f64]) {
+        for number in self.family.numbers.iter().take(self.family.used as usize) {
+            if number.group == group as u64
+                && let Some(slot) = slots.get_mut((number.slot as usize).wrapping_sub(first_slot))
+            {
+                let value = self.place.value(&number.values, &number.derivatives);
+                // Between two values that the table allows, but for rounding.
+                *slot = smaller(number.high, larger(number.low, value));
+            }
+        }
+        if self.family.has_mass_inside {
+            self.put_mass_inside(group, first_slot, slots);
+        }
+    }
+
+    #[inline(always)]
+    fn params(&self) -> &Params {
+        &self.family.params
+    }
+}
+
+impl At<'_> {
+    /// A mass inside is a part of the internal mass: it is added there, and taken away from its own element.
+    #[cold]
+    #[inline(never)]
+    fn put_mass_inside(&self, group: usize, first_slot: usize, slots: &mut [f64]) {
+        let (inside, internal) = (number!("moving_mass"), number!("internal_mass"));
+        let place = |row: &Row| row.slot.wrapping_sub(first_slot);
+        if group == inside.row().group
+            && let Some(slot) = slots.get_mut(place(inside.row()))
+        {
+            *slot = 0.0;
+        }
+        if group == internal.row().group
+            && let Some(slot) = slots.get_mut(place(internal.row()))
+        {
+            let own = |number: &&Interpolated| number.slot == inside.row().slot as u64;
+            let varies = self.family.numbers.iter().take(self.family.used as usize).find(own);
+            let value = |number: &Interpolated| self.place.value(&number.values, &number.derivatives);
+            *slot += varies.map_or_else(|| self.family.params.number(inside), value);
+        }
+    }
+}
+
+/// Stages that a step takes: what a method costs.
+fn stages(integration: &Integration) -> u32 {
+    let substeps = integration.substeps(COMPARED_AT);
+    substeps * integration.method_of(COMPARED_AT, substeps, || 1.0).stages()
+}
+
+impl Family {
+    /// No family: what [`Family::set`] begins with.
+    pub const OFF: Family = Family {
+        model: Model::OFF,
+        params: Params::BLANK,
+        count: 0,
+        grid: [0.0; MAX_GRID],
+        start: 0.0,
+        actuator: Actuator::NONE,
+        varying: 0,
+        numbers: [Interpolated::NONE; MAX_NUMBERS],
+        used: 0,
+        has_mass_inside: false,
+        fv: Fv::Same,
+        points: Points { u: [0.0; ROOM], per: [0.0; ROOM], f: [0.0; ROOM] },
+        point_count: 0,
+        is_cubic: false,
+        forces: [[0.0; ROOM]; MAX_GRID],
+        slopes: [[0.0; ROOM]; MAX_GRID],
+        layout: 0.0,
+        lagged_at: 0,
+    };
+
+    /// Whether a family can be made of the parameters and the axis: the damper of every grid value is one, and all of them have the same states.
+    ///
+    /// # Errors
+    /// The parameter at fault, and why.
+    pub fn check(params: &Params, axis: &Axis) -> Result<(), Fault> {
+        axis.check()?;
+        if !axis.is_some() {
+            return Err(Fault { parameter: NO_PARAMETER, reason: Reason::SettingGrid });
+        }
+        if axis.has_forces() && params.list(list!("fv_velocity")).len() != axis.forces(0).map_or(0, <[f64]>::len) {
+            return Err(list!("fv_force").fault(Reason::CurveLengths));
+        }
+        let mut at = *params;
+        for setting in axis.grid() {
+            axis.put(&mut at, *setting);
+            Model::check(&at)?;
+        }
+        for varying in axis.numbers() {
+            let Some(row) = table().nth(varying.row as usize) else { continue };
+            let values = varying.values.get(..axis.grid().len()).unwrap_or(&[]);
+            let is_off = |value: &f64| *value == 0.0;
+            let switches = values.iter().any(is_off) && !values.iter().all(is_off);
+            if switches && row.element().is_some_and(|element| SWITCHED_BY_NUMBERS.contains(&element)) {
+                return Err(row.fault(Reason::SettingStates));
+            }
+        }
+        let actuator = axis.actuator();
+        let own = usize::from(actuator.has_lag()) + usize::from(actuator.has_hysteresis());
+        if Model::memories_of(&at) + own > MAX_MEMORY {
+            return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
+        }
+        Ok(())
+    }
+
+    /// Prepares a family where it is kept.
+    ///
+    /// # Errors
+    /// As [`Family::check`]; nothing is changed then.
+    pub fn set(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
+        Family::check(params, axis)?;
+        self.set_checked(params, axis)
+    }
+
+    /// As [`Family::set`], of what [`Family::check`] accepted.
+    ///
+    /// # Errors
+    /// None then.
+    #[inline(never)]
+    pub fn set_checked(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
+        let grid = axis.grid();
+        self.params = *params;
+        self.count = grid.len() as u64;
+        self.grid = [0.0; MAX_GRID];
+        for (to, from) in self.grid.iter_mut().zip(grid) {
+            *to = *from;
+        }
+        self.start = axis.start();
+        self.actuator = axis.actuator();
+        self.set_numbers(axis);
+        // The method that is exact enough at every grid value.
+        let mut chosen = Integration::OFF;
+        let mut cheap_up_to = f64::INFINITY;
+        for (index, setting) in grid.iter().enumerate() {
+            axis.put(&mut self.params, *setting);
+            self.model.set(&self.params)?;
+            let integration = self.model.integration();
+            cheap_up_to = smaller(integration.cheap_up_to, cheap_up_to);
+            let costs = (stages(&integration), integration.per_time);
+            if index == 0 || costs > (stages(&chosen), chosen.per_time) {
+                chosen = integration;
+            }
+        }
+        axis.put(&mut self.params, self.start);
+        self.model.set(&self.params)?;
+        chosen.cheap_up_to = cheap_up_to;
+        self.model.integration = chosen;
+        self.set_curve(axis);
+        self.lagged_at = self.model.elements.memories() as u64;
+        self.layout = with_actuator(self.model.layout, self.actuator.has_lag(), self.actuator.has_hysteresis());
+        Ok(())
+    }
+
+    fn set_numbers(&mut self, axis: &Axis) {
+        (self.used, self.varying, self.has_mass_inside) = (0, 0, false);
+        for row in table() {
+            let Some(varying) = axis.numbers().iter().find(|varying| varying.row == row.index as u64) else { continue };
+            let values = varying.values;
+            let derivatives = derivatives(axis.grid(), values.get(..axis.grid().len()).unwrap_or(&[]));
+            // An element that is off stays off.
+            let Some(element) = row.element().filter(|element| self.params.is_on(*element)) else { continue };
+            if let Some(to) = self.numbers.get_mut(self.used as usize) {
+                let (group, slot) = (row.group as u64, row.slot as u64);
+                *to =
+                    Interpolated { group, slot, low: row.parameter.low, high: row.parameter.high, values, derivatives };
+                self.used += 1;
+            }
+            self.varying |= element.bit();
+        }
+        // A mass inside is a part of the internal mass: where one is made ready anew the other is too.
+        let both = element!("series_compliance").bit() | element!("moving_mass").bit();
+        if self.varying & both != 0 {
+            self.varying |= both & self.params.elements();
+            let is_inside = self.params.number(number!("moving_mass_place")) == 1.0;
+            self.has_mass_inside = is_inside && self.params.elements() & both == both;
+        }
+    }
+
+    fn set_curve(&mut self, axis: &Axis) {
+        (self.fv, self.point_count, self.is_cubic) = (Fv::Same, 0, false);
+        self.points = Points::NONE;
+        let curve = element!("fv_curve");
+        if !self.params.is_on(curve) {
+            self.varying &= !curve.bit();
+            return;
+        }
+        if self.params.number(number!("fv_form")) == 1.0 {
+            let (u, f) = crate::elements::fv_curve::knees(&self.params.view(curve.place()));
+            self.points.set(&u, &f);
+            self.point_count = u.len() as u64;
+            if self.varying & curve.bit() != 0 {
+                self.fv = Fv::Knees;
+            }
+        } else {
+            let u = self.params.list(list!("fv_velocity"));
+            self.points.set(u, self.params.list(list!("fv_force")));
+            self.point_count = u.len() as u64;
+            self.is_cubic = self.params.number(number!("fv_interpolation")) == 0.0;
+            if axis.has_forces() {
+                self.fv = Fv::Forces;
+                for (index, (forces, slopes)) in self.forces.iter_mut().zip(&mut self.slopes).enumerate() {
+                    (*forces, *slopes) = (Points::NONE.f, [0.0; ROOM]);
+                    if index < axis.grid().len() {
+                        let (of_points, over_setting) = axis.forces_with_derivatives(index);
+                        for (to, from) in forces.iter_mut().zip(of_points).take(u.len()) {
+                            *to = from;
+                        }
+                        for (to, from) in slopes.iter_mut().zip(over_setting) {
+                            *to = from;
+                        }
+                    }
+                }
+            }
+        }
+        // The curve is no small element: it is made of its points.
+        self.varying &= !curve.bit();
+    }
+
+    /// The damper at the start setting.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Setting where the host gives none.
+    pub fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// The actuator.
+    pub fn actuator(&self) -> &Actuator {
+        &self.actuator
+    }
+
+    /// First and last setting of the grid.
+    #[inline(always)]
+    pub fn range(&self) -> (f64, f64) {
+        let last = (self.count as usize).wrapping_sub(1) & (MAX_GRID - 1);
+        (self.grid[0], self.grid[last])
+    }
+
+    /// Whether a setting lies outside the grid, where it is clamped.
+    #[inline(always)]
+    pub fn is_outside(&self, setting: f64) -> bool {
+        let (low, high) = self.range();
+        setting < low || setting > high
+    }
+
+    /// Number of states that a solver of the host's integrates: those of the damper and those of the actuator behind them.
+    pub fn states(&self) -> usize {
+        self.model.states() + usize::from(self.actuator.has_lag()) + usize::from(self.actuator.has_hysteresis())
+    }
+
+    /// Name and unit of state `index`: see [`Model::state_name`]. `setting` is in the unit of the axis.
+    pub fn state_name(&self, index: usize) -> Option<(&'static str, &'static str)> {
+        let own = index.checked_sub(self.model.states());
+        match own {
+            None => self.model.state_name(index),
+            Some(0) if self.actuator.has_lag() => Some(("setting", "setting")),
+            Some(1) if self.actuator.has_hysteresis() => Some(("setting_hysteresis", "-")),
+            Some(_) => None,
+        }
+    }
+
+    /// The setting that the host commands, clamped to the grid.
+    #[inline(always)]
+    fn command(&self, setting: Option<f64>) -> f64 {
+        let (low, high) = self.range();
+        smaller(high, larger(low, setting.unwrap_or(self.start)))
+    }
+
+    #[inline(always)]
+    fn stand(&self, state: &State) -> Stand {
+        let at = |place: u64| state.memory.get(place as usize).copied().unwrap_or(0.0);
+        let turned = if self.actuator.has_hysteresis() { at(self.lagged_at + 1) } else { 0.0 };
+        Stand { lagged: at(self.lagged_at), turned }
+    }
+
+    #[inline(always)]
+    fn put_stand(&self, state: &mut State, stand: &Stand) {
+        if let Some(slot) = state.memory.get_mut(self.lagged_at as usize) {
+            *slot = stand.lagged;
+        }
+        if self.actuator.has_hysteresis()
+            && let Some(slot) = state.memory.get_mut(self.lagged_at as usize + 1)
+        {
+            *slot = stand.turned;
+        }
+    }
+
+    /// Where the valve stands in a state: the setting whose damper acts. Without a lag it stands where it is commanded.
+    pub fn setting_of(&self, state: &State, setting: Option<f64>) -> f64 {
+        if self.actuator.has_lag() { self.actuator.setting(&self.stand(state)) } else { self.command(setting) }
+    }
+
+    /// Asks the damper at a setting, which lives as long as the question.
+    #[inline(always)]
+    fn ask<R>(&self, setting: f64, question: impl FnOnce(&Model<Lent<'_>>) -> R) -> R {
+        let place = Place::new(&self.grid, self.count as usize, setting);
+        let at = At { family: self, place };
+        let count = self.point_count as usize;
+        let mut forces;
+        let knees;
+        let (u, per, f) = match self.fv {
+            Fv::Same => (&self.points.u, &self.points.per, &self.points.f),
+            Fv::Forces => {
+                forces = [0.0; ROOM];
+                self.forces_at(&at.place, &mut forces);
+                (&self.points.u, &self.points.per, &forces)
+            }
+            Fv::Knees => {
+                knees = self.knees_at(&at);
+                (&knees.u, &knees.per, &knees.f)
+            }
+        };
+        let fv = Section::new(u, per, f, count, self.is_cubic);
+        let mut renewed = Renewed::none();
+        let mut model = Model {
+            elements: self.model.elements.lent(fv, &at, &mut renewed),
+            integration: self.model.integration,
+            layout: self.layout,
+        };
+        if self.fv != Fv::Same {
+            model.elements.paths.valve_hysteresis.measure();
+        }
+        question(&model)
+    }
+
+    /// Forces of the FV table at a place; behind the last point they are beyond all.
+    #[inline(always)]
+    fn forces_at(&self, place: &Place, forces: &mut [f64; ROOM]) {
+        let (from, to) = (place.interval & (MAX_GRID - 1), (place.interval + 1) & (MAX_GRID - 1));
+        let [w0, w1, w2, w3] = place.weights;
+        let (f0, f1, d0, d1) = (&self.forces[from], &self.forces[to], &self.slopes[from], &self.slopes[to]);
+        let value = |point: usize| (w0 * f0[point] + w1 * f1[point]) + (w2 * d0[point] + w3 * d1[point]);
+        // Most tables have fewer than 16 points, behind which a section does not look then.
+        for (point, force) in forces.iter_mut().enumerate().take(FEW_POINTS) {
+            *force = value(point);
+        }
+        if self.point_count as usize >= FEW_POINTS {
+            for (point, force) in forces.iter_mut().enumerate().skip(FEW_POINTS) {
+                *force = value(point);
+            }
+        }
+    }
+
+    /// Points of the FV curve of slopes and knees at a place. Apart: it is rare.
+    #[inline(never)]
+    fn knees_at(&self, at: &At) -> Points {
+        let group = element!("fv_curve").place();
+        let (first, slot) = crate::parameter::row::start_of(group);
+        let mut values = [0.0; FV_SLOTS];
+        for (to, from) in values.iter_mut().zip(self.params.slots(slot, FV_SLOTS)) {
+            *to = *from;
+        }
+        at.put(group, slot, &mut values);
+        let (u, f) =
+            crate::elements::fv_curve::knees(&crate::schema::View::new(first, self.params.lengths(first), &values));
+        let mut points = Points::NONE;
+        points.set(&u, &f);
+        points
+    }
+
+    /// The state at equilibrium at a setting that has long been commanded: see [`Model::settled`].
+    #[inline(never)]
+    pub fn settled(&self, input: &Input, setting: Option<f64>) -> State {
+        let command = self.command(setting);
+        let mut state = self.ask(command, |model| model.equilibrium(input));
+        self.put_stand_if_any(&mut state, command);
+        state
+    }
+
+    fn put_stand_if_any(&self, state: &mut State, command: f64) {
+        if self.actuator.has_lag() {
+            self.put_stand(state, &Stand { lagged: command, turned: 0.0 });
+        }
+    }
+
+    /// The dead time of a setting that has long been commanded.
+    pub fn settled_delay(&self, setting: Option<f64>) -> Delay {
+        Delay::constant(self.command(setting))
+    }
+
+    /// A state of other elements as this family has it: see [`Model::laid_out`].
+    #[cold]
+    #[inline(never)]
+    pub fn laid_out(&self, state: &State, setting: Option<f64>) -> State {
+        let command = self.command(setting);
+        let mut own = self.ask(command, |model| model.converted(state));
+        if bits(state.layout).is_some_and(|before| before & LAG == 0) {
+            self.put_stand_if_any(&mut own, command);
+        }
+        own
+    }
+
+    /// One step of `dt` to the input and the commanded setting at its end, in place: see [`crate::step::step_in_place`]. The command is constant during the step. Without
+    /// `slopes` those of the output mean nothing. False, and all as it was, where the force is not a finite number.
+    ///
+    /// The damper is that of the setting at which the valve stands at the end of the step. `dt = 0` is the force at equilibrium, with the valve at rest at the
+    /// command; the state stays.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    pub fn step_in_place(
+        &self,
+        state: &mut State,
+        delay: &mut Delay,
+        to: &Input,
+        setting: Option<f64>,
+        dt: f64,
+        output: &mut Output,
+        slopes: bool,
+    ) -> bool {
+        if state.layout != self.layout || self.actuator.has_lag() || self.actuator.dead_time > 0.0 {
+            return self.step_behind_actuator(state, delay, to, setting, dt, output, slopes);
+        }
+        self.step_at(self.command(setting), state, to, dt, output, slopes)
+    }
+
+    /// As [`Family::step_in_place`] at the setting where the valve stands, from a state of this family.
+    #[inline(never)]
+    fn step_at(&self, at: f64, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
+        self.ask(at, |model| step_borrowed(model, state, to, dt, output, slopes))
+    }
+
+    /// As [`Family::step_in_place`], of a valve that does not stand where it is commanded, or from a state of other elements.
+    #[inline(never)]
+    #[allow(clippy::too_many_arguments)]
+    fn step_behind_actuator(
+        &self,
+        state: &mut State,
+        delay: &mut Delay,
+        to: &Input,
+        setting: Option<f64>,
+        dt: f64,
+        output: &mut Output,
+        slopes: bool,
+    ) -> bool {
+        if state.layout != self.layout {
+            let mut own = self.laid_out(state, setting);
+            let done = self.step_in_place(&mut own, delay, to, setting, dt, output, slopes);
+            if done {
+                *state = own;
+            }
+            return done;
+        }
+        let command = self.command(setting);
+        let (stand, after) = self.moved(state, delay, command, dt);
+        let at = if self.actuator.has_lag() { self.actuator.setting(&stand) } else { stand.lagged };
+        let done = self.step_at(at, state, to, dt, output, slopes);
+        if done && dt > 0.0 {
+            if self.actuator.has_lag() {
+                self.put_stand(state, &stand);
+            }
+            if let Some(after) = after {
+                *delay = after;
+            }
+        }
+        done
+    }
+
+    /// Where the valve stands after a step, and its dead time then.
+    #[inline(always)]
+    fn moved(&self, state: &State, delay: &Delay, command: f64, dt: f64) -> (Stand, Option<Delay>) {
+        let stand = if self.actuator.has_lag() { self.stand(state) } else { Stand { lagged: command, turned: 0.0 } };
+        if dt == 0.0 {
+            return (self.actuator.at_rest(&stand, command), None);
+        }
+        if self.actuator.dead_time == 0.0 {
+            return (self.actuator.advance(&stand, command, dt), None);
+        }
+        let mut after = if delay.is_set() { *delay } else { Delay::constant(stand.lagged) };
+        let u = after.advance(command, self.actuator.dead_time, dt);
+        (self.actuator.advance(&stand, u, dt), Some(after))
+    }
+
+    /// Derivative of the force at the end of a step over the setting at which the valve stands there; all that happens in the step is included. Of `dt = 0`:
+    /// of the force at equilibrium.
+    #[inline(never)]
+    pub fn force_by_setting(
+        &self,
+        state: &State,
+        delay: &Delay,
+        to: &Input,
+        setting: Option<f64>,
+        dt: f64,
+    ) -> Option<f64> {
+        if state.layout != self.layout {
+            return self.force_by_setting(&self.laid_out(state, setting), delay, to, setting, dt);
+        }
+        let command = self.command(setting);
+        let (stand, _) = self.moved(state, delay, command, dt);
+        let at = if self.actuator.has_lag() { self.actuator.setting(&stand) } else { stand.lagged };
+        let force = |setting: f64| {
+            let (mut reached, mut output) = (*state, Output::ZERO);
+            self.step_at(setting, &mut reached, to, dt, &mut output, false).then_some(output.force)
+        };
+        self.difference(at, |setting| force(setting).map(|force| [force])).map(|[by]| by)
+    }
+
+    /// Central differences over the setting, inside the grid.
+    #[inline(always)]
+    fn difference<const N: usize>(
+        &self,
+        at: f64,
+        mut numbers: impl FnMut(f64) -> Option<[f64; N]>,
+    ) -> Option<[f64; N]> {
+        let (low, high) = self.range();
+        let near = NEAR * (high - low);
+        let middle = smaller(high - near, larger(low + near, at));
+        let (before, after) = (middle - near, middle + near);
+        let (from, to) = (numbers(before)?, numbers(after)?);
+        let mut by = [0.0; N];
+        for (by, (from, to)) in by.iter_mut().zip(from.iter().zip(&to)) {
+            *by = (to - from) / (after - before);
+        }
+        Some(by)
+    }
+
+    /// Force and rates of the damper at a setting. A call of its own, as is the next: each takes its room on the stack and gives it back.
+    #[inline(never)]
+    fn evaluate_at(&self, at: f64, state: &State, input: &Input) -> (Output, State) {
+        self.ask(at, |model| evaluate_of(model, state, input))
+    }
+
+    /// Partial derivatives of the damper at a setting.
+    #[inline(never)]
+    fn partials_at(&self, at: f64, state: &State, input: &Input) -> Partials {
+        self.ask(at, |model| partials_of(model, state, input))
+    }
+
+    /// Force and rates at a state: see [`crate::evaluate()`]. An instant knows no past, so the setting is that behind the dead time.
+    #[inline(never)]
+    pub fn evaluate(&self, state: &State, input: &Input, setting: Option<f64>) -> (Output, State) {
+        if state.layout != self.layout {
+            return self.evaluate(&self.laid_out(state, setting), input, setting);
+        }
+        let (output, mut rate) = self.evaluate_at(self.setting_of(state, setting), state, input);
+        if self.actuator.has_lag() {
+            let [lagged, turned] = self.actuator.rates(&self.stand(state), self.command(setting)).rate;
+            self.put_stand(&mut rate, &Stand { lagged, turned });
+        }
+        (output, rate)
+    }
+
+    /// All partial derivatives at a state, and those over the setting that the host commands: see [`crate::evaluate::partials`].
+    #[inline(never)]
+    pub fn partials(&self, state: &State, input: &Input, setting: Option<f64>) -> (Partials, BySetting) {
+        if state.layout != self.layout {
+            return self.partials(&self.laid_out(state, setting), input, setting);
+        }
+        let at = self.setting_of(state, setting);
+        let mut p = self.partials_at(at, state, input);
+        let rates = |setting: f64| {
+            let (output, rate) = self.evaluate_at(setting, state, input);
+            let mut numbers = [0.0; 11];
+            let all = [output.force, rate.mass_displacement, rate.mass_velocity];
+            for (to, from) in numbers.iter_mut().zip(all.iter().chain(&rate.memory)) {
+                *to = *from;
+            }
+            Some(numbers)
+        };
+        let by = self.difference(at, rates).unwrap_or([0.0; 11]);
+        let [force, rates @ ..] = by;
+        let mut by_setting = BySetting::ZERO;
+        if !self.actuator.has_lag() {
+            if !setting.is_some_and(|setting| self.is_outside(setting)) {
+                by_setting = BySetting { force, rate: rates };
+            }
+            return (p, by_setting);
+        }
+        // The force follows where the valve stands: s = y − h z.
+        let of = self.actuator.rates(&self.stand(state), self.command(setting));
+        let follows_command = !setting.is_some_and(|setting| self.is_outside(setting));
+        let (y, h) = (self.lagged_at as usize + 2, self.actuator.hysteresis);
+        let states = if self.actuator.has_hysteresis() { 2 } else { 1 };
+        for (state, by_stand) in [(y, 1.0), (y + 1, -h)].into_iter().take(states) {
+            if let Some(to) = p.force_by_state.get_mut(state) {
+                *to = force * by_stand;
+            }
+            for (row, rate) in p.rate_by_state.iter_mut().zip(rates) {
+                if let Some(to) = row.get_mut(state) {
+                    *to = rate * by_stand;
+                }
+            }
+        }
+        let rows = [[of.lagged_by[0], 0.0], [of.turned_by[0], of.turned_by[1]]];
+        let commands = [of.lagged_by[1], of.turned_by[2]];
+        for (own, (of_states, by_command)) in rows.into_iter().zip(commands).enumerate().take(states) {
+            if let Some(row) = p.rate_by_state.get_mut(y + own) {
+                for (to, from) in row.iter_mut().skip(y).zip(of_states).take(states) {
+                    *to = from;
+                }
+            }
+            if let Some(to) = by_setting.rate.get_mut(y + own)
+                && follows_command
+            {
+                *to = by_command;
+            }
+        }
+        (p, by_setting)
+    }
+}
+
+/// Values that the FV curve has in a parameter set.
+const FV_SLOTS: usize =
+    crate::parameter::row::slots_of(<crate::elements::fv_curve::FvCurve as crate::schema::Describe>::PARAMETERS);

@@ -1,0 +1,252 @@
+//! The tables of a damper at one setting, borrowed from the family.
+
+use crate::curve::{Above, Curve, MAX_POINTS, Value};
+use crate::elements::valve_hysteresis::{Conductance, exact};
+use crate::math::{larger, smaller};
+use core::fmt::Debug;
+
+use crate::tables::{Conducted, Conduction, ForceLaw, Lookup, Tables};
+
+/// Room for the points, and one that lies beyond all of them.
+pub(crate) const ROOM: usize = MAX_POINTS + 1;
+/// An index into the room.
+const MASK: usize = ROOM - 1;
+/// Beyond all points.
+const FAR: f64 = f64::MAX;
+/// A Householder step shorter than this part of its piece is the last, as in [`Curve::solve`].
+const FEW: f64 = 1e-3;
+
+/// Points of a curve at one setting.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Points {
+    /// Abscissae, and 1 over the distance to the next; behind the last they are beyond all that is looked for.
+    pub u: [f64; ROOM],
+    pub per: [f64; ROOM],
+    /// Forces.
+    pub f: [f64; ROOM],
+}
+
+impl Points {
+    /// No points.
+    pub const NONE: Points = Points { u: [FAR; ROOM], per: [0.0; ROOM], f: [FAR; ROOM] };
+
+    /// The points (u, f).
+    pub fn set(&mut self, u: &[f64], f: &[f64]) {
+        *self = Points::NONE;
+        for (to, from) in self.u.iter_mut().zip(u) {
+            *to = *from;
+        }
+        for (to, from) in self.f.iter_mut().zip(f) {
+            *to = *from;
+        }
+        for (per, (u, next)) in self.per.iter_mut().zip(u.iter().zip(u.iter().skip(1))) {
+            *per = 1.0 / (next - u);
+        }
+    }
+}
+
+/// The FV curve at one setting: the points, from which a piece is made when it is needed.
+#[derive(Clone, Copy, Debug)]
+pub struct Section<'a> {
+    u: &'a [f64; ROOM],
+    per: &'a [f64; ROOM],
+    f: &'a [f64; ROOM],
+    count: usize,
+    /// Fritsch–Butland slopes; else straight lines.
+    is_cubic: bool,
+}
+
+/// A piece, as in [`Curve`].
+struct Piece {
+    u0: f64,
+    f0: f64,
+    c1: f64,
+    c2: f64,
+    c3: f64,
+    low: f64,
+    high: f64,
+    chord: f64,
+}
+
+impl<'a> Section<'a> {
+    /// The curve through `count` points.
+    #[inline(always)]
+    pub(crate) fn new(
+        u: &'a [f64; ROOM],
+        per: &'a [f64; ROOM],
+        f: &'a [f64; ROOM],
+        count: usize,
+        is_cubic: bool,
+    ) -> Section<'a> {
+        Section { u, per, f, count, is_cubic }
+    }
+
+    /// Number of points at which `key` is at most `r`: the index of the piece.
+    #[inline(always)]
+    fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
+        let mut index = 0;
+        let mut halve = |half: usize| {
+            let place = (index + half - 1) & MASK;
+            index = if key(self.u[place], self.f[place]) <= r { index + half } else { index };
+        };
+        if self.count >= 16 {
+            halve(32);
+            halve(16);
+        }
+        halve(8);
+        halve(4);
+        halve(2);
+        halve(1);
+        index
+    }
+
+    /// Mean slope behind a point.
+    #[inline(always)]
+    fn chord(&self, point: usize) -> f64 {
+        let (from, to) = (point & MASK, (point + 1) & MASK);
+        (self.f[to] - self.f[from]) * self.per[from]
+    }
+
+    /// Fritsch–Butland slope at a point with the mean slopes `before` and `after` it, which are not negative.
+    #[inline(always)]
+    fn slope(&self, point: usize, before: f64, after: f64) -> f64 {
+        if point == 0 {
+            return after;
+        }
+        if point + 1 >= self.count {
+            return before;
+        }
+        // The weights of the mean, times the reciprocals of both distances.
+        let (r0, r1) = (self.per[(point - 1) & MASK], self.per[point & MASK]);
+        let (w0, w1) = (2.0 * r0 + r1, r0 + 2.0 * r1);
+        let product = before * after;
+        if product > 0.0 { (w0 + w1) * product / (w0 * after + w1 * before) } else { 0.0 }
+    }
+
+    /// The piece left of point `index`.
+    #[inline(always)]
+    fn piece(&self, index: usize) -> Piece {
+        let last = self.count.wrapping_sub(1);
+        if index > 0 && index <= last {
+            let left = index - 1;
+            let (per, chord) = (self.per[left & MASK], self.chord(left));
+            let (u0, f0) = (self.u[left & MASK], self.f[left & MASK]);
+            let high = self.u[index & MASK] - u0;
+            if !self.is_cubic {
+                return Piece { u0, f0, c1: chord, c2: 0.0, c3: 0.0, low: 0.0, high, chord };
+            }
+            let m0 = self.slope(left, if left > 0 { self.chord(left - 1) } else { 0.0 }, chord);
+            let m1 = self.slope(index, chord, if index < last { self.chord(index) } else { 0.0 });
+            let c2 = (3.0 * chord - 2.0 * m0 - m1) * per;
+            let c3 = (m0 + m1 - 2.0 * chord) * (per * per);
+            return Piece { u0, f0, c1: m0, c2, c3, low: 0.0, high, chord };
+        }
+        // Beyond the ends it goes on straight; without points it is zero everywhere.
+        if self.count < 2 {
+            return Piece { u0: 0.0, f0: 0.0, c1: 0.0, c2: 0.0, c3: 0.0, low: -FAR, high: FAR, chord: 0.0 };
+        }
+        let (anchor, slope) = if index == 0 { (0, self.chord(0)) } else { (last, self.chord(last - 1)) };
+        let (low, high) = if index == 0 { (-FAR, 0.0) } else { (0.0, FAR) };
+        Piece {
+            u0: self.u[anchor & MASK],
+            f0: self.f[anchor & MASK],
+            c1: slope,
+            c2: 0.0,
+            c3: 0.0,
+            low,
+            high,
+            chord: slope,
+        }
+    }
+}
+
+impl Piece {
+    #[inline(always)]
+    fn at(&self, t: f64) -> Value {
+        Value {
+            value: self.f0 + t * (self.c1 + t * (self.c2 + t * self.c3)),
+            slope: self.c1 + t * (2.0 * self.c2 + t * (3.0 * self.c3)),
+        }
+    }
+}
+
+impl ForceLaw for Section<'_> {
+    #[inline(always)]
+    fn at(&self, u: f64) -> Value {
+        let piece = self.piece(self.locate(u, |u, _| u));
+        piece.at(u - piece.u0)
+    }
+
+    #[inline(always)]
+    fn above_zero(&self, u: f64) -> Above {
+        let piece = self.piece(self.locate(u, |u, _| u));
+        let t = u - piece.u0;
+        let Value { value, slope } = piece.at(t);
+        Above { value: value - self.at_zero(), slope, curvature: 2.0 * piece.c2 + t * (6.0 * piece.c3) }
+    }
+
+    #[inline(always)]
+    fn at_zero(&self) -> f64 {
+        self.at(0.0).value
+    }
+
+    /// As [`Curve::solve`].
+    #[inline(always)]
+    fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
+        let p = self.piece(self.locate(r, |u, f| a * u + f));
+        let target = r - (a * p.u0 + p.f0);
+        let c1 = a + p.c1;
+        let mut t = target * (1.0 / (a + p.chord));
+        for _ in 0..STEPS {
+            let (mean, slope) = (c1 + t * (p.c2 + t * p.c3), c1 + t * (2.0 * p.c2 + t * (3.0 * p.c3)));
+            let value = t * mean - target;
+            let bend = p.c2 + t * (3.0 * p.c3);
+            let bent = value * bend;
+            let narrowed = slope * slope - bent;
+            let step = value * narrowed / (slope * (narrowed - bent) + value * (value * p.c3));
+            t -= step;
+            t = larger(p.low, t);
+            t = smaller(p.high, t);
+            if step.abs() <= FEW * p.high {
+                break;
+            }
+        }
+        (p.u0 + t, p.at(t))
+    }
+
+    fn range(&self) -> (f64, f64) {
+        if self.count < 2 { (0.0, 0.0) } else { (self.u[0], self.u[(self.count - 1) & MASK]) }
+    }
+}
+
+/// Conductance of a late valve: the family's table, or read off the FV curve at the setting where that or the valve depends on it.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage<'a>(pub(crate) Option<&'a Conductance>);
+
+impl Conduction for Passage<'_> {
+    #[inline(always)]
+    fn conducted(&self, curve: &impl ForceLaw, h: f64, stroke: f64) -> Conducted {
+        match self.0 {
+            Some(table) => table.conducted(curve, h, stroke),
+            None => exact(curve, h, stroke),
+        }
+    }
+}
+
+impl Lookup for &Curve {
+    #[inline(always)]
+    fn lookup(&self, u: f64) -> Value {
+        self.at(u)
+    }
+}
+
+/// Tables that a damper at one setting borrows.
+#[derive(Clone, Copy, Debug)]
+pub struct Lent<'a>(core::marker::PhantomData<&'a ()>);
+
+impl<'a> Tables for Lent<'a> {
+    type Fv = Section<'a>;
+    type Spring = &'a Curve;
+    type Conductance = Passage<'a>;
+    type Kept<E: Copy + Debug + 'static> = &'a E;
+}

@@ -1,0 +1,84 @@
+//! The large tables that elements read, and who keeps them.
+//!
+//! A model owns its tables. A model that is made for one step at a setting between two of its grid borrows them from the family and keeps nothing large:
+//! see [`crate::family`]. The formulas of the elements are the same for both.
+
+use crate::curve::{Above, Value};
+use core::fmt::Debug;
+use core::ops::{Deref, DerefMut};
+
+/// A non-decreasing law of force over velocity: the FV curve.
+pub trait ForceLaw: Copy + Debug {
+    /// Force and slope at a velocity.
+    fn at(&self, u: f64) -> Value;
+
+    /// Force above that at standstill, with slope and curvature.
+    fn above_zero(&self, u: f64) -> Above;
+
+    /// Force at standstill.
+    fn at_zero(&self) -> f64;
+
+    /// The velocity u with `a u + f(u) = r` for `a > 0`, with force and slope there: see [`crate::curve::Curve::solve`].
+    fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value);
+
+    /// First and last velocity that the points cover.
+    fn range(&self) -> (f64, f64);
+}
+
+/// A table that is only evaluated.
+pub trait Lookup: Copy + Debug {
+    /// Value and slope at a place.
+    fn lookup(&self, u: f64) -> Value;
+}
+
+/// Conductance of a valve passage at one force.
+#[derive(Clone, Copy, Debug)]
+pub struct Conducted {
+    /// g.
+    pub g: f64,
+    /// dg/dh.
+    pub by_h: f64,
+}
+
+/// Conductance of a valve passage over the force.
+pub trait Conduction: Copy + Debug {
+    /// g at a force along a stroke, which has the sign `stroke`.
+    fn conducted(&self, curve: &impl ForceLaw, h: f64, stroke: f64) -> Conducted;
+}
+
+/// Who keeps the tables of a model.
+pub trait Tables: Copy + Debug {
+    /// The FV curve.
+    type Fv: ForceLaw;
+    /// The table of a spring.
+    type Spring: Lookup;
+    /// The conductance of a late valve.
+    type Conductance: Conduction;
+    /// An element that is small.
+    type Kept<E: Copy + Debug + 'static>: Deref<Target = E> + Copy + Debug;
+}
+
+/// An element that a model owns.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub struct Held<E>(pub E);
+
+impl<E> Deref for Held<E> {
+    type Target = E;
+
+    #[inline(always)]
+    fn deref(&self) -> &E {
+        &self.0
+    }
+}
+
+impl<E> DerefMut for Held<E> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut E {
+        &mut self.0
+    }
+}
+
+/// The model itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Owned;
