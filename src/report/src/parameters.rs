@@ -2,11 +2,14 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
+use crate::numbers::with_unit;
 use crate::words::Words;
 
+use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
+use dashpot_estimation::priors;
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
 
@@ -27,8 +30,8 @@ pub struct ParameterRow {
     pub source: String,
     /// Remark.
     pub remark: Remark,
-    /// Whether the data could not determine it.
-    pub missing: bool,
+    /// Where the data could not determine it: what was assumed in its place, and from what.
+    pub assumed: Option<String>,
 }
 
 /// What a table says of a parameter beside its numbers.
@@ -64,6 +67,27 @@ impl Remark {
     }
 }
 
+/// What was assumed of a number that the data could not determine, and from what; `why` its element is off, where it is.
+pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words: &Words) -> String {
+    let Some(row) = parameter::find(name).filter(|row| !matches!(row.parameter.shape, Shape::List(_))) else {
+        return words.not_identified.to_owned();
+    };
+    if !row.element().is_none_or(|element| params.is_on(element)) {
+        return match why {
+            Some(why) => words.fill(words.not_identified_off, &[("why", why)]),
+            None => words.not_identified.to_owned(),
+        };
+    }
+    // What comes from dampers in general has a source; what does not is a default.
+    let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
+    let source = prior.map_or_else(
+        || words.assumed_default.to_owned(),
+        |prior| words.fill(words.assumed_usual, &[("source", prior.source)]),
+    );
+    let value = words.number(&with_unit(value, row.parameter.unit));
+    words.fill(words.not_identified_assumed, &[("value", &value), ("source", &source)])
+}
+
 /// The table of parameters; `None` without any.
 pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     if parameters.is_empty() {
@@ -80,7 +104,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
                 known(row.low),
                 known(row.high),
                 row.source.as_str().into(),
-                if row.missing { words.not_identified.into() } else { row.remark.said(words).into() },
+                row.assumed.clone().map_or_else(|| row.remark.said(words), |assumed| assumed).into(),
             ]
         })
         .collect();
@@ -126,7 +150,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     high,
                     source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept)),
                     remark: Remark::Meaning(p.meaning),
-                    missing,
+                    assumed: missing.then(|| assumed(p.name, values[0], &model.params, None, words)),
                 });
             }
             (Shape::List(_), Some(Interval::List(pairs))) => {
@@ -147,7 +171,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                         high: Some(*high),
                         source: String::new(),
                         remark: at.unwrap_or(Remark::Nothing),
-                        missing: false,
+                        assumed: None,
                     });
                 }
             }
@@ -164,6 +188,7 @@ pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
         // What the records leave open has no number of theirs.
         value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
         source: words.say(&e.from),
+        assumed: assumed_of(e, &fit.params, words),
         ..of_estimate(e)
     };
     fit.estimates.iter().map(row).collect()
@@ -177,6 +202,7 @@ pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
             Some(finding) => words.fill(words.source_added, &[("effect", finding.effect)]),
             None => words.source_refitted.to_owned(),
         },
+        assumed: assumed_of(e, &found.improved, words),
         ..of_estimate(e)
     };
     found.estimates.iter().map(row).collect()
@@ -191,6 +217,16 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
         high: e.high,
         source: String::new(),
         remark: Remark::of(e.name),
-        missing: e.standing == Standing::NotIdentified,
+        assumed: None,
     }
+}
+
+/// What was assumed of an estimate that the data could not determine.
+pub fn assumed_of(e: &Estimate, params: &Params, words: &Words) -> Option<String> {
+    // A point of a curve that the records leave loose was fitted all the same: its interval says how loose.
+    if e.index.is_some() {
+        return (e.standing == Standing::NotIdentified).then(|| words.not_identified.to_owned());
+    }
+    let why = words.say(&e.from);
+    (e.standing == Standing::NotIdentified).then(|| assumed(e.name, e.value, params, Some(&why), words))
 }
