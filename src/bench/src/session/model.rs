@@ -172,6 +172,11 @@ impl Tuned {
         self.history.redo()
     }
 
+    /// Forgets what was taken back.
+    pub fn forget_future(&mut self) {
+        self.history.forget_future();
+    }
+
     /// Whether there is something to take back, and to do again.
     pub fn can(&self) -> (bool, bool) {
         self.history.can()

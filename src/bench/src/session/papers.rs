@@ -74,7 +74,8 @@ impl Session {
     }
 
     fn write_fit(&mut self, path: PathBuf, words: &'static Words) {
-        let (Some(loaded), Some(fit), Some(model)) = (self.campaign.clone(), self.answers.fit.clone(), &self.model)
+        let (Some(loaded), Some(fit), Some(model)) =
+            (self.campaign.clone(), self.answers.fit.as_ref().map(|a| a.found.fit.clone()), &self.model)
         else {
             return;
         };
@@ -119,7 +120,7 @@ impl Session {
 
     fn write_diagnosis(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
         let (Some(loaded), Some(Diagnosed { found, over_whole_records, reference, .. }), Some(model)) =
-            (self.campaign.clone(), &self.answers.diagnosis, &self.model)
+            (self.campaign.clone(), self.answers.diagnosis.as_ref().map(|a| &a.found), &self.model)
         else {
             return;
         };

@@ -2,12 +2,12 @@
 //! far it is and can be told to stop.
 
 use crate::session::Waker;
+use crate::session::answers::{Basis, Fitted};
 use crate::session::campaign::Loaded;
 use crate::session::progress::{Progress, Report};
 use crate::session::study::Study;
 use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::cancel::Cancel;
-use dashpot_identification::Fit;
 use dashpot_identification::validation::Validation;
 use dashpot_records::Sentence;
 use dashpot_records::sentence::Template;
@@ -55,11 +55,11 @@ pub enum Outcome {
     /// Records to compare with.
     Reference(Loaded),
     /// A model.
-    Fitted(Box<Fit>),
-    /// Errors.
-    Validated(Box<Validation>),
-    /// What a model lacks.
-    Diagnosed(Diagnosed),
+    Fitted(Fitted),
+    /// Errors, and of what.
+    Validated(Box<Validation>, Box<Basis>),
+    /// What a model lacks, and of what.
+    Diagnosed(Diagnosed, Box<Basis>),
     /// A family of loops.
     Studied(Study),
     /// A file or folder was written, and what must be known beside it.
