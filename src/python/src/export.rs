@@ -56,7 +56,7 @@ impl Wanted {
             other => bail!("there is no FMI {other} here; it is 2 or 3"),
         };
         if self.carmaker.is_some() && models.len() > 1 {
-            bail!("carmaker takes one model: CarMaker has one FMU for each kind of damper");
+            bail!("carmaker_length_m takes one model: CarMaker has one FMU for each kind of damper");
         }
         let (mut remarks, mut ready) = (Vec::new(), Vec::<Params>::new());
         for model in models {

@@ -258,10 +258,18 @@ fn the_tables_of_velocities_are_shown_and_saved() {
     let mut harness = opened(folder.path(), 6, files.iter().map(|f| vec![f.clone()]).collect());
     press(&mut harness, "PVP, CVP");
     for k in 0..2 {
+        let button = |harness: &Harness<'_, App>| {
+            let found = harness.query_all(by().role(Role::Button).label("Save table…")).nth(k);
+            found.unwrap_or_else(|| panic!("table {k} has no button")).rect().center()
+        };
         harness.query_all(by().role(Role::Button).label("Save table…")).nth(k).unwrap().scroll_to_me();
+        // The panel glides there.
+        harness.run_steps(30);
+        let at = button(&harness);
+        harness.hover_at(at);
         harness.step();
-        harness.step();
-        harness.query_all(by().role(Role::Button).label("Save table…")).nth(k).unwrap().click();
+        harness.drag_at(at);
+        harness.drop_at(at);
         harness.step();
         harness.step();
     }
