@@ -16,6 +16,7 @@ import threading
 import time
 import tracemalloc
 import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -68,7 +69,7 @@ import numpy.typing as npt
 campaign = dashpot.Campaign.read(Path("campaign"), units={"force": "kN"})
 assert_type(campaign[0], dashpot.Record)
 assert_type(campaign["a50"], dashpot.Record)
-assert_type(campaign[0:2], tuple[dashpot.Record, ...])
+assert_type(campaign[0:2], dashpot.Campaign)
 model = dashpot.fit(campaign, hold_out="a40*")
 assert_type(model.validate(campaign).overall.error_percent, float)
 assert_type(model.fit.misfit, float)
@@ -501,7 +502,7 @@ def test_export_fmu(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_motion_that_is_none_of_a_damper_is_warned_of() -> None:
     t = np.linspace(0.0, 1.0, 1001)
     model = damper()
-    for call, words in [
+    calls: list[tuple[Callable[[], object], str]] = [
         (lambda: model.simulate(t, displacement_m=20.0 * np.sin(10 * t)), "amplitude of 20 m"),
         (lambda: model.simulate(t, velocity_m_s=200.0 * np.cos(10 * t), initial_position_m=0.0), "divide"),
         (lambda: model.simulate(t, 0.4 * np.sin(200 * t)), "m/s is none of a damper"),
@@ -509,7 +510,8 @@ def test_a_motion_that_is_none_of_a_damper_is_warned_of() -> None:
         (lambda: dashpot.Damper(model, 12.0), "divide millimeters by 1000"),
         (lambda: dashpot.Damper(model, 0.0).step(300.0, 1e-4), "divide millimeters by 1000"),
         (lambda: dashpot.Damper(model, [0.0, 0.0]).step([0.1, -262.0], 1e-4), "divide millimeters by 1000"),
-    ]:
+    ]
+    for call, words in calls:
         with pytest.warns(UserWarning, match=words) as warned:
             call()
         assert len(warned) == 1 and warned[0].filename == __file__
@@ -553,7 +555,7 @@ def test_channels_are_datasets_of_xarray(own: dashpot.Campaign) -> None:
 
 def test_a_missing_path_is_a_file_that_is_not_found(own: dashpot.Campaign, tmp_path: Path) -> None:
     nowhere, model = tmp_path / "nowhere", damper()
-    for call, kind in [
+    calls: list[tuple[Callable[[], object], type[Exception]]] = [
         (lambda: dashpot.Campaign.read(nowhere), dashpot.RecordError),
         (lambda: dashpot.Campaign.read([own.paths[0], nowhere / "a.csv"]), dashpot.RecordError),
         (lambda: dashpot.Model.read(f"{nowhere}.toml"), dashpot.ModelError),
@@ -561,8 +563,9 @@ def test_a_missing_path_is_a_file_that_is_not_found(own: dashpot.Campaign, tmp_p
         (lambda: dashpot.Model.from_peaks(f"{nowhere}.csv"), dashpot.ModelError),
         (lambda: dashpot.read_limits(f"{nowhere}.csv"), dashpot.ValidationError),
         (lambda: model.export_fmu(tmp_path / "a.fmu", binaries={"win64": f"{nowhere}.dll"}), dashpot.ExportError),
-        (lambda: dashpot.diagnose_groups(model, nowhere, "folders"), dashpot.RecordError),
-    ]:
+        (lambda: dashpot.diagnose_groups(model, nowhere, "folders"), dashpot.DiagnosisError),
+    ]
+    for call, kind in calls:
         with pytest.raises(FileNotFoundError, match="nowhere") as raised:
             call()
         assert isinstance(raised.value, kind) and str(raised.value.filename).startswith(str(nowhere))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Union, overload
 from . import _native
 from ._arguments import loads
 from ._reading import How, how
-from ._files import reads
+from ._files import needs
 from ._result import Result, Row, by_test, dataset, folded, frame, held, table
 from ._work import watched
 from .reading import Delay, Noise, Note, SignFinding, Unusable
@@ -208,7 +208,7 @@ class Campaign(Sequence[Record]):
             delay_s=delay_s, force_zero_n=force_zero_n, displacement_zero_m=displacement_zero_m, gain=gain, rig_mass_kg=rig_mass_kg,
             sample_rate_hz=sample_rate_hz, dates=dates, initial_position_m=initial_position_m, strict=strict,
         )  # fmt: skip
-        with watched(progress) as told, reads(*named):
+        with watched(progress) as told, needs(*named):
             campaign = cls(_native.Campaign.read(named, read_by.mapping, read_by.strict, told), named)
         campaign._reading = read_by
         return campaign

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from . import _native
 from ._arguments import loads
-from ._files import reads
+from ._files import needs
 from ._given import Data
 from ._numbers import several, words
 from ._reading import How, Reading, how
@@ -135,7 +135,7 @@ def diagnose_groups(
     # Only what is read now needs to know how, and a reference alone is read as it stands.
     reads = read_by or how(**reading)
     paths = [*own["paths"], *(good["paths"] if good else ())]
-    with watched(progress) as told, reads(*paths):
+    with watched(progress) as told, needs(*paths):
         said, notes, cycles, made_from = _native.diagnose_groups(
             model._native,
             {"data": own, "by": group, "reference": good, "reference_name": called, "mapping": reads.mapping, "strict": reads.strict},

@@ -22,7 +22,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from . import _native
-from ._files import reads
+from ._files import needs
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ def read_limits(path: str | os.PathLike[str]) -> Limits:
     :raises ValidationError: naming file and line.
     :raises FileNotFoundError: the same error, where there is no such file.
     """
-    with reads(path):
+    with needs(path):
         read = _native.read_limits(os.fspath(path))
     limits = (
         Limit(quantity, velocity, -math.inf if low is None else low, math.inf if high is None else high, amplitude, label)

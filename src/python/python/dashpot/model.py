@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _native
 from ._arguments import as_arguments, loads
-from ._files import reads, write_new
+from ._files import needs, write_new
 from ._result import Result, Row, dataset, folded, frame, held, table
 from ._numbers import column, length_of, real, several, warn_of_units
 from ._work import watched
@@ -131,7 +131,7 @@ class Model:
         :raises FileNotFoundError: the same error, where there is no such file.
         """
         # Read by the compiled part, for its sentences.
-        with reads(path):
+        with needs(path):
             model = cls(_native.Model.read(os.fspath(path)).text, path)
         model._file = model._name
         return model
@@ -145,7 +145,7 @@ class Model:
 
         :raises ModelError: where the file cannot be read, or makes no model.
         """
-        with reads(path):
+        with needs(path):
             return cls(_native.import_dpr(os.fspath(path)), _named_after(path))
 
     @classmethod
@@ -173,7 +173,7 @@ class Model:
         """
         for name, value in (("gas_force_n", gas_force_n), ("friction_n", friction_n)):
             real(name, value)
-        with reads(path):
+        with needs(path):
             text, direction, is_doubtful = _native.import_peaks(
                 os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, gas_force_n, friction_n
             )
@@ -295,7 +295,7 @@ class Model:
         windows = None if limits is None else rows(limits)
         rivals = [os.fspath(name) for name in ([against] if isinstance(against, (str, os.PathLike)) else against)]
         files = [name for name in rivals if os.path.splitext(name)[1]]
-        with watched(progress) as told, reads(*files):
+        with watched(progress) as told, needs(*files):
             said, forces, as_compared, note, rival_forces = _native.validate(self._native, native_of(campaign, "campaign"), told, windows, rivals)
         if note is not None:
             warnings.warn(note, stacklevel=2)
@@ -481,7 +481,7 @@ class Model:
         stem = os.path.splitext(os.path.basename(self._name))[0]
         vehicle = four or len(models) > 1
         usual = f"dashpot vehicle, four dampers ({stem})" if vehicle else f"dashpot {stem}"
-        with watched(), reads(library, *(binaries or {}).values()):
+        with watched(), needs(library, *(binaries or {}).values()):
             return _native.export_fmu(
                 models,
                 os.fspath(path),

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 
 from . import _native
-from ._files import reads, write_new
+from ._files import needs, write_new
 from ._given import Bench, Tests
 from ._numbers import real, words
 from ._work import watched
@@ -92,7 +92,7 @@ def measure_virtual(
         "start_temperature_c": start_temperature_c,
         "order": order,
     }
-    with watched(progress) as told, reads(matrix):
+    with watched(progress) as told, needs(matrix):
         _native.measure(os.fspath(folder), tests, bench, None if hide is None else _asked(hide), bool(severity), told)
     return Campaign.read(folder)
 
