@@ -14,7 +14,10 @@ dashpot_records::phrases! {
     NO_TEST: "no test shows it";
     // How a variant was chosen.
     CHOICE: "{of}: {chosen} — {why}";
-    WHY: "error on left-out tests {error} of the allowed error{others}; {reason}";
+    WHY: "{grade}: on left-out tests it is off by {error} times what their noise allows{others}; {reason}";
+    GOOD: "good";
+    FAIR: "fair";
+    POOR: "poor";
     OTHERS: " ({others})";
     OTHER: "{name} {error}";
     NO_OTHER_IS_BETTER: "no other is better by what its parameters cost";

@@ -12,6 +12,7 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::spring_end::excess;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_records::sentence::Template;
 use dashpot_records::Sentence;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -438,6 +439,16 @@ pub struct Choice {
     pub open: Option<Sentence>,
 }
 
+/// What an error on left-out tests says of a variant, in units of what their noise and floor allow: up to one and a half a model is as good as
+/// the records tell, and three times as much is seen in a plot.
+fn grade(error: f64) -> Template {
+    match error {
+        e if e <= 1.5 => phrases::GOOD,
+        e if e <= 3.0 => phrases::FAIR,
+        _ => phrases::POOR,
+    }
+}
+
 impl Choice {
     /// The whole choice in one sentence.
     pub fn in_words(&self) -> Sentence {
@@ -612,8 +623,11 @@ pub fn choose(of: &'static str, candidates: &[Candidate], segments: &[Segment], 
     } else {
         phrases::SIMPLEST
     };
-    let why =
-        Sentence::from(phrases::WHY).with("error", error(kept)).with_any("others", others).with_said("reason", reason);
+    let why = Sentence::from(phrases::WHY)
+        .with_said("grade", grade(typical(kept)))
+        .with("error", error(kept))
+        .with_any("others", others)
+        .with_said("reason", reason);
     let scores = places
         .map(|k| Score { name: candidates[k].name, held_out: typical(k), tie_within: tie(&logarithm, best, k) })
         .collect();
