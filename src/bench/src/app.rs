@@ -5,6 +5,7 @@ use crate::session::recent::Recent;
 use crate::session::replacing::Replacement;
 use crate::session::tasks::Kind as Work;
 use crate::session::{Session, Waker, guarded, outputs};
+use crate::units::Units;
 use crate::views::choosing::Choosing;
 use crate::views::plots::{self, Which};
 use crate::views::{
@@ -30,7 +31,12 @@ pub struct App {
     /// Work called for the window to be drawn, and it was not since.
     called: Arc<AtomicBool>,
     pictures: (Sender<Picture>, Receiver<Picture>),
+    /// What was drawn last.
+    drawn: Option<Layout>,
 }
+
+/// What decides how much room a plot has.
+type Layout = (u64, usize, words::Language, Corner, Units);
 
 /// A part of the window as it was drawn, and where it goes.
 struct Picture {
@@ -66,7 +72,7 @@ impl App {
             }
         });
         let view = View { language: words::of_system(), ..View::default() };
-        App { session: Session::new(recent, waker.clone()), view, dialogs, waker, called, pictures: channel() }
+        App { session: Session::new(recent, waker.clone()), view, dialogs, waker, called, pictures: channel(), drawn: None }
     }
 
     /// Takes what work has brought and asks to be drawn while there is any, or while work called and nothing was drawn since. Where a picture comes
@@ -78,8 +84,17 @@ impl App {
         }
     }
 
+    /// What the plots are drawn from and beside: where it changes, their axes find their place in a second picture.
+    fn layout(&self) -> Layout {
+        (self.session.generation, self.session.selected.len(), self.view.language, self.view.corner, self.view.units)
+    }
+
     /// Draws everything.
     pub fn show(&mut self, ui: &mut Ui) {
+        let layout = self.layout();
+        if self.drawn.replace(layout.clone()) != Some(layout) {
+            ui.ctx().request_repaint();
+        }
         self.take_drops(ui);
         self.called.store(false, Ordering::Release);
         self.stay_awake(ui.ctx());
@@ -94,7 +109,7 @@ impl App {
         Panel::left("tests")
             .default_size(270.0)
             .size_range(200.0..=460.0)
-            .show(ui, |ui| tests::show(ui, session, view));
+            .show(ui, |ui| within(ui, |ui| tests::show(ui, session, view)));
         Panel::right("side").default_size(330.0).size_range(270.0..=560.0).show(ui, |ui| side(ui, session, view));
         CentralPanel::default().show(ui, |ui| centre(ui, session, view));
         closing::show(ui, session, view);
@@ -185,33 +200,31 @@ fn png(image: &ColorImage, part: [f32; 4], scale: f32) -> anyhow::Result<Vec<u8>
     Ok(bytes)
 }
 
-fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
-    let w = view.words();
-    let sides = [(Side::Tune, w.tune), (Side::Answer, w.answer), (Side::Records, w.records), (Side::Study, w.study)];
-    // Of one width each: the tabs stand still whatever is below them, and however long a word is.
-    let width = (ui.available_width() - 3.0 * ui.spacing().item_spacing.x) / 4.0;
-    ui.horizontal(|ui| {
-        for (side, text) in sides {
-            let is_open = view.side == side;
-            let tab = egui::Button::selectable(is_open, text).truncate().min_size(egui::vec2(width, 0.0));
-            let size = egui::vec2(width, ui.spacing().interact_size.y);
-            if ui.add_sized(size, tab).clicked() {
-                view.side = side;
-            }
-        }
-    });
-    ui.separator();
-    // What is wider than the panel wraps or scrolls, and does not push the panel wider: the tabs would move away from under the pointer.
+/// Draws within the rest of a panel. What is wider is cut and does not push the panel wider: its tabs would move away from under the pointer, and
+/// the plots beside it would shrink.
+fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
     let rest = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rest));
     inside.shrink_clip_rect(rest);
-    match view.side {
-        Side::Tune => tune::show(&mut inside, session, view),
-        Side::Answer => answer::show(&mut inside, session, view),
-        Side::Records => records::show(&mut inside, session, view),
-        Side::Study => study::show(&mut inside, session, view),
-    }
+    draw(&mut inside);
     ui.advance_cursor_after_rect(rest);
+}
+
+fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    let sides = [(Side::Tune, w.tune), (Side::Answer, w.answer), (Side::Records, w.records), (Side::Study, w.study)];
+    ui.horizontal_wrapped(|ui| {
+        for (side, text) in sides {
+            ui.selectable_value(&mut view.side, side, text);
+        }
+    });
+    ui.separator();
+    within(ui, |ui| match view.side {
+        Side::Tune => tune::show(ui, session, view),
+        Side::Answer => answer::show(ui, session, view),
+        Side::Records => records::show(ui, session, view),
+        Side::Study => study::show(ui, session, view),
+    });
 }
 
 fn centre(ui: &mut Ui, session: &mut Session, view: &mut View) {

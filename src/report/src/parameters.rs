@@ -9,7 +9,7 @@ use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
-use dashpot_estimation::priors;
+use dashpot_estimation::priors::{self, Usual};
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
 
@@ -78,12 +78,17 @@ pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words
             None => words.not_identified.to_owned(),
         };
     }
-    // What comes from dampers in general has a source; what does not is a default.
+    let is = |other: f64| (value - other).abs() <= 1e-9 * other.abs();
     let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
-    let source = prior.map_or_else(
-        || words.assumed_default.to_owned(),
-        |prior| words.fill(words.assumed_usual, &[("source", prior.source)]),
-    );
+    let median = prior.map(|prior| match prior.usual {
+        Usual::Size(median, _) | Usual::Strength(median, _) | Usual::Place(median, _) => median,
+    });
+    // Where the value is neither, a fit left it there: between what dampers show and what the records hardly say.
+    let source = match (prior, median) {
+        (Some(prior), Some(median)) if is(median) => words.fill(words.assumed_usual, &[("source", prior.source)]),
+        _ if row.parameter.default.first().is_some_and(|default| is(*default)) => words.assumed_default.to_owned(),
+        _ => words.assumed_held.to_owned(),
+    };
     let value = words.number(&with_unit(value, row.parameter.unit));
     words.fill(words.not_identified_assumed, &[("value", &value), ("source", &source)])
 }

@@ -7,10 +7,10 @@ use egui_plot::{AxisHints, GridInput, GridMark, Plot};
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot): seven letters have room.
-const ACROSS: f64 = 7.0;
+/// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot): five letters have room, and longer numbers get more.
+const ACROSS: f64 = 5.5;
 /// Distances, px, between which the numbers of the lower axis come up; egui_plot's own 60 to 80 leave a window of 1280 px with zeros alone.
-const COME_UP: std::ops::RangeInclusive<f32> = 44.0..=55.0;
+const COME_UP: std::ops::RangeInclusive<f32> = 34.0..=43.0;
 /// The same up the other axis, where a number needs a line's height alone: below 30 px they fade.
 const UPWARDS: f64 = 4.0;
 
@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn fifty_millimetres_in_a_narrow_plot() {
-        let shown = |bounds, pixels| numbers(bounds, pixels, ACROSS, 55.0);
+        let shown = |bounds, pixels| numbers(bounds, pixels, ACROSS, 43.0);
         assert_eq!(shown((-26.0, 26.0), 320.0), [-20.0, -10.0, 0.0, 10.0, 20.0]);
         assert_eq!(shown((0.0, 100.0), 800.0)[..4], [0.0, 10.0, 20.0, 30.0]);
         // Peak velocities in a window of 1280 px.
@@ -150,7 +150,7 @@ mod tests {
             for part in 1..100 {
                 let range = f64::from(part) * libm::pow(10.0, f64::from(exponent)) / 7.3;
                 for middle in [0.0, 0.3 * range, -17.0 * range] {
-                    for (pixels, least, fades) in [(240.0, ACROSS, 55.0), (700.0, ACROSS, 55.0), (300.0, UPWARDS, 30.0)]
+                    for (pixels, least, fades) in [(240.0, ACROSS, 43.0), (700.0, ACROSS, 43.0), (300.0, UPWARDS, 30.0)]
                     {
                         let shown = labels((middle - 0.5 * range, middle + 0.5 * range), pixels, least, fades);
                         let case = format!("{range} around {middle} over {pixels} px: {shown:?}");
@@ -176,7 +176,7 @@ mod tests {
         {
             assert_eq!(decimals_of(step), decimals, "{step}");
         }
-        let shown = labels((-2.4, 2.4), 600.0, ACROSS, 55.0);
+        let shown = labels((-2.4, 2.4), 600.0, ACROSS, 43.0);
         let text: Vec<&str> = shown.iter().map(|(_, label)| label.as_str()).collect();
         let minus = |t: &str| t.replace('\u{2212}', "-");
         let text: Vec<String> = text.into_iter().map(minus).collect();

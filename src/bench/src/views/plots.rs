@@ -146,28 +146,30 @@ fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
     }
 }
 
-/// A legend above a plot: every entry with a piece of its line; what has no room is counted.
+/// Entries of a legend; further ones are counted and stand under the pointer.
+const ENTRIES: usize = 6;
+
+/// A legend above a plot: every entry with a piece of its line.
 fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        for (k, (colour, dashed, name)) in entries.iter().enumerate() {
-            let text = RichText::new(name).size(LETTERS);
-            let wide = 24.0 + 6.5 * name.chars().count() as f32;
-            let is_last = k + 1 == entries.len();
-            if ui.available_width() < if is_last { wide } else { wide + 34.0 } {
-                let rest: Vec<&str> = entries[k..].iter().map(|entry| entry.2.as_str()).collect();
-                ui.label(RichText::new(format!("+{}", entries.len() - k)).size(LETTERS)).on_hover_text(rest.join("\n"));
-                break;
-            }
-            let (rect, _) = ui.allocate_exact_size(egui::vec2(16.0, 12.0), egui::Sense::hover());
-            let ends = [rect.left_center(), rect.right_center()];
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
+        for (colour, dashed, name) in entries.iter().take(ENTRIES) {
+            let galley =
+                ui.painter().layout_no_wrap(name.clone(), egui::FontId::proportional(LETTERS), ui.visuals().text_color());
+            // One piece, so that a line is not broken between the mark and its name.
+            let (rect, _) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
+            let ends = [rect.left_center(), rect.left_center() + egui::vec2(16.0, 0.0)];
             let stroke = egui::Stroke::new(2.0, *colour);
             if *dashed {
                 ui.painter().extend(egui::Shape::dashed_line(&ends, stroke, 4.0, 2.5));
             } else {
                 ui.painter().line_segment(ends, stroke);
             }
-            ui.label(text);
+            ui.painter().galley(rect.left_top() + egui::vec2(20.0, 1.0), galley, ui.visuals().text_color());
+        }
+        if entries.len() > ENTRIES {
+            let rest: Vec<&str> = entries[ENTRIES..].iter().map(|entry| entry.2.as_str()).collect();
+            ui.label(RichText::new(format!("+{}", rest.len())).size(LETTERS)).on_hover_text(rest.join("\n"));
         }
     });
 }

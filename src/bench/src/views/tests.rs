@@ -96,7 +96,7 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
         };
         let warning = if is_damaged(record) { "⚠ " } else { "" };
         let text = format!("{warning}{}", record.name);
-        let width = (ui.available_width() - 66.0).max(60.0);
+        let width = (ui.available_width() - 34.0 - 7.5 * figures.chars().count() as f32).max(60.0);
         let label = egui::Button::selectable(place.is_some(), text).truncate().min_size(egui::vec2(width, 0.0));
         let response = ui.scope(|ui| {
             ui.set_max_width(width);

@@ -227,9 +227,9 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
         let hint = format!("{}\n{}", row.parameter.name, w.meaning(row.parameter.meaning));
         ui.label(RichText::new(&name).small()).on_hover_text(hint);
         let shown = words.get(now).copied().unwrap_or("");
-        let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown).show_ui(ui, |ui| {
+        let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown.replace('_', " ")).show_ui(ui, |ui| {
             for (k, word) in words.iter().enumerate() {
-                ui.selectable_value(&mut chosen, k, *word);
+                ui.selectable_value(&mut chosen, k, word.replace('_', " "));
             }
         });
         named_list(list, &name);

@@ -171,10 +171,11 @@ fn tabs_stand_still_and_no_letter_is_smaller_than_eleven() {
         let w = crate::words::texts(language);
         [w.tune, w.answer, w.records, w.study].map(|text| widget(harness, Role::Button, text).rect())
     };
-    let first = places(&harness, Language::English);
     for (_, language) in Language::ALL {
         harness.state_mut().view.language = language;
         harness.step();
+        harness.step();
+        let first = places(&harness, language);
         let w = crate::words::texts(language);
         for side in [w.tune, w.answer, w.records, w.study] {
             press(&mut harness, side);

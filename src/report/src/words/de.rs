@@ -128,6 +128,7 @@ pub const DE: Words = Words {
     not_identified_off: "nicht bestimmbar: das Element ist aus ({why})",
     assumed_usual: "wie es Dämpfer zeigen ({source})",
     assumed_default: "die Vorgabe des Modells",
+    assumed_held: "wo die Anpassung ihn mangels Hinweisen ließ",
     notes_of_test: "Beim Einlesen und Bereinigen geändert oder bemerkt:",
     motion_periodic: "{amplitude} mm Amplitude bei {frequency} Hz, Spitzengeschwindigkeit {velocity} mm/s, {cycles} ganze Zyklen.",
     motion_other: "Nicht periodisch, Spitzengeschwindigkeit {velocity} mm/s.",

@@ -128,6 +128,7 @@ pub const EN: Words = Words {
     not_identified_off: "not identified: its element is off ({why})",
     assumed_usual: "what dampers show ({source})",
     assumed_default: "the default of the model",
+    assumed_held: "where the fit left it, for lack of evidence",
     notes_of_test: "What reading and cleaning did or noticed:",
     motion_periodic: "{amplitude} mm amplitude at {frequency} Hz, peak velocity {velocity} mm/s, {cycles} whole cycles.",
     motion_other: "Not periodic, peak velocity {velocity} mm/s.",

@@ -128,6 +128,7 @@ pub const FR: Words = Words {
     not_identified_off: "non identifié : l’élément est désactivé ({why})",
     assumed_usual: "ce que montrent les amortisseurs ({source})",
     assumed_default: "la valeur par défaut du modèle",
+    assumed_held: "où l’ajustement l’a laissé, faute d’indices",
     notes_of_test: "Ce que la lecture et le nettoyage ont fait ou remarqué :",
     motion_periodic: "{amplitude} mm d’amplitude à {frequency} Hz, vitesse de pointe {velocity} mm/s, {cycles} cycles entiers.",
     motion_other: "Non périodique, vitesse de pointe {velocity} mm/s.",

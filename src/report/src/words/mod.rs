@@ -250,6 +250,7 @@ words!(
     not_identified_off,
     assumed_usual,
     assumed_default,
+    assumed_held,
     // Single tests.
     notes_of_test,
     motion_periodic,

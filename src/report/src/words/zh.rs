@@ -128,6 +128,7 @@ pub const ZH: Words = Words {
     not_identified_off: "未辨识：其元件已关闭（{why}）",
     assumed_usual: "减振器的常见值（{source}）",
     assumed_default: "模型的默认值",
+    assumed_held: "因缺乏依据，取拟合停留处的值",
     notes_of_test: "读取和清理时所做或发现的：",
     motion_periodic: "振幅 {amplitude} mm，{frequency} Hz，峰值速度 {velocity} mm/s，{cycles} 个完整周期。",
     motion_other: "非周期运动，峰值速度 {velocity} mm/s。",
