@@ -72,7 +72,15 @@ impl App {
             }
         });
         let view = View { language: words::of_system(), ..View::default() };
-        App { session: Session::new(recent, waker.clone()), view, dialogs, waker, called, pictures: channel(), drawn: None }
+        App {
+            session: Session::new(recent, waker.clone()),
+            view,
+            dialogs,
+            waker,
+            called,
+            pictures: channel(),
+            drawn: None,
+        }
     }
 
     /// Takes what work has brought and asks to be drawn while there is any, or while work called and nothing was drawn since. Where a picture comes

@@ -45,11 +45,12 @@ def same_folder(mine: Path, theirs: Path) -> None:
 )
 def test_an_fmu(command: Command, beside: Path, models: list[str], options: list[str], arguments: dict[str, Any]) -> None:
     first, *others = [dashpot.Model.read(name) for name in models]
-    try:
-        first.export_fmu("first.fmu", others=others)
-    except dashpot.ExportError as error:
-        assert "runtimes.sh" in str(error)
-        pytest.skip(str(error))
+    first.export_fmu("first.fmu", others=others, force=True)
+    # The package holds the binaries by itself; the command does where it was built with them.
+    bare = command.run("export", "fmu", "front.toml", "-o", "bare.fmu")
+    if bare.returncode != 0:
+        assert "runtimes.sh" in bare.stderr
+        pytest.skip(bare.stderr)
     # What was compiled of an FMU's own sources; for which platform is not looked at.
     with zipfile.ZipFile("first.fmu") as fmu:
         Path("mac.dylib").write_bytes(fmu.read(next(name for name in fmu.namelist() if name.endswith(".so"))))
@@ -97,7 +98,7 @@ def test_a_matrix(command: Command, beside: Path) -> None:
     assert dashpot.write_test_matrix("mine.csv") == len(Path("theirs.csv").read_text().splitlines()) - 1
     assert Path("mine.csv").read_bytes() == Path("theirs.csv").read_bytes()
     command("matrix", "--amplitudes", "50,15,2", "--peak-velocities", "125,262", "--frequency-limit", "4", "--no-slow", "-o", "theirs.csv")
-    count = dashpot.write_test_matrix("mine.csv", amplitudes_m=[0.05, 0.015, 0.002], peak_velocities_m_s=[0.125, 0.262], frequency_limit_hz=4, slow_tests=False)
+    count = dashpot.write_test_matrix("mine.csv", force=True, amplitudes_m=[0.05, 0.015, 0.002], peak_velocities_m_s=[0.125, 0.262], frequency_limit_hz=4, slow_tests=False)
     assert Path("mine.csv").read_bytes() == Path("theirs.csv").read_bytes() and count == 4
     for wrong, words in [
         ({"amplitudes_m": [-0.01]}, "^amplitudes_m: -10 mm; give positive numbers"),

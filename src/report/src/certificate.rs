@@ -7,7 +7,6 @@ use super::page;
 use super::subject;
 use crate::cells::Cell;
 use crate::plot::peaks;
-use crate::plot::ticks::number;
 use crate::words::Words;
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, NEAR, Overall, Quantity, Value, Verdict};
 use dashpot_records::Record;
@@ -96,7 +95,8 @@ fn table(found: &Certificate, words: &Words) -> Table {
         let tests = if between { words.fill(words.certificate_interpolated, &[("tests", &tests)]) } else { tests };
         vec![
             label(one, words).into(),
-            Cell::known(limit.velocity_m_s, |v| Cell::number(v, |v| number(v, 3))),
+            // As every velocity of a report, and of its figures.
+            Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
             bound(limit.low_n),
             bound(limit.high_n),
             value(one.measured.as_ref()),

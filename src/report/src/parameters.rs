@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
-use crate::numbers::with_unit;
+use crate::numbers::{digits, with_unit};
 use crate::words::Words;
 
 use dashpot_core::Params;
@@ -57,10 +57,10 @@ impl Remark {
         match self {
             Remark::Meaning(meaning) => words.meaning(meaning).to_owned(),
             Remark::AtVelocity(v) => {
-                words.fill(words.parameter_at, &[("place", &words.number(&format!("{v:.4} m/s")))])
+                words.fill(words.parameter_at, &[("place", &words.number(&format!("{} mm/s", digits(1e3 * v, 4))))])
             }
             Remark::AtDisplacement(x) => {
-                words.fill(words.parameter_at, &[("place", &words.number(&format!("{x:.4} m")))])
+                words.fill(words.parameter_at, &[("place", &words.number(&format!("{} mm", digits(1e3 * x, 4))))])
             }
             Remark::Nothing => String::new(),
         }

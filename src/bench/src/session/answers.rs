@@ -1,12 +1,14 @@
 //! What the verbs found last, and whether it still belongs to what is on screen.
 
 use crate::session::Session;
-use crate::session::tasks::Diagnosed;
+use crate::session::campaign::Loaded;
 use dashpot_core::Params;
+use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::Fit;
 use dashpot_identification::validation::Validation;
-use dashpot_simulation::whole_records::Quality;
+use dashpot_simulation::whole_records::{OfDiagnosis, Quality};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Model, records and tests that an answer was computed from.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +44,18 @@ pub struct Fitted {
     pub fit: Box<Fit>,
     /// Beside the noise and beside the plain curve; none where the records cannot be compared.
     pub quality: Option<Quality>,
+}
+
+/// A diagnosis with what it was made from.
+pub struct Diagnosed {
+    /// The answer.
+    pub found: Box<Diagnosis>,
+    /// Which tests no refit saw.
+    pub left_out: Vec<bool>,
+    /// Errors of the models in it over every sample of the tests.
+    pub over_whole_records: OfDiagnosis,
+    /// The campaign that it was compared with, where there was one: another may be open by the time that the report is written.
+    pub reference: Option<Arc<Loaded>>,
 }
 
 /// What the verbs found last.

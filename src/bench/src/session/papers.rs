@@ -1,11 +1,12 @@
 //! Reports and workbooks of what was found: those that the verbs write, in the window's language.
 
 use crate::session::Session;
+use crate::session::answers::Diagnosed;
 use crate::session::campaign::Loaded;
 use crate::session::guarded::checked;
 use crate::session::model::Tuned;
 use crate::session::outputs::told;
-use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
+use crate::session::tasks::{Kind as Work, Outcome};
 use crate::session::verbs::compared;
 use dashpot_identification::validation::validate;
 use dashpot_output::Kind;

@@ -2,16 +2,14 @@
 //! far it is and can be told to stop.
 
 use crate::session::Waker;
-use crate::session::answers::{Basis, Fitted};
+use crate::session::answers::{Basis, Diagnosed, Fitted};
 use crate::session::campaign::Loaded;
 use crate::session::progress::{Progress, Report};
 use crate::session::study::Study;
-use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::cancel::Cancel;
 use dashpot_identification::validation::Validation;
 use dashpot_records::Sentence;
 use dashpot_records::sentence::Template;
-use dashpot_simulation::whole_records::OfDiagnosis;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex};
@@ -34,18 +32,6 @@ pub enum Kind {
     Study,
     /// Files for a host, or a report, are written.
     Write,
-}
-
-/// A diagnosis with what it was made from.
-pub struct Diagnosed {
-    /// The answer.
-    pub found: Box<Diagnosis>,
-    /// Which tests no refit saw.
-    pub left_out: Vec<bool>,
-    /// Errors of the models in it over every sample of the tests.
-    pub over_whole_records: OfDiagnosis,
-    /// The campaign that it was compared with, where there was one: another may be open by the time that the report is written.
-    pub reference: Option<Arc<Loaded>>,
 }
 
 /// What came of it.

@@ -1,9 +1,9 @@
 //! Fit, validate and diagnose, as the command does them, beside the window.
 
-use crate::session::answers::Fitted;
+use crate::session::answers::{Diagnosed, Fitted};
 use crate::session::campaign::Loaded;
 use crate::session::study::{Question, study};
-use crate::session::tasks::{Diagnosed, Kind, Outcome};
+use crate::session::tasks::{Kind, Outcome};
 use crate::session::{Session, progress};
 use dashpot_core::{Model, Params};
 use dashpot_diagnosis::{Options as DiagnosisOptions, choose_held_out, diagnose};

@@ -21,28 +21,30 @@ const MOST_DECIMALS: usize = 15;
 
 /// Gives a plot its two axes: their labels, and grid lines whose numbers all have the decimals that their step needs.
 pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Words) -> Plot<'a> {
-    let decimals = [Rc::new(Cell::new(0)), Rc::new(Cell::new(0))];
-    let [x, y] = decimals.clone();
-    let [x_label, y_label] = decimals;
+    let steps = [Rc::new(Cell::new(0.0)), Rc::new(Cell::new(0.0))];
+    let [x, y] = steps.clone();
+    let [x_step, y_step] = steps;
     // The plot asks for the lines before it writes their numbers.
-    plot.custom_x_axes(vec![
-        AxisHints::new_x()
-            .label(lower)
-            .label_spacing(COME_UP)
-            .formatter(move |mark, _| number(mark.value, x_label.get(), w)),
-    ])
-    .y_axis_label(left)
-    .y_axis_formatter(move |mark, _| number(mark.value, y_label.get(), w))
-    .y_axis_min_width(54.0)
-    .x_grid_spacer(move |input| {
-        let apart = room_for_numbers(&input, ACROSS);
-        x.set(decimals_of(step_of(&input, apart)));
-        marks(input, apart)
-    })
-    .y_grid_spacer(move |input| {
-        y.set(decimals_of(step_of(&input, UPWARDS)));
-        marks(input, UPWARDS)
-    })
+    let lower = AxisHints::new_x().label(lower).label_spacing(COME_UP);
+    plot.custom_x_axes(vec![lower.formatter(move |mark, _| label(&mark, x_step.get(), w))])
+        .y_axis_label(left)
+        .y_axis_formatter(move |mark, _| label(&mark, y_step.get(), w))
+        .y_axis_min_width(54.0)
+        .x_grid_spacer(move |input| {
+            let apart = room_for_numbers(&input, ACROSS);
+            x.set(step_of(&input, apart));
+            marks(input, apart)
+        })
+        .y_grid_spacer(move |input| {
+            y.set(step_of(&input, UPWARDS));
+            marks(input, UPWARDS)
+        })
+}
+
+/// The number of a grid line, where it has one: lines between the numbers have none, however far apart they are.
+fn label(mark: &GridMark, step: f64, w: &Words) -> String {
+    // A hair of slack for a step that was computed in another way.
+    if mark.step_size < 0.99 * step { String::new() } else { number(mark.value, decimals_of(step), w) }
 }
 
 /// A number on an axis; zero has no sign.
@@ -139,9 +141,10 @@ mod tests {
         let per_pixel = (bounds.1 - bounds.0) / pixels;
         let input = || GridInput { bounds, base_step_size: 8.0 * per_pixel };
         let apart = if least == ACROSS { room_for_numbers(&input(), least) } else { least };
-        let decimals = decimals_of(step_of(&input(), apart));
+        let step = step_of(&input(), apart);
         let shown = marks(input(), apart).into_iter().filter(|m| m.step_size / per_pixel >= fades);
-        shown.map(|m| (m.value, number(m.value, decimals, texts(Language::English)))).collect()
+        let all = shown.map(|m| (m.value, label(&m, step, texts(Language::English))));
+        all.filter(|(_, label)| !label.is_empty()).collect()
     }
 
     #[test]

@@ -154,8 +154,11 @@ fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
         for (colour, dashed, name) in entries.iter().take(ENTRIES) {
-            let galley =
-                ui.painter().layout_no_wrap(name.clone(), egui::FontId::proportional(LETTERS), ui.visuals().text_color());
+            let galley = ui.painter().layout_no_wrap(
+                name.clone(),
+                egui::FontId::proportional(LETTERS),
+                ui.visuals().text_color(),
+            );
             // One piece, so that a line is not broken between the mark and its name.
             let (rect, _) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
             let ends = [rect.left_center(), rect.left_center() + egui::vec2(16.0, 0.0)];

@@ -138,7 +138,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
         Shape::List(_) => (format!("{}[{entry}]", p.name), format!("{} {}", name_of(p.name, w.of.words()), entry + 1)),
         _ => (p.name.to_owned(), name_of(p.name, w.of.words())),
     };
-    let loose = model.identification.not_identified.contains(&identifier);
+    let loose = model.is_loose(p.name, matches!(p.shape, Shape::List(_)).then_some(entry));
     let title = if loose {
         RichText::new(format!("{name} ({})", w.not_identified)).small().weak()
     } else {
@@ -150,7 +150,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
     }
     ui.add(egui::Label::new(title).wrap()).on_hover_text(hint);
     // A number that the records left open was not identified, whatever stands there.
-    let mark = (!loose && (interval.is_some() || model.identification.intervals.is_empty())).then_some(identified);
+    let mark = model.identified_value(row, entry);
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = WIDTH;
         let mut value = now;
@@ -227,11 +227,12 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
         let hint = format!("{}\n{}", row.parameter.name, w.meaning(row.parameter.meaning));
         ui.label(RichText::new(&name).small()).on_hover_text(hint);
         let shown = words.get(now).copied().unwrap_or("");
-        let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown.replace('_', " ")).show_ui(ui, |ui| {
-            for (k, word) in words.iter().enumerate() {
-                ui.selectable_value(&mut chosen, k, word.replace('_', " "));
-            }
-        });
+        let list =
+            egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown.replace('_', " ")).show_ui(ui, |ui| {
+                for (k, word) in words.iter().enumerate() {
+                    ui.selectable_value(&mut chosen, k, word.replace('_', " "));
+                }
+            });
         named_list(list, &name);
     });
     if chosen != now {

@@ -571,7 +571,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
         app.session.task.is_none()
     });
     assert!(told > 0.0, "it said how far it is");
-    let crate::session::tasks::Diagnosed { found, .. } =
+    let crate::session::answers::Diagnosed { found, .. } =
         &harness.state().session.answers.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness))).found;
     // A spring in series and oil that gives are nearly one to a rig; either name is right.
     let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();

@@ -90,6 +90,16 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     press(&mut harness, "Fit");
     fitted(&mut harness);
     let old = "⚠ Out of date: the model, the records or the ticked tests have changed since";
+    // What the records left open has no mark of an identified value; what they identified has one.
+    let session = &harness.state().session;
+    let model = session.model.as_ref().unwrap();
+    let estimates = session.estimates();
+    assert!(estimates.iter().any(|e| e.standing != dashpot_identification::Standing::Identified));
+    for e in estimates.iter().filter(|e| e.index.is_none()) {
+        let row = dashpot_core::parameter::find(e.name).unwrap();
+        let identified = e.standing == dashpot_identification::Standing::Identified && e.low.is_some();
+        assert_eq!(model.identified_value(&row, 0).is_some(), identified, "{} {:?}", e.name, e.standing);
+    }
     // The panel opens with one sentence that says good or bad.
     harness.step();
     assert_eq!(harness.state().view.side, crate::views::Side::Answer);

@@ -2,7 +2,7 @@
 
 use super::made_up::{campaign, campaign_of, truth, until, window};
 use super::{message, press, says, widget};
-use crate::session::tasks::Diagnosed;
+use crate::session::answers::Diagnosed;
 use dashpot_core::number;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::words::EN;

@@ -162,7 +162,7 @@ pub const DE: Words = Words {
     subject_temperature: "Temperatur bei der Messung: {low} bis {high} °C",
     to_fill_in: "______________________________",
     col_limit: "Grenzwert",
-    col_at: "bei,\u{a0}m/s",
+    col_at: "bei,\u{a0}mm/s",
     col_low_limit: "unten,\u{a0}N",
     col_high_limit: "oben,\u{a0}N",
     col_measured_n: "gemessen,\u{a0}N",

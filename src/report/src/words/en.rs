@@ -162,7 +162,7 @@ pub const EN: Words = Words {
     subject_temperature: "Temperature while measured: {low} to {high} °C",
     to_fill_in: "______________________________",
     col_limit: "limit",
-    col_at: "at,\u{a0}m/s",
+    col_at: "at,\u{a0}mm/s",
     col_low_limit: "low,\u{a0}N",
     col_high_limit: "high,\u{a0}N",
     col_measured_n: "measured,\u{a0}N",

@@ -162,7 +162,7 @@ pub const FR: Words = Words {
     subject_temperature: "Température pendant la mesure : {low} à {high} °C",
     to_fill_in: "______________________________",
     col_limit: "limite",
-    col_at: "à,\u{a0}m/s",
+    col_at: "à,\u{a0}mm/s",
     col_low_limit: "bas,\u{a0}N",
     col_high_limit: "haut,\u{a0}N",
     col_measured_n: "mesuré,\u{a0}N",

@@ -162,7 +162,7 @@ pub const ZH: Words = Words {
     subject_temperature: "测量时的温度：{low} 至 {high} °C",
     to_fill_in: "______________________________",
     col_limit: "限值",
-    col_at: "速度,\u{a0}m/s",
+    col_at: "速度,\u{a0}mm/s",
     col_low_limit: "下限,\u{a0}N",
     col_high_limit: "上限,\u{a0}N",
     col_measured_n: "实测,\u{a0}N",
