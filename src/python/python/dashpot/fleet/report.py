@@ -36,7 +36,7 @@ _HEAD = """<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name
 body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#1b1f24}
 table{border-collapse:collapse;margin:.6em 0}td,th{padding:2px 10px;border-bottom:1px solid #d8dee4;text-align:right}
 td:first-child,th:first-child{text-align:left}.t{text-align:left}img{max-width:100%}.warn{color:#9a3412}
-.scroll{max-height:36em;overflow:auto}@media print{.scroll{max-height:none;overflow:visible}td{overflow-wrap:anywhere}}
+.scroll{max-height:36em;overflow:auto}@media print{.scroll{max-height:none;overflow:visible}body{margin:0;max-width:none}td,th{font-size:8pt;padding:2px 5px;overflow-wrap:break-word}}
 </style></head><body>"""
 
 
