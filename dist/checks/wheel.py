@@ -38,7 +38,7 @@ assert model.validate(campaign).to_dict() == said("errors.json"), "other errors 
 
 motion = np.loadtxt(folder / "motion.csv", delimiter=",", skiprows=1)
 force = np.loadtxt(folder / "force.csv", delimiter=",", skiprows=1)
-response = model.simulate(motion[:, 0], displacement=motion[:, 1])
+response = model.simulate(motion[:, 0], displacement_m=motion[:, 1])
 assert np.array_equal(np.column_stack([response.time, response.displacement, response.velocity, response.force]), force), "other forces than the command's"
 assert np.ptp(response.force) > 100
 

@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{env, fs};
 
 fn main() {
@@ -53,9 +54,14 @@ fn runtimes(project: &Path) {
     for part in ["include", "vi-crt-bridge/bridge", "vi-crt-bridge/fmu", "adams-usersub/src"] {
         println!("cargo::rerun-if-changed={}", project.join(part).display());
     }
-    let built_of = fs::read(folder.join("sources.txt")).ok();
-    let current = built_of.as_ref().is_some_and(|text| *text == sources(project));
-    if built_of.is_some() && !current {
+    println!("cargo::rerun-if-env-changed=DASHPOT_COMPILE_RUNTIMES");
+    let wanted = sources(project);
+    let is_current = |folder: &Path| fs::read(folder.join("sources.txt")).is_ok_and(|text| text == wanted);
+    // Whoever builds the Python package by maturin alone gets one that exports FMUs: nobody ran the script before.
+    let compiles = env::var_os("DASHPOT_COMPILE_RUNTIMES").is_some() && env::var_os("DASHPOT_RUNTIMES").is_none();
+    let folder = if compiles && !is_current(&folder) { compiled_here(project, &out).unwrap_or(folder) } else { folder };
+    let (built, current) = (folder.join("sources.txt").is_file(), is_current(&folder));
+    if built && !current {
         println!(
             "cargo::warning=what lies in {} was compiled of other sources and is not taken in: run sh vi-crt-bridge/runtimes.sh again",
             folder.display()
@@ -70,6 +76,32 @@ fn runtimes(project: &Path) {
     }
     list.push_str("];\n");
     fs::write(out.join("runtimes.rs"), list).expect("a file");
+}
+
+/// Runs `vi-crt-bridge/runtimes.sh` into the folder of this build; a warning and nothing where it cannot, as without a C compiler.
+fn compiled_here(project: &Path, out: &Path) -> Option<PathBuf> {
+    let to = out.join("compiled");
+    let mut script = Command::new("sh");
+    // A target folder of its own: cargo holds the lock of the other one while this runs. What cargo sets for this build is not for that one.
+    for (name, _) in env::vars_os() {
+        let name = name.to_string_lossy().into_owned();
+        let prefixes = ["CARGO_PKG_", "CARGO_CFG_", "CARGO_FEATURE_", "CARGO_PROFILE_"];
+        let names = ["CARGO_ENCODED_RUSTFLAGS", "CARGO_BUILD_TARGET", "RUSTFLAGS", "TARGET", "HOST"];
+        if prefixes.iter().any(|p| name.starts_with(p)) || names.contains(&name.as_str()) {
+            script.env_remove(name);
+        }
+    }
+    script.arg("vi-crt-bridge/runtimes.sh").current_dir(project);
+    script.env("CARGO_TARGET_DIR", out.join("kernel")).env("DASHPOT_RUNTIMES", &to);
+    let reason = match script.output() {
+        Ok(ran) if ran.status.success() => return Some(to),
+        Ok(ran) => String::from_utf8_lossy(&ran.stderr).trim().replace('\n', "; "),
+        Err(error) => error.to_string(),
+    };
+    println!(
+        "cargo::warning=this build can export no FMU without a C compiler: vi-crt-bridge/runtimes.sh failed: {reason}"
+    );
+    None
 }
 
 /// Cargo's target folder, which cargo marks and into which runtimes.sh writes. With --target a folder named after the triple, marked as

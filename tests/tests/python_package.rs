@@ -11,7 +11,7 @@ use std::process::Command;
 
 /// What builds the wheel, and what its tests need.
 const BUILD: &str = "maturin>=1.9,<2";
-const PACKAGES: [&str; 12] = [
+const PACKAGES: [&str; 13] = [
     "numpy",
     "pytest",
     "mypy",
@@ -24,6 +24,7 @@ const PACKAGES: [&str; 12] = [
     "dask-jobqueue",
     "nbclient",
     "ipykernel",
+    "xarray",
 ];
 
 fn runs(command: &mut Command) -> Result<(), String> {

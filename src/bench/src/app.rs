@@ -1,10 +1,16 @@
 //! The window: views arranged around a session.
 
-use crate::dialogs::{Ask, Dialogs};
+use crate::dialogs::{Ask, Dialogs, Reply};
 use crate::session::recent::Recent;
+use crate::session::replacing::Replacement;
+use crate::session::tasks::Kind as Work;
 use crate::session::{Session, Waker, guarded, outputs};
+use crate::units::Units;
+use crate::views::choosing::Choosing;
 use crate::views::plots::{self, Which};
-use crate::views::{Corner, Side, View, answer, bar, closing, matrix, records, status, study, tests, tune};
+use crate::views::{
+    Corner, Side, View, answer, bar, choosing, closing, matrix, records, replacing, status, study, tables, tests, tune,
+};
 use crate::words;
 use dashpot_output::Kind;
 use eframe::egui::{self, CentralPanel, ColorImage, Panel, Rect, Ui};
@@ -25,7 +31,12 @@ pub struct App {
     /// Work called for the window to be drawn, and it was not since.
     called: Arc<AtomicBool>,
     pictures: (Sender<Picture>, Receiver<Picture>),
+    /// What was drawn last.
+    drawn: Option<Layout>,
 }
+
+/// What decides how much room a plot has.
+type Layout = (u64, usize, words::Language, Corner, Units);
 
 /// A part of the window as it was drawn, and where it goes.
 struct Picture {
@@ -35,6 +46,8 @@ struct Picture {
     image: Arc<ColorImage>,
 }
 
+/// Size of the smallest letters, px.
+const SMALLEST: f32 = 11.0;
 /// How often the window looks at work under way while nothing else moves.
 const LOOK: Duration = Duration::from_millis(60);
 
@@ -52,8 +65,22 @@ impl App {
             calls.store(true, Ordering::Release);
             own.request_repaint();
         });
+        // egui's small letters have 9 px, which a screen of a rig's control room does not show.
+        ctx.all_styles_mut(|style| {
+            for font in style.text_styles.values_mut() {
+                font.size = font.size.max(SMALLEST);
+            }
+        });
         let view = View { language: words::of_system(), ..View::default() };
-        App { session: Session::new(recent, waker.clone()), view, dialogs, waker, called, pictures: channel() }
+        App {
+            session: Session::new(recent, waker.clone()),
+            view,
+            dialogs,
+            waker,
+            called,
+            pictures: channel(),
+            drawn: None,
+        }
     }
 
     /// Takes what work has brought and asks to be drawn while there is any, or while work called and nothing was drawn since. Where a picture comes
@@ -65,11 +92,24 @@ impl App {
         }
     }
 
+    /// What the plots are drawn from and beside: where it changes, their axes find their place in a second picture.
+    fn layout(&self) -> Layout {
+        (self.session.generation, self.session.selected.len(), self.view.language, self.view.corner, self.view.units)
+    }
+
     /// Draws everything.
     pub fn show(&mut self, ui: &mut Ui) {
+        let layout = self.layout();
+        if self.drawn.replace(layout.clone()) != Some(layout) {
+            ui.ctx().request_repaint();
+        }
         self.take_drops(ui);
         self.called.store(false, Ordering::Release);
         self.stay_awake(ui.ctx());
+        // An answer that came is shown; with a fit it was not asked for the panel before.
+        if let Some(Work::Fit | Work::Validate | Work::Diagnose) = self.session.arrived.take() {
+            self.view.side = Side::Answer;
+        }
         bar::keys(ui, &mut self.session, &mut self.view);
         let (session, view) = (&mut self.session, &mut self.view);
         Panel::top("bar").show(ui, |ui| bar::show(ui, session, view));
@@ -77,14 +117,23 @@ impl App {
         Panel::left("tests")
             .default_size(270.0)
             .size_range(200.0..=460.0)
-            .show(ui, |ui| tests::show(ui, session, view));
+            .show(ui, |ui| within(ui, |ui| tests::show(ui, session, view)));
         Panel::right("side").default_size(330.0).size_range(270.0..=560.0).show(ui, |ui| side(ui, session, view));
         CentralPanel::default().show(ui, |ui| centre(ui, session, view));
         closing::show(ui, session, view);
+        replacing::show(ui, session, view);
+        choosing::show(ui, view);
+        let from = self.session.folder();
         for ask in std::mem::take(&mut self.view.asks) {
-            self.dialogs.ask(ask, self.waker.clone());
+            self.dialogs.ask(ask, from.clone(), self.waker.clone());
         }
-        while let Some((ask, paths)) = self.dialogs.answer() {
+        while let Some((ask, reply)) = self.dialogs.answer() {
+            match reply {
+                Reply::Paths(paths) => self.obey(ui.ctx(), ask, paths),
+                Reply::NoDialog => self.view.choosing = Some(Choosing::new(ask, from.clone())),
+            }
+        }
+        for (ask, paths) in std::mem::take(&mut self.view.chosen) {
             self.obey(ui.ctx(), ask, paths);
         }
         while let Ok(picture) = self.pictures.1.try_recv() {
@@ -107,7 +156,7 @@ impl App {
         match ask {
             Ask::Folder | Ask::Files => session.open_records(paths, dashpot_records::Options::default()),
             Ask::Reference => session.open_reference(paths),
-            Ask::Model => session.open_model(&first),
+            Ask::Model => session.replace(Replacement::File(first)),
             Ask::SaveModel => {
                 session.save(&first);
             }
@@ -159,22 +208,31 @@ fn png(image: &ColorImage, part: [f32; 4], scale: f32) -> anyhow::Result<Vec<u8>
     Ok(bytes)
 }
 
+/// Draws within the rest of a panel. What is wider is cut and does not push the panel wider: its tabs would move away from under the pointer, and
+/// the plots beside it would shrink.
+fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
+    let rest = ui.available_rect_before_wrap();
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rest));
+    inside.shrink_clip_rect(rest);
+    draw(&mut inside);
+    ui.advance_cursor_after_rect(rest);
+}
+
 fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
+    let sides = [(Side::Tune, w.tune), (Side::Answer, w.answer), (Side::Records, w.records), (Side::Study, w.study)];
     ui.horizontal_wrapped(|ui| {
-        let sides =
-            [(Side::Tune, w.tune), (Side::Answer, w.answer), (Side::Records, w.records), (Side::Study, w.study)];
         for (side, text) in sides {
             ui.selectable_value(&mut view.side, side, text);
         }
     });
     ui.separator();
-    match view.side {
+    within(ui, |ui| match view.side {
         Side::Tune => tune::show(ui, session, view),
         Side::Answer => answer::show(ui, session, view),
         Side::Records => records::show(ui, session, view),
         Side::Study => study::show(ui, session, view),
-    }
+    });
 }
 
 fn centre(ui: &mut Ui, session: &mut Session, view: &mut View) {
@@ -209,6 +267,7 @@ fn corner(ui: &mut Ui, session: &mut Session, view: &mut View) {
         ui.selectable_value(&mut view.corner, Corner::Matrix, w.error_matrix);
         ui.selectable_value(&mut view.corner, Corner::Time, w.force_time);
         ui.selectable_value(&mut view.corner, Corner::GasAndDrag, w.gas_and_drag);
+        ui.selectable_value(&mut view.corner, Corner::Tables, w.tables).on_hover_text(w.tables_hint);
         if warm {
             ui.selectable_value(&mut view.corner, Corner::Temperature, w.temperature);
         }
@@ -220,7 +279,8 @@ fn corner(ui: &mut Ui, session: &mut Session, view: &mut View) {
         Corner::Time => plots::loops(ui, session, view, Which::Time),
         Corner::GasAndDrag => plots::gas_and_drag(ui, session, view),
         Corner::Temperature if warm => plots::loops(ui, session, view, Which::Temperature),
-        Corner::Study => study::plot(ui, session, w),
+        Corner::Tables => tables::show(ui, session, view),
+        Corner::Study => study::plot(ui, session, view.units, w),
         _ => matrix::show(ui, session, view),
     }
 }

@@ -3,8 +3,11 @@
 use crate::session::Waker;
 use crate::session::exports::Host;
 use crate::session::papers::Paper;
+use std::cell::RefCell;
 use std::path::PathBuf;
+use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
 
 /// What is asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +34,7 @@ pub enum Ask {
 
 impl Ask {
     /// Name that is proposed, and the endings of names that fit.
-    fn proposed(&self) -> (&'static str, &'static [&'static str]) {
+    pub fn proposed(&self) -> (&'static str, &'static [&'static str]) {
         match self {
             Ask::Folder | Ask::Reference => ("", &[]),
             Ask::Files => ("", &dashpot_records::ENDINGS),
@@ -46,18 +49,54 @@ impl Ask {
     }
 }
 
+impl Ask {
+    /// Whether a folder is asked for.
+    pub fn is_of_folder(&self) -> bool {
+        matches!(self, Ask::Folder | Ask::Reference | Ask::Export(Host::Adams))
+    }
+
+    /// Whether something that exists is asked for.
+    pub fn is_of_input(&self) -> bool {
+        matches!(self, Ask::Folder | Ask::Reference | Ask::Files | Ask::Model)
+    }
+}
+
+/// What came of a question.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reply {
+    /// What was named; nothing where the user thought better of it.
+    Paths(Vec<PathBuf>),
+    /// The system shows no dialogs.
+    NoDialog,
+}
+
 /// Who asks the user.
 pub trait Dialogs {
-    /// Asks; does not wait.
-    fn ask(&mut self, ask: Ask, waker: Waker);
-    /// What was named, once; nothing where the user thought better of it.
-    fn answer(&mut self) -> Option<(Ask, Vec<PathBuf>)>;
+    /// Asks, beginning in a folder; does not wait.
+    fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker);
+    /// What came of a question, once.
+    fn answer(&mut self) -> Option<(Ask, Reply)>;
+}
+
+/// A dialog that is closed sooner was never shown: no hand is so fast, and a portal that is missing or has no backend fails within this.
+const SHOWN: Duration = Duration::from_millis(800);
+
+/// Whether the system may show dialogs: over the desktop portal, which is called over D-Bus, or by zenity. Windows and macOS always do.
+fn may_show() -> bool {
+    if cfg!(any(windows, target_os = "macos")) {
+        return true;
+    }
+    let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+    let bus = set("DBUS_SESSION_BUS_ADDRESS").is_some()
+        || set("XDG_RUNTIME_DIR").is_some_and(|folder| PathBuf::from(folder).join("bus").exists());
+    let zenity = set("PATH").is_some_and(|path| std::env::split_paths(&path).any(|p| p.join("zenity").is_file()));
+    bus || zenity
 }
 
 /// The system's dialogs.
 pub struct Native {
-    send: Sender<(Ask, Vec<PathBuf>)>,
-    answers: Receiver<(Ask, Vec<PathBuf>)>,
+    send: Sender<(Ask, Reply)>,
+    answers: Receiver<(Ask, Reply)>,
 }
 
 impl Default for Native {
@@ -68,26 +107,34 @@ impl Default for Native {
 }
 
 impl Dialogs for Native {
-    fn ask(&mut self, ask: Ask, waker: Waker) {
+    fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker) {
         let send = self.send.clone();
+        if !may_show() {
+            let _ = send.send((ask, Reply::NoDialog));
+            waker();
+            return;
+        }
         // On a thread of its own: the dialog waits for the user.
         let asking = move || {
             let (name, endings) = ask.proposed();
             let dialog = rfd::FileDialog::new();
+            let dialog = if let Some(from) = from { dialog.set_directory(from) } else { dialog };
+            let began = Instant::now();
             let dialog = if endings.is_empty() { dialog } else { dialog.add_filter(endings.join(", "), endings) };
-            let paths = match &ask {
+            let paths: Vec<PathBuf> = match &ask {
                 Ask::Folder | Ask::Reference => dialog.pick_folder().into_iter().collect(),
                 Ask::Files => dialog.pick_files().unwrap_or_default(),
                 Ask::Model => dialog.pick_file().into_iter().collect(),
-                _ => dialog.set_file_name(name).save_file().into_iter().collect::<Vec<PathBuf>>(),
+                _ => dialog.set_file_name(name).save_file().into_iter().collect(),
             };
-            let _ = send.send((ask, paths));
+            let failed = paths.is_empty() && began.elapsed() < SHOWN && !cfg!(any(windows, target_os = "macos"));
+            let _ = send.send((ask, if failed { Reply::NoDialog } else { Reply::Paths(paths) }));
             waker();
         };
         let _ = std::thread::Builder::new().name("dialog".into()).spawn(asking);
     }
 
-    fn answer(&mut self) -> Option<(Ask, Vec<PathBuf>)> {
+    fn answer(&mut self) -> Option<(Ask, Reply)> {
         self.answers.try_recv().ok()
     }
 }
@@ -97,24 +144,32 @@ impl Dialogs for Native {
 pub struct Told {
     paths: Vec<Vec<PathBuf>>,
     asked: Vec<Ask>,
+    /// Where each question began.
+    pub began: Rc<RefCell<Vec<Option<PathBuf>>>>,
+    /// Whether the system shows no dialogs.
+    pub without: bool,
 }
 
 impl Told {
     /// What will be named, question by question; nothing stands for a user who thinks better of it.
     pub fn naming(paths: Vec<Vec<PathBuf>>) -> Told {
-        Told { paths, asked: Vec::new() }
+        Told { paths, ..Told::default() }
     }
 }
 
 impl Dialogs for Told {
-    fn ask(&mut self, ask: Ask, waker: Waker) {
+    fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker) {
         self.asked.push(ask);
+        self.began.borrow_mut().push(from);
         waker();
     }
 
-    fn answer(&mut self) -> Option<(Ask, Vec<PathBuf>)> {
+    fn answer(&mut self) -> Option<(Ask, Reply)> {
         let ask = self.asked.pop()?;
+        if self.without {
+            return Some((ask, Reply::NoDialog));
+        }
         let paths = if self.paths.is_empty() { Vec::new() } else { self.paths.remove(0) };
-        Some((ask, paths))
+        Some((ask, Reply::Paths(paths)))
     }
 }

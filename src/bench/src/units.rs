@@ -9,22 +9,112 @@ pub struct Shown {
     pub symbol: String,
 }
 
-/// How a quantity of an SI unit is shown. One unit a parameter, whatever its value: a slider must not change it while it moves.
-pub fn shown(unit: &str) -> Shown {
-    let (factor, symbol) = match unit {
-        "m" => (1e3, "mm"),
-        "s" => (1e3, "ms"),
-        "N/m" => (1e-3, "N/mm"),
-        "N/m^2" => (1e-6, "N/mm²"),
-        "N/m^3" => (1e-9, "N/mm³"),
-        "N/m^4" => (1e-12, "N/mm⁴"),
-        "-" => (1.0, ""),
-        other => {
-            let raised = other.replace("^2", "²").replace("^3", "³").replace("^4", "⁴").replace("^k", "ᵏ");
-            return Shown { factor: 1.0, symbol: raised.replace(' ', "·") };
+/// Unit of velocities; lengths go with it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Velocity {
+    /// m/s, and mm.
+    #[default]
+    MetersPerSecond,
+    /// mm/s, and mm.
+    MillimetersPerSecond,
+    /// in/s, and in.
+    InchesPerSecond,
+}
+
+/// Unit of forces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Force {
+    /// N.
+    #[default]
+    Newtons,
+    /// kN.
+    Kilonewtons,
+    /// Pounds of force.
+    Pounds,
+}
+
+impl Velocity {
+    /// All of them.
+    pub const ALL: [Velocity; 3] =
+        [Velocity::MetersPerSecond, Velocity::MillimetersPerSecond, Velocity::InchesPerSecond];
+}
+
+impl Force {
+    /// All of them.
+    pub const ALL: [Force; 3] = [Force::Newtons, Force::Kilonewtons, Force::Pounds];
+}
+
+/// An inch, m: by definition.
+const INCH: f64 = 0.0254;
+/// A pound of force, N: by definition (0.45359237 kg times 9.80665 m/s²).
+const POUND: f64 = 4.448_221_615_260_5;
+
+/// The units that the user chose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Units {
+    /// Of velocities, and with them of lengths.
+    pub velocity: Velocity,
+    /// Of forces.
+    pub force: Force,
+}
+
+impl Units {
+    /// How velocities are shown.
+    pub fn velocity(self) -> Shown {
+        Shown::new(match self.velocity {
+            Velocity::MetersPerSecond => (1.0, "m/s"),
+            Velocity::MillimetersPerSecond => (1e3, "mm/s"),
+            Velocity::InchesPerSecond => (1.0 / INCH, "in/s"),
+        })
+    }
+
+    /// How lengths are shown.
+    pub fn length(self) -> Shown {
+        Shown::new(if self.velocity == Velocity::InchesPerSecond { (1.0 / INCH, "in") } else { (1e3, "mm") })
+    }
+
+    /// How forces are shown.
+    pub fn force(self) -> Shown {
+        Shown::new(match self.force {
+            Force::Newtons => (1.0, "N"),
+            Force::Kilonewtons => (1e-3, "kN"),
+            Force::Pounds => (1.0 / POUND, "lbf"),
+        })
+    }
+
+    /// How a quantity of an SI unit is shown. One unit a parameter, whatever its value: a slider must not change it while it moves.
+    pub fn shown(self, unit: &str) -> Shown {
+        let (force, length, velocity) = (self.force(), self.length(), self.velocity());
+        let per_length = |power: i32, mark: &str| Shown {
+            factor: force.factor / length.factor.powi(power),
+            symbol: format!("{}/{}{mark}", force.symbol, length.symbol),
+        };
+        match unit {
+            "m" => length,
+            "m/s" => velocity,
+            "N" => force,
+            "s" => Shown::new((1e3, "ms")),
+            "N/m" => per_length(1, ""),
+            "N/m^2" => per_length(2, "²"),
+            "N/m^3" => per_length(3, "³"),
+            "N/m^4" => per_length(4, "⁴"),
+            "N s/m" => Shown {
+                factor: force.factor / velocity.factor,
+                symbol: format!("{}·s/{}", force.symbol, velocity.symbol.trim_end_matches("/s")),
+            },
+            "-" => Shown::new((1.0, "")),
+            other => {
+                let raised = other.replace("^2", "²").replace("^3", "³").replace("^4", "⁴").replace("^k", "ᵏ");
+                Shown { factor: 1.0, symbol: raised.replace(' ', "·") }
+            }
         }
-    };
-    Shown { factor, symbol: symbol.to_owned() }
+    }
+}
+
+impl Shown {
+    fn new((factor, symbol): (f64, &str)) -> Shown {
+        Shown { factor, symbol: symbol.to_owned() }
+    }
 }
 
 /// A number with four significant digits, as people write it.
@@ -79,10 +169,31 @@ mod tests {
     #[test]
     fn every_unit_of_the_kernel_has_a_symbol() {
         for row in dashpot_core::parameter::table() {
-            let shown = shown(row.parameter.unit);
-            assert!(shown.factor > 0.0 && !shown.symbol.contains('^'), "{}", row.parameter.unit);
+            for (velocity, force) in Velocity::ALL.into_iter().flat_map(|v| Force::ALL.map(|f| (v, f))) {
+                let shown = Units { velocity, force }.shown(row.parameter.unit);
+                assert!(shown.factor > 0.0 && !shown.symbol.contains('^'), "{}", row.parameter.unit);
+            }
         }
-        assert_eq!(shown("N s/m").symbol, "N·s/m");
+        assert_eq!(Units::default().shown("N s/m").symbol, "N·s/m");
+        assert_eq!(Units::default().shown("N/m"), Shown { factor: 1e-3, symbol: "N/mm".into() });
+    }
+
+    #[test]
+    fn chosen_units_are_those_of_the_trade() {
+        let pounds = Units { velocity: Velocity::InchesPerSecond, force: Force::Pounds };
+        let near = |shown: Shown, factor: f64, symbol: &str| {
+            assert!((shown.factor / factor - 1.0).abs() < 1e-6 && shown.symbol == symbol, "{shown:?}");
+        };
+        // 1 m/s is 39.37 in/s, 1000 N are 224.809 lbf, 1 N/mm is 5.710147 lbf/in, 1 N·s/m is 0.005710147 lbf·s/in.
+        near(pounds.velocity(), 39.370_078_7, "in/s");
+        near(pounds.shown("N"), 0.224_808_943, "lbf");
+        near(pounds.shown("m"), 39.370_078_7, "in");
+        near(pounds.shown("N/m"), 0.005_710_147, "lbf/in");
+        near(pounds.shown("N s/m"), 0.005_710_147, "lbf·s/in");
+        let kilo = Units { velocity: Velocity::MillimetersPerSecond, force: Force::Kilonewtons };
+        near(kilo.shown("N s/m"), 1e-6, "kN·s/mm");
+        near(kilo.shown("m/s"), 1e3, "mm/s");
+        near(kilo.shown("N/m^2"), 1e-9, "kN/mm²");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! `--limits`: windows that a damper must keep, as text; the judging itself is in `dashpot_identification::limits`.
 
-use dashpot_identification::limits::{Certificate, Checked, Limit, Quantity, Verdict};
+use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR, Overall, Quantity, Verdict};
 
 /// The certificate as lines of text: every limit, and the verdict.
 pub fn table(found: &Certificate) -> String {
@@ -13,13 +13,30 @@ pub fn table(found: &Certificate) -> String {
     }
     let count = |verdict| found.limits.iter().filter(|l| l.verdict == verdict).count();
     let (failed, untested) = (count(Verdict::Fail), count(Verdict::NotTested));
-    out += &match (failed, untested) {
-        (0, 0) => format!("PASS: all {} limits are kept", found.limits.len()),
-        (_, 0) => format!("FAIL: {failed} of {} limits are not kept", found.limits.len()),
-        _ => format!(
-            "FAIL: {failed} of {} limits are not kept, {untested} could not be tested with these records",
-            found.limits.len()
-        ),
+    if found.limits.iter().any(|l| l.limit.quantity == Quantity::Force) {
+        out += &format!(
+            "forces: at peak velocity, of the longest stroke that reaches it; interpolated linearly between two tests whose velocities differ by a \
+             factor of {BETWEEN} at most, else of a test within {:.0} %\n",
+            100.0 * NEAR
+        );
+    }
+    let (all, tested) = (found.limits.len(), found.limits.len() - untested);
+    out += &match found.overall {
+        Overall::Pass => format!("PASS: all {all} limits are kept"),
+        Overall::Fail if untested == 0 => format!("FAIL: {failed} of {all} limits are not kept"),
+        Overall::Fail => {
+            format!(
+                "FAIL: {failed} of the {tested} limits tested are not kept; {untested} more could not be tested with these records"
+            )
+        }
+        Overall::Incomplete if tested == 0 => {
+            format!("INCOMPLETE: none of the {all} limits could be tested with these records")
+        }
+        Overall::Incomplete => {
+            format!(
+                "INCOMPLETE: the {tested} limits tested are kept; {untested} more could not be tested with these records"
+            )
+        }
     };
     if found.passed && found.model_passed == Some(false) {
         out += "; the model does not keep them all, so a simulation shows another damper";

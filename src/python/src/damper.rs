@@ -122,6 +122,11 @@ fn sane(input: &Input) -> bool {
         && input.temperature.abs() <= LARGEST_TEMPERATURE
 }
 
+/// Whether a motion is none of a damper: mostly one in millimeters. The limits are those beyond which records are refused.
+fn is_of_no_damper(input: &Input) -> bool {
+    input.displacement.unwrap_or(0.0).abs() > 0.5 || input.velocity.abs() > 20.0
+}
+
 /// Dampers with their states, of one model or of one each.
 #[pyclass(module = "dashpot._native")]
 pub struct Dampers {
@@ -155,12 +160,14 @@ impl Dampers {
             return Err(say::<StepError>(format!("the initial position is {x} m, which is no position")));
         }
         let count = initial_position.len();
-        for (name, given) in
-            [("initial_velocity", &initial_velocity), ("side_force", &side_force), ("temperature", &temperature)]
-        {
+        for (name, given) in [
+            ("initial_velocity_m_s", &initial_velocity),
+            ("side_force_n", &side_force),
+            ("temperature_c", &temperature),
+        ] {
             if given.len() != count {
                 return Err(PyValueError::new_err(format!(
-                    "{name} has {} values; give one number, or one for each of the {count} dampers, of which initial_position says how many",
+                    "{name} has {} values; give one number, or one for each of the {count} dampers, of which initial_position_m says how many",
                     given.len()
                 )));
             }
@@ -188,7 +195,7 @@ impl Dampers {
         self.states.len()
     }
 
-    /// Moves all dampers on by `dt` (s) to the inputs given; writes their forces (N) into `out`.
+    /// Moves all dampers on by `dt` (s) to the inputs given; writes their forces (N) into `out`. Returns whether a motion is none of a damper.
     #[pyo3(signature = (velocity, dt, displacement, side_force, temperature, out))]
     #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
     fn step<'py>(
@@ -200,7 +207,7 @@ impl Dampers {
         side_force: &Bound<'py, PyAny>,
         temperature: &Bound<'py, PyAny>,
         out: &Bound<'py, PyAny>,
-    ) -> PyResult<()> {
+    ) -> PyResult<bool> {
         let Ok(mut own) = slf.try_borrow_mut() else {
             return Err(say::<StepError>(
                 "another thread is stepping these dampers; give each thread dampers of its own",
@@ -208,13 +215,13 @@ impl Dampers {
         };
         let own = &mut *own;
         let mut out = writable(out)?;
-        let velocity = Channel::of("velocity", velocity)?;
-        let displacement = displacement.map(|x| Channel::of("displacement", x)).transpose()?;
-        let side_force = Channel::of("side_force", side_force)?;
-        let temperature = Channel::of("temperature", temperature)?;
+        let velocity = Channel::of("velocity_m_s", velocity)?;
+        let displacement = displacement.map(|x| Channel::of("displacement_m", x)).transpose()?;
+        let side_force = Channel::of("side_force_n", side_force)?;
+        let temperature = Channel::of("temperature_c", temperature)?;
         let count = own.states.len();
         if !STEP.contains(&dt) {
-            return Err(say::<StepError>(format!("dt is {dt} s; it must be between 1e-15 and 100 s")));
+            return Err(say::<StepError>(format!("dt_s is {dt} s; it must be between 1e-15 and 100 s")));
         }
         if out.as_array().len() != count {
             return Err(PyValueError::new_err(format!(
@@ -223,10 +230,10 @@ impl Dampers {
             )));
         }
         let inputs = Inputs {
-            displacement: displacement.as_ref().map(|x| x.values("displacement", count)).transpose()?,
-            velocity: velocity.values("velocity", count)?,
-            side_force: side_force.values("side_force", count)?,
-            temperature: temperature.values("temperature", count)?,
+            displacement: displacement.as_ref().map(|x| x.values("displacement_m", count)).transpose()?,
+            velocity: velocity.values("velocity_m_s", count)?,
+            side_force: side_force.values("side_force_n", count)?,
+            temperature: temperature.values("temperature_c", count)?,
         };
         if let Some(k) = (0..count).find(|k| !sane(&inputs.at(*k))) {
             let Input { displacement, velocity, side_force, temperature } = inputs.at(k);
@@ -257,7 +264,7 @@ impl Dampers {
             )));
         }
         std::mem::swap(&mut own.states, &mut own.next);
-        Ok(())
+        Ok((0..count).any(|k| is_of_no_damper(&inputs.at(k))))
     }
 
     /// All states, one row of fourteen numbers a damper; a copy.

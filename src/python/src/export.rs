@@ -64,7 +64,7 @@ impl Wanted {
             Some(other) => bail!("inputs is \"begin\" or \"end\" of a step, not {other:?}"),
         };
         if self.carmaker.is_some() && models.len() > 1 {
-            bail!("carmaker takes one model: CarMaker has one FMU for each kind of damper");
+            bail!("carmaker_length_m takes one model: CarMaker has one FMU for each kind of damper");
         }
         let (mut remarks, mut ready) = (Vec::new(), Vec::<Params>::new());
         for model in models {

@@ -192,7 +192,7 @@ impl Model {
             let values = values.map(|v| v.as_array().to_vec());
             match &values {
                 Some(v) if v.len() != time.len() => Err(PyValueError::new_err(format!(
-                    "{name} has {} samples, time has {}: give one value for every time",
+                    "{name} has {} samples, time_s has {}: give one value for every time",
                     v.len(),
                     time.len()
                 ))),
@@ -203,10 +203,10 @@ impl Model {
             }
         };
         let record = MotionRecord {
-            displacement: channel("displacement", displacement)?,
-            velocity: channel("velocity", velocity)?,
-            side_force: channel("side_force", side_force)?,
-            temperature: channel("temperature", temperature)?,
+            displacement: channel("displacement_m", displacement)?,
+            velocity: channel("velocity_m_s", velocity)?,
+            side_force: channel("side_force_n", side_force)?,
+            temperature: channel("temperature_c", temperature)?,
             time: time.clone(),
         };
         if time.len() < 2 {
@@ -214,13 +214,13 @@ impl Model {
         }
         if let Some(k) = time.windows(2).position(|t| !(t[0] < t[1] && t[1].is_finite() && t[0].is_finite())) {
             return Err(PyValueError::new_err(format!(
-                "time must increase from sample to sample, and does not from {} to {} s",
+                "time_s must increase from sample to sample, and does not from {} to {} s",
                 time[k],
                 time[k + 1]
             )));
         }
         if record.displacement.is_none() && record.velocity.is_none() {
-            return Err(PyValueError::new_err("a motion needs displacement or velocity"));
+            return Err(PyValueError::new_err("a motion needs displacement_m or velocity_m_s"));
         }
         // Instants that it will be run through; what is no step is refused below.
         let instants = match step {

@@ -55,30 +55,32 @@ def same_folder(mine: str, theirs: str) -> None:
 def test_a_run_folder(command: Command, beside: Path) -> None:
     model = dashpot.Model.read("front.toml")
     said = command("export", "adams", "front.toml", "-o", "c run", "--length", "412.5", "--wheel-mass", "35", "--host-step", "0.002")
-    notes = model.export_adams("p run", length="412.5mm", wheel_mass=35, host_step=0.002)
+    if not any(Path("c run").glob("*.so")):
+        pytest.skip("this command was built without the libraries for Adams, which the package holds: sh vi-crt-bridge/runtimes.sh")
+    notes = model.export_adams("p run", length_m="412.5mm", wheel_mass_kg=35, host_step_s=0.002)
     same_folder("p run", "c run")
     assert [line.split(": ", 1)[-1] for line in notes] == [line.split(": ", 1)[-1] for line in told(said)]
     # A number is in m.
-    model.export_adams("p run", length=0.4125, wheel_mass=35, host_step=0.002)
+    model.export_adams("p run", length_m=0.4125, wheel_mass_kg=35, host_step_s=0.002)
     same_folder("p run", "c run")
     command("export", "adams", "front.toml", "-o", "c ready", "--for-step", "0.005")
-    model.export_adams("p ready", for_step=0.005)
+    model.export_adams("p ready", for_step_s=0.005)
     same_folder("p ready", "c ready")
     lengths: list[tuple[float | str, str]] = [
         (412.5, "no damper is 412.5 m long.*a number alone is in m"), ("0.4mm", "0.4 mm long"), ("412,5", "decimal comma")
     ]  # fmt: skip
     for wrong, words in lengths:
         with pytest.raises(dashpot.ExportError, match=words):
-            model.export_adams("never", length=wrong)
-    with pytest.raises(dashpot.ExportError, match="^wheel_mass is in kg"):
-        model.export_adams("never", wheel_mass=-1.0)
+            model.export_adams("never", length_m=wrong)
+    with pytest.raises(dashpot.ExportError, match="^wheel_mass_kg is in kg"):
+        model.export_adams("never", wheel_mass_kg=-1.0)
     with pytest.raises(dashpot.ExportError, match="cannot read nothing.so"):
         model.export_adams("never", library="nothing.so")
     assert not Path("never").exists()
     Path("p run/README.txt").write_text("a,b\n1,2\n")
     with pytest.raises(dashpot.OutputError, match="README.txt is there already.*force=True"):
-        model.export_adams("p run", length=0.4125)
-    model.export_adams("p run", length=0.4125, wheel_mass=35, host_step=0.002, force=True)
+        model.export_adams("p run", length_m=0.4125)
+    model.export_adams("p run", length_m=0.4125, wheel_mass_kg=35, host_step_s=0.002, force=True)
     same_folder("p run", "c run")
 
 
@@ -133,7 +135,7 @@ def test_a_table_of_peaks(command: Command, beside: Path) -> None:
         warnings.simplefilter("error")
         begun = dashpot.Model.from_peaks(
             "dyno.csv", units={"velocity": "mm/s", "force": "lbf"}, columns={"rebound_force": "Force A", "compression_force": 3},
-            gas_force=120, friction=30,
+            gas_force_n=120, friction_n=30,
         )  # fmt: skip
     assert begun.text == Path("c.toml").read_text()
     assert begun["gas_force"] == 120 and begun["coulomb_force"] == 30 and begun.elements
@@ -152,10 +154,10 @@ def test_a_table_of_peaks(command: Command, beside: Path) -> None:
         return as_arguments(ran.stderr.strip().removeprefix("dashpot: "))
 
     with pytest.raises(dashpot.ModelError) as weak:
-        dashpot.Model.from_peaks("signed.csv", friction=450)
-    assert str(weak.value) == refused("--friction", "450") and "give gas_force and friction as they are in the table" in str(weak.value)
-    with pytest.raises(dashpot.ModelError, match="^gas_force is NaN; it must be 0 N or more"):
-        dashpot.Model.from_peaks("signed.csv", gas_force=float("nan"))
+        dashpot.Model.from_peaks("signed.csv", friction_n=450)
+    assert str(weak.value) == refused("--friction", "450") and "give gas_force_n and friction_n as they are in the table" in str(weak.value)
+    with pytest.raises(dashpot.ModelError, match="^gas_force_n is NaN; it must be 0 N or more"):
+        dashpot.Model.from_peaks("signed.csv", gas_force_n=float("nan"))
     with pytest.raises(dashpot.ModelError, match="^units: mm is no unit of force"):
         dashpot.Model.from_peaks("signed.csv", units={"force": "mm"})
     with pytest.raises(dashpot.ModelError, match="^units: a table of peaks has velocity and force, no displacement"):

@@ -56,14 +56,14 @@ def test_series_of_pandas_are_channels() -> None:
 @pytest.mark.parametrize(
     ("time", "displacement", "kind", "words"),
     [
-        (T.astype("timedelta64[s]"), X, TypeError, "time holds dates or spans of time; give seconds"),
+        (T.astype("timedelta64[s]"), X, TypeError, "time_s holds dates or spans of time; give seconds"),
         (np.datetime64("2026-01-01") + T.astype("timedelta64[s]"), X, TypeError, "dates"),
-        (T, X + 1j, TypeError, "displacement is no array of real numbers but of complex"),
-        (T, np.ma.masked_greater(X, 0.01), ValueError, "displacement has masked values"),
+        (T, X + 1j, TypeError, "displacement_m is no array of real numbers but of complex"),
+        (T, np.ma.masked_greater(X, 0.01), ValueError, "displacement_m has masked values"),
         (T, np.zeros((len(T), 2)), ValueError, "one column of numbers, not 200 by 2"),
         (T, 0.1, ValueError, "not a single number"),
-        (T, ["a"] * len(T), TypeError, "displacement is no array of real numbers"),
-        (T, [{}] * len(T), TypeError, "displacement is no array of numbers"),
+        (T, ["a"] * len(T), TypeError, "displacement_m is no array of real numbers"),
+        (T, [{}] * len(T), TypeError, "displacement_m is no array of numbers"),
         (T, [None] * len(T), ValueError, "no finite number"),
         (T, np.where(T > 0.1, np.nan, X), ValueError, "no finite number"),
     ],
@@ -80,17 +80,17 @@ def test_dampers_say_what_they_take() -> None:
     frozen.flags.writeable = False
     kept = many.state
     for arguments, words in [
-        ({"velocity": "0.1"}, "velocity is no array of real numbers"),
-        ({"velocity": np.full(3, 1j)}, "complex"),
-        ({"velocity": np.zeros((3, 1))}, "3 by 1"),
-        ({"velocity": 0.1, "temperature": [20.0, 30.0]}, "temperature has 2 values"),
-        ({"velocity": both, "out": both}, "out is velocity too"),
-        ({"velocity": 0.1, "out": frozen}, "out must be a numpy array of one float64 for each damper"),
-        ({"velocity": 0.1, "out": np.zeros(3, dtype=np.float32)}, "out must be"),
-        ({"velocity": 0.1, "out": [0.0, 0.0, 0.0]}, "out must be"),
+        ({"velocity_m_s": "0.1"}, "velocity_m_s is no array of real numbers"),
+        ({"velocity_m_s": np.full(3, 1j)}, "complex"),
+        ({"velocity_m_s": np.zeros((3, 1))}, "3 by 1"),
+        ({"velocity_m_s": 0.1, "temperature_c": [20.0, 30.0]}, "temperature_c has 2 values"),
+        ({"velocity_m_s": both, "out": both}, "out is velocity_m_s too"),
+        ({"velocity_m_s": 0.1, "out": frozen}, "out must be a numpy array of one float64 for each damper"),
+        ({"velocity_m_s": 0.1, "out": np.zeros(3, dtype=np.float32)}, "out must be"),
+        ({"velocity_m_s": 0.1, "out": [0.0, 0.0, 0.0]}, "out must be"),
     ]:  # fmt: skip
         with pytest.raises((TypeError, ValueError), match=words):
-            many.step(dt=1e-3, **arguments)  # type: ignore[arg-type]
+            many.step(dt_s=1e-3, **arguments)  # type: ignore[arg-type]
     assert np.array_equal(many.state, kept)
     with pytest.raises(TypeError, match=r"made of a dashpot.Model, not of a str"):
         dashpot.Damper("damper.toml")  # type: ignore[arg-type]
@@ -180,6 +180,7 @@ def test_no_sentence_about_records_speaks_of_an_option_that_is_an_argument() -> 
 def test_a_model_may_be_written_where_it_was_read(tmp_path: Path) -> None:
     damper().write(tmp_path / "Modell ä.toml")
     again = dashpot.Model.read(tmp_path / "Modell ä.toml")
+    # The same bytes: nothing is overwritten.
     again.write(tmp_path / "Modell ä.toml")
     assert dashpot.Model.read(tmp_path / "Modell ä.toml") == damper()
 
@@ -210,11 +211,11 @@ def test_complex_numbers_are_refused(own: dashpot.Campaign) -> None:
     calls: list[Callable[[], object]] = [
         lambda: damped.step(one, 1e-3),
         lambda: damped.step(0.1, 1e-3, one),
-        lambda: damped.step(0.1, 1e-3, side_force=one),
+        lambda: damped.step(0.1, 1e-3, side_force_n=one),
         lambda: setattr(damped, "state", kept + 0j),
         lambda: dashpot.Damper(damper(), one),
         lambda: dashpot.Damper(damper(), np.array([one])),
-        lambda: damper().simulate(T, velocity=X, initial_position=one),  # type: ignore[arg-type]
+        lambda: damper().simulate(T, velocity_m_s=X, initial_position_m=one),  # type: ignore[arg-type]
         lambda: damper().steady_force(one),
         lambda: dashpot.Campaign.read(own.paths[0], gain=one),  # type: ignore[arg-type]
         lambda: dashpot.Campaign.read(own.paths[0], sample_rate_hz=one),  # type: ignore[arg-type]

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import dataclasses
 import html
+import inspect
 import math
 import os
+import pickle
+import re
 import shutil
 import subprocess
 import sys
 import threading
 import time
 import tracemalloc
+import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -63,7 +69,7 @@ import numpy.typing as npt
 campaign = dashpot.Campaign.read(Path("campaign"), units={"force": "kN"})
 assert_type(campaign[0], dashpot.Record)
 assert_type(campaign["a50"], dashpot.Record)
-assert_type(campaign[0:2], tuple[dashpot.Record, ...])
+assert_type(campaign[0:2], dashpot.Campaign)
 model = dashpot.fit(campaign, hold_out="a40*")
 assert_type(model.validate(campaign).overall.error_percent, float)
 assert_type(model.fit.misfit, float)
@@ -74,10 +80,10 @@ assert_type(judged.limits[0].verdict, str)
 assert_type(dashpot.diagnose(model, campaign).improved.validate(campaign).overall.error_percent, float)
 assert_type(dashpot.diagnose(model, campaign, campaign).summary, str)
 assert_type(model.validate(campaign, against=["fv", Path("dahl.toml")]).against[0].model, str)
-assert_type(model.simulate([0.0, 1.0], displacement=[0.0, 0.1]), dashpot.Response)
+assert_type(model.simulate([0.0, 1.0], displacement_m=[0.0, 0.1]), dashpot.Response)
 first: float = campaign[0].force[0] + model.steady_force([0.1])[0]
 assert_type(dashpot.Damper(model).step(0.1, 1e-3), float)
-assert_type(dashpot.Damper(model, 0.01, initial_velocity=0.2).step(0.1, 1e-3), float)
+assert_type(dashpot.Damper(model, 0.01, initial_velocity_m_s=0.2).step(0.1, 1e-3), float)
 forces: npt.NDArray[np.float64] = dashpot.Damper([model, model], [0, 0]).step(np.zeros(2), 1e-3)
 dashpot.fit(campaign[1:])
 dashpot.plot.curve(model)
@@ -299,13 +305,13 @@ def test_what_cannot_be_simulated_is_refused() -> None:
         (([0, 1], [0, 1, 2]), "3 samples"),
         (([0, 0], [0, 1]), "increase"),
         (([0], [0]), "two times"),
-        (([0, 1],), "needs displacement or velocity"),
+        (([0, 1],), "needs displacement_m or velocity_m_s"),
         (([0, 1], [0, np.nan]), "no finite number"),
     ]:
         with pytest.raises(ValueError, match=words):
             model.simulate(*arguments)
     with pytest.raises(dashpot.MotionError, match="step"):
-        model.simulate([0, 1], [0, 1], step=-1.0)
+        model.simulate([0, 1], [0, 1], step_s=-1.0)
 
 
 class TestDampers:
@@ -319,7 +325,7 @@ class TestDampers:
         model = damper()
         # simulate() starts settled in the first motion, which is one at rest here.
         v = self.V - self.V[0]
-        expected = model.simulate(self.T, velocity=v, initial_position=0.01).force
+        expected = model.simulate(self.T, velocity_m_s=v, initial_position_m=0.01).force
         one = dashpot.Damper(model, 0.01)
         steps = zip(v[1:].tolist(), np.diff(self.T).tolist(), strict=True)
         assert [one.step(u, dt) for u, dt in steps] == expected[1:].tolist()
@@ -338,7 +344,7 @@ class TestDampers:
 
     def test_a_known_displacement_is_taken(self) -> None:
         many = dashpot.Damper(damper(), np.zeros(2))
-        forces = many.step(self.V[1], 1e-3, displacement=[0.0, 0.02])
+        forces = many.step(self.V[1], 1e-3, displacement_m=[0.0, 0.02])
         assert many.state[:, 0].tolist() == [0.0, 0.02]
         assert forces.shape == (2,)
 
@@ -420,43 +426,43 @@ class TestDampers:
             status, *numbers = map(float, ran.stdout.split())
             if status < 0:
                 with pytest.raises(dashpot.StepError, match="damper 0 cannot start so"):
-                    dashpot.Damper(model, x, initial_velocity=v, side_force=side, temperature=temperature)
+                    dashpot.Damper(model, x, initial_velocity_m_s=v, side_force_n=side, temperature_c=temperature)
                 continue
-            one = dashpot.Damper(model, x, initial_velocity=v, side_force=side, temperature=temperature)
+            one = dashpot.Damper(model, x, initial_velocity_m_s=v, side_force_n=side, temperature_c=temperature)
             assert one.state[0].tolist() == numbers[:14]
             forces = []
             for _ in range(5):
                 x += 1e-3 * v
-                forces.append(one.step(v, 1e-3, x, side_force=side, temperature=temperature))
+                forces.append(one.step(v, 1e-3, x, side_force_n=side, temperature_c=temperature))
             assert forces == numbers[14:]
 
     def test_a_damper_that_starts_in_motion_is_what_simulate_says(self) -> None:
         model = dashpot.Model(self.REMEMBERS)
         expected = model.simulate(self.T, self.X, self.V).force
-        one = dashpot.Damper(model, self.X[0], initial_velocity=self.V[0])
+        one = dashpot.Damper(model, self.X[0], initial_velocity_m_s=self.V[0])
         motion = zip(self.V[1:].tolist(), np.diff(self.T).tolist(), self.X[1:].tolist(), strict=True)
         assert [one.step(v, dt, x) for v, dt, x in motion] == expected[1:].tolist()
         # Moving steadily on shows no jump: the force is that of the curve, but for the gas, which cools less than it is compressed.
-        steady = dashpot.Damper(damper(), 0.0, initial_velocity=0.5)
+        steady = dashpot.Damper(damper(), 0.0, initial_velocity_m_s=0.5)
         assert steady.step(0.5, 1e-4) == pytest.approx(damper().steady_force(0.5)[0], abs=0.1)
         assert dashpot.Damper(damper(), 0.0).step(0.5, 1e-4) < 0.8 * damper().steady_force(0.5)[0]
 
     def test_each_of_many_may_start_in_its_own_manner(self) -> None:
         model = dashpot.Model(self.REMEMBERS)
-        many = dashpot.Damper(model, [0.0, 0.01], initial_velocity=[0.2, -0.3], side_force=100.0, temperature=[20, 40])
+        many = dashpot.Damper(model, [0.0, 0.01], initial_velocity_m_s=[0.2, -0.3], side_force_n=100.0, temperature_c=[20, 40])
         singles = [
-            dashpot.Damper(model, x, initial_velocity=v, side_force=100.0, temperature=t) for x, v, t in [(0.0, 0.2, 20.0), (0.01, -0.3, 40.0)]
+            dashpot.Damper(model, x, initial_velocity_m_s=v, side_force_n=100.0, temperature_c=t) for x, v, t in [(0.0, 0.2, 20.0), (0.01, -0.3, 40.0)]
         ]
         assert many.state.tolist() == [s.state[0].tolist() for s in singles]
         for wrong, words in [
-            ({"initial_velocity": [0.1]}, "initial_velocity has 1 values; give one number, or one for each of the 2 dampers"),
-            ({"temperature": [[20.0, 20.0]]}, "temperature is one column"),
+            ({"initial_velocity_m_s": [0.1]}, "initial_velocity_m_s has 1 values; give one number, or one for each of the 2 dampers"),
+            ({"temperature_c": [[20.0, 20.0]]}, "temperature_c is one column"),
         ]:
             with pytest.raises(ValueError, match=words):
                 dashpot.Damper(model, [0.0, 0.01], **wrong)  # type: ignore[arg-type]
         with pytest.raises(TypeError, match="complex"):
-            dashpot.Damper(model, initial_velocity=1j)
-        for wrong in ({"initial_velocity": float("nan")}, {"side_force": float("inf")}, {"temperature": 1e9}):
+            dashpot.Damper(model, initial_velocity_m_s=1j)
+        for wrong in ({"initial_velocity_m_s": float("nan")}, {"side_force_n": float("inf")}, {"temperature_c": 1e9}):
             with pytest.raises(dashpot.StepError, match="damper 0 cannot start so"):
                 dashpot.Damper(model, **wrong)
 
@@ -474,22 +480,162 @@ class TestDampers:
         assert grown(20_000) < grown(20) + 4096
 
 
-def test_export_fmu(tmp_path: Path) -> None:
-    import os
+def test_export_fmu(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import zipfile
 
+    # From the wheel as installed: no compiler can be run, and no library is named.
+    monkeypatch.setenv("PATH", str(tmp_path / "nothing"))
+    monkeypatch.delenv("CC", raising=False)
     path = tmp_path / "car.fmu"
-    library = os.environ.get("DASHPOT_LIBRARY")
-    try:
-        platforms = damper().export_fmu(path, others=[damper(0.8)], library=library)
-    except dashpot.ExportError as error:
-        # Built without the runtimes, and no library to compile one of: the sentence says how to get either.
-        assert library is None and "runtimes.sh" in str(error)
-        pytest.skip(str(error))
-    assert platforms
+    platforms = damper().export_fmu(path, others=[damper(0.8)])
+    assert "linux64" in platforms
     names = zipfile.ZipFile(path).namelist()
-    assert "modelDescription.xml" in names and any(n.startswith("binaries/") for n in names)
+    assert "modelDescription.xml" in names and "binaries/linux64/dashpot_damper.so" in names
+    damper().export_adams(tmp_path / "run")
+    assert (tmp_path / "run" / "README.txt").is_file()
     with pytest.raises(dashpot.ExportError, match="FMI 4"):
         damper().export_fmu(tmp_path / "b.fmu", fmi=4)
     with pytest.raises(dashpot.ExportError, match="one model file, two"):
         damper().export_fmu(tmp_path / "b.fmu", others=[damper(), damper()])
+
+
+def test_a_motion_that_is_none_of_a_damper_is_warned_of() -> None:
+    t = np.linspace(0.0, 1.0, 1001)
+    model = damper()
+    calls: list[tuple[Callable[[], object], str]] = [
+        (lambda: model.simulate(t, displacement_m=20.0 * np.sin(10 * t)), "amplitude of 20 m"),
+        (lambda: model.simulate(t, velocity_m_s=200.0 * np.cos(10 * t), initial_position_m=0.0), "divide"),
+        (lambda: model.simulate(t, 0.4 * np.sin(200 * t)), "m/s is none of a damper"),
+        (lambda: model.steady_force([0.0, 260.0]), "260 m/s"),
+        (lambda: dashpot.Damper(model, 12.0), "divide millimeters by 1000"),
+        (lambda: dashpot.Damper(model, 0.0).step(300.0, 1e-4), "divide millimeters by 1000"),
+        (lambda: dashpot.Damper(model, [0.0, 0.0]).step([0.1, -262.0], 1e-4), "divide millimeters by 1000"),
+    ]
+    for call, words in calls:
+        with pytest.warns(UserWarning, match=words) as warned:
+            call()
+        assert len(warned) == 1 and warned[0].filename == __file__
+    # A long stroke of a real damper, and one that sits far from the zero of its displacement.
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        model.simulate(t, displacement_m=3.0 + 0.2 * np.sin(10 * t))
+        dashpot.Damper(model, 0.3).step(5.0, 1e-3)
+
+
+def test_a_part_of_a_campaign_is_a_campaign(own: dashpot.Campaign) -> None:
+    part = own[1:3]
+    assert isinstance(part, dashpot.Campaign) and part.names == own.names[1:3] and len(own[5:2]) == 0
+    assert part.sign == own.sign and part[0] == own[1] and part[-1:].names == own.names[2:3]
+    assert np.array_equal(part[0].force, own[1].force) and part[0].fingerprint == own[1].fingerprint
+    # What takes records takes parts of a campaign, and records of several parts together.
+    assert dashpot.fit(own[:], family="fv").text == dashpot.fit(list(own), family="fv").text
+    assert dashpot.fit([*own[:2], *own[2:]], family="fv").text == dashpot.fit(list(own), family="fv").text
+    assert pickle.loads(pickle.dumps(part)).names == part.names
+    assert "2 tests" in repr(part)
+
+
+def test_tables_of_tests_are_indexed_by_test(own: dashpot.Campaign) -> None:
+    pytest.importorskip("pandas")
+    table = own.to_pandas()
+    assert table.index.name == "test" and list(table.index) == list(own.names)
+    assert table.loc[own.names[1], "amplitude"] == own[1].amplitude
+    validated = dashpot.fit(own, family="fv").validate(own).to_pandas()
+    assert validated.index.name == "test" and set(validated.index) == set(own.names)
+
+
+def test_channels_are_datasets_of_xarray(own: dashpot.Campaign) -> None:
+    xarray = pytest.importorskip("xarray")
+    measured = own[0].to_xarray()
+    assert isinstance(measured, xarray.Dataset) and measured.force.attrs["units"] == "N" and measured.time.attrs["units"] == "s"
+    assert np.array_equal(measured.force.values, own[0].force)
+    answer = damper().simulate(own[0].time, own[0].displacement).to_xarray()
+    assert float((answer.force - measured.force).mean()) == pytest.approx(float(np.mean(answer.force.values - own[0].force)))
+    assert own.to_xarray().amplitude.sel(test=own.names[1]).item() == own[1].amplitude
+
+
+def test_a_missing_path_is_a_file_that_is_not_found(own: dashpot.Campaign, tmp_path: Path) -> None:
+    nowhere, model = tmp_path / "nowhere", damper()
+    calls: list[tuple[Callable[[], object], type[Exception]]] = [
+        (lambda: dashpot.Campaign.read(nowhere), dashpot.RecordError),
+        (lambda: dashpot.Campaign.read([own.paths[0], nowhere / "a.csv"]), dashpot.RecordError),
+        (lambda: dashpot.Model.read(f"{nowhere}.toml"), dashpot.ModelError),
+        (lambda: dashpot.Model.from_dpr(f"{nowhere}.dpr"), dashpot.ModelError),
+        (lambda: dashpot.Model.from_peaks(f"{nowhere}.csv"), dashpot.ModelError),
+        (lambda: dashpot.read_limits(f"{nowhere}.csv"), dashpot.ValidationError),
+        (lambda: model.export_fmu(tmp_path / "a.fmu", binaries={"win64": f"{nowhere}.dll"}), dashpot.ExportError),
+        (lambda: dashpot.diagnose_groups(model, nowhere, "folders"), dashpot.DiagnosisError),
+    ]
+    for call, kind in calls:
+        with pytest.raises(FileNotFoundError, match="nowhere") as raised:
+            call()
+        assert isinstance(raised.value, kind) and str(raised.value.filename).startswith(str(nowhere))
+        again = pickle.loads(pickle.dumps(raised.value))
+        assert (str(again), type(again)) == (str(raised.value), type(raised.value))
+
+
+def test_write_overwrites_where_that_is_asked_for(tmp_path: Path) -> None:
+    path = tmp_path / "a.toml"
+    damper().write(path)
+    damper().write(path)  # the same text
+    with pytest.raises(FileExistsError, match="force=True") as raised:
+        damper(1.3).write(path)
+    assert isinstance(raised.value, dashpot.OutputError) and dashpot.Model.read(path) == damper()
+    damper(1.3).write(path, force=True)
+    assert dashpot.Model.read(path) == damper(1.3)
+    dashpot.write_test_matrix(tmp_path / "m.csv")
+    with pytest.raises(FileExistsError):
+        dashpot.write_test_matrix(tmp_path / "m.csv", slow_tests=False)
+
+
+def test_a_printed_fit_is_a_table(own: dashpot.Campaign) -> None:
+    fit = dashpot.fit(own).fit
+    printed = str(fit)
+    lines = printed.splitlines()
+    assert lines[0] == "[[Fit]]" and "[[Parameters]]" in lines
+    for p in fit.parameters:
+        name = p.name if p.index is None else f"{p.name}[{p.index}]"
+        (line,) = [line for line in lines if line.strip().startswith(f"{name}:")]
+        assert f"{p.value:.6g}" in line and p.unit in line
+        assert ("+/-" in line) == (p.standing == "identified" and p.low is not None)
+    assert max(map(len, lines[: lines.index("[[Parameters]]")])) < 100
+
+
+def test_the_interface_alone_is_listed() -> None:
+    assert set(dir(dashpot)) == {*dashpot.__all__, "fleet", "plot"}
+    for name in dir(dashpot):
+        assert getattr(dashpot, name) is not None
+
+
+def test_every_number_of_an_argument_has_its_unit_in_its_name() -> None:
+    """Arguments that are floats have a unit in their names, but for pure numbers."""
+    pure = {
+        "gain", "motion_scale", "force_scale", "noise_percent", "noise_colour", "hide", "seed", "max_effects",
+    }  # fmt: skip
+    units = ("_m", "_s", "_m_s", "_n", "_c", "_hz", "_kg")
+    calls = [getattr(dashpot, name) for name in dashpot.__all__]
+    calls += [f for kind in calls if inspect.isclass(kind) for name, f in vars(kind).items() if not name.startswith("_") or name == "__init__"]
+    seen = 0
+    for call in calls:
+        function = call.__func__ if isinstance(call, (classmethod, staticmethod)) else call
+        if not inspect.isfunction(function) or dataclasses.is_dataclass(getattr(function, "__self__", None)):
+            continue
+        # A result has the keys of the command's JSON.
+        if function.__name__ == "__init__" and any(function is vars(k).get("__init__") for k in calls if dataclasses.is_dataclass(k)):
+            continue
+        for name, parameter in inspect.signature(function).parameters.items():
+            hint = str(parameter.annotation)
+            if ("float" in hint or "ArrayLike" in hint) and name not in pure and "Callable" not in hint and "Mapping" not in hint:
+                seen += 1
+                assert name.endswith(units), (function.__qualname__, name, hint)
+    assert seen > 30
+
+
+def test_views_of_notebooks_fit_a_page(own: dashpot.Campaign) -> None:
+    model = dashpot.fit(own)
+    for shown in (own, own[0], model, model.fit, model.validate(own), model.check()):
+        view = shown._repr_html_()
+        for cell in re.findall(r"<td[^>]*>(.*?)</td>", view):
+            assert len(html.unescape(cell)) <= 48, cell
+        # A table scrolls by itself, and remarks beyond a few are folded.
+        assert view.count("<table>") == view.count("max-height")
+        assert all(listed.count("<li>") <= 8 for listed in re.findall(r"</h4><ul>(.*?)</ul>", view))

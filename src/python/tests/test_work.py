@@ -82,7 +82,7 @@ def test_ctrl_c_stops_long_motions_and_curves_in_the_middle(work: str) -> None:
     model = damper()
     t = np.linspace(0, 20, 2001)
     calls: dict[str, Callable[[], object]] = {
-        "simulate": lambda: model.simulate(t, 0.02 * np.sin(20 * t), step=5e-6),
+        "simulate": lambda: model.simulate(t, 0.02 * np.sin(20 * t), step_s=5e-6),
         "steady_force": lambda: model.steady_force(np.linspace(-1, 1, 10_000_000)),
     }
     started = time.monotonic()
@@ -104,7 +104,7 @@ def test_long_motions_and_curves_give_the_lock_back(work: str) -> None:
     model = damper()
     t = np.linspace(0, 20, 2001)
     calls: dict[str, Callable[[], object]] = {
-        "simulate": lambda: model.simulate(t, 0.02 * np.sin(20 * t), step=5e-6),
+        "simulate": lambda: model.simulate(t, 0.02 * np.sin(20 * t), step_s=5e-6),
         "steady_force": lambda: model.steady_force(np.linspace(-1, 1, 10_000_000)),
     }
     worker = threading.Thread(target=calls[work])
@@ -120,7 +120,7 @@ def test_long_motions_and_curves_give_the_lock_back(work: str) -> None:
 
 def test_a_long_motion_tells_its_progress() -> None:
     told: list[tuple[float, str]] = []
-    damper().simulate([0, 1], [0, 0.01], step=1e-5, progress=lambda d, t: told.append((d, t)))
+    damper().simulate([0, 1], [0, 0.01], step_s=1e-5, progress=lambda d, t: told.append((d, t)))
     assert len(told) > 3 and told == sorted(told) and {text for _, text in told} == {"simulating"}
     with pytest.raises(KeyError):
         damper().simulate([0, 1], [0, 0.01], progress=lambda d, t: {"never": 0}[t])
@@ -235,7 +235,7 @@ def test_results_are_short_at_a_prompt(own: dashpot.Campaign) -> None:
 
 
 @pytest.mark.parametrize("work", [
-    "dashpot.fit(campaign)", "[model.simulate(t, x) for _ in range(10**6)]", "model.simulate(t, x, step=1e-6)",
+    "dashpot.fit(campaign)", "[model.simulate(t, x) for _ in range(10**6)]", "model.simulate(t, x, step_s=1e-6)",
     "model.steady_force(np.full(10**8, 0.1))",
 ])
 def test_a_thread_that_works_when_the_program_ends_does_not_abort_it(own: dashpot.Campaign, work: str) -> None:

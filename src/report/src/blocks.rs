@@ -3,6 +3,7 @@
 //! All texts are plain; the page makes them safe.
 
 use crate::cells::Cell;
+use dashpot_identification::limits::Overall;
 
 /// A titled part of the report.
 #[derive(Debug, Clone)]
@@ -24,8 +25,8 @@ pub struct Section {
 pub enum Block {
     /// The sentences everybody reads, in larger type.
     Lead(String),
-    /// The same where it is a verdict: whether it is a good one, and the sentence.
-    Verdict(bool, String),
+    /// The same where it is a verdict, and the sentence.
+    Verdict(Overall, String),
     /// A heading inside the section.
     Heading(String),
     /// Plain text.
@@ -36,6 +37,8 @@ pub enum Block {
     List(Vec<String>),
     /// A table.
     Table(Table),
+    /// A table that stands behind its title until that is clicked.
+    Folded(String, Table),
     /// Figures side by side, as many as fit the page's width.
     Figures(Vec<Figure>),
     /// One figure at its own width.
@@ -75,6 +78,8 @@ pub struct Column {
     pub heading: &'static str,
     /// Whether the cells are figures, set right.
     pub figures: bool,
+    /// Whether the cells are sentences, which wrap.
+    pub wraps: bool,
 }
 
 impl Section {
@@ -123,12 +128,17 @@ impl Figure {
 impl Column {
     /// A column of words.
     pub fn words(heading: &'static str) -> Self {
-        Self { group: "", heading, figures: false }
+        Self { group: "", heading, figures: false, wraps: false }
     }
 
     /// A column of figures.
     pub fn figures(heading: &'static str) -> Self {
-        Self { group: "", heading, figures: true }
+        Self { group: "", heading, figures: true, wraps: false }
+    }
+
+    /// A column of sentences.
+    pub fn sentences(heading: &'static str) -> Self {
+        Self { wraps: true, ..Self::words(heading) }
     }
 
     /// The same column under a group heading.

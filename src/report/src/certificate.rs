@@ -7,9 +7,8 @@ use super::page;
 use super::subject;
 use crate::cells::Cell;
 use crate::plot::peaks;
-use crate::plot::ticks::number;
 use crate::words::Words;
-use dashpot_identification::limits::{Certificate, Checked, Quantity, Value, Verdict};
+use dashpot_identification::limits::{BETWEEN, Certificate, Checked, NEAR, Overall, Quantity, Value, Verdict};
 use dashpot_records::Record;
 
 /// What a certificate is written from.
@@ -53,7 +52,7 @@ pub fn render(input: &CertificateInput<'_>) -> String {
 
 /// The verdict with its limits, as a section of a report.
 pub fn section(found: &Certificate, words: &Words) -> Section {
-    let mut blocks = vec![Block::Verdict(found.passed, headline(found, words))];
+    let mut blocks = vec![Block::Verdict(found.overall, headline(found, words))];
     if found.model_passed.is_some() {
         let other = found.limits.iter().filter(|l| l.model_verdict.is_some_and(|v| v != l.verdict)).count();
         blocks.push(Block::Paragraph(match other {
@@ -68,13 +67,16 @@ pub fn section(found: &Certificate, words: &Words) -> Section {
 fn headline(found: &Certificate, words: &Words) -> String {
     let count = |verdict| found.limits.iter().filter(|l| l.verdict == verdict).count();
     let (failed, untested) = (count(Verdict::Fail), count(Verdict::NotTested));
-    let text = match (failed, untested) {
-        (0, 0) => words.certificate_pass,
-        (_, 0) => words.certificate_fail,
-        _ => words.certificate_untested,
+    let tested = found.limits.len() - untested;
+    let text = match found.overall {
+        Overall::Pass => words.certificate_pass,
+        Overall::Fail if untested == 0 => words.certificate_fail,
+        Overall::Fail => words.certificate_fail_untested,
+        Overall::Incomplete if tested == 0 => words.certificate_nothing_tested,
+        Overall::Incomplete => words.certificate_untested,
     };
-    let [count, failed, untested] = [found.limits.len(), failed, untested].map(|n| n.to_string());
-    words.fill(text, &[("count", &count), ("failed", &failed), ("untested", &untested)])
+    let [count, failed, tested, untested] = [found.limits.len(), failed, tested, untested].map(|n| n.to_string());
+    words.fill(text, &[("count", &count), ("failed", &failed), ("tested", &tested), ("untested", &untested)])
 }
 
 fn table(found: &Certificate, words: &Words) -> Table {
@@ -88,9 +90,13 @@ fn table(found: &Certificate, words: &Words) -> Table {
     let row = |one: &Checked| {
         let limit = &one.limit;
         let tests = one.measured.as_ref().map_or_else(String::new, |v| in_short(&v.tests));
+        // A force between two tests was measured in neither.
+        let between = limit.quantity == Quantity::Force && one.measured.as_ref().is_some_and(|v| v.tests.len() > 1);
+        let tests = if between { words.fill(words.certificate_interpolated, &[("tests", &tests)]) } else { tests };
         vec![
             label(one, words).into(),
-            Cell::known(limit.velocity_m_s, |v| Cell::number(v, |v| number(v, 3))),
+            // As every velocity of a report, and of its figures.
+            Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
             bound(limit.low_n),
             bound(limit.high_n),
             value(one.measured.as_ref()),
@@ -112,7 +118,8 @@ fn table(found: &Certificate, words: &Words) -> Table {
         Column::words(words.col_from),
     ];
     Table {
-        caption: words.certificate_caption.to_owned(),
+        caption: words
+            .fill(words.certificate_caption, &[("ratio", &digits(BETWEEN, 1)), ("percent", &digits(100.0 * NEAR, 1))]),
         columns,
         rows: found.limits.iter().map(row).collect(),
         sortable: false,
@@ -174,7 +181,19 @@ mod tests {
         // What the record does not say is left to be filled in, and no clock is read.
         assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
-        assert!(untested.contains("1 could not be tested") && untested.contains("NOT TESTED"));
+        assert!(
+            untested.contains("INCOMPLETE. None of the 1 limits could be tested") && untested.contains("NOT TESTED")
+        );
+        assert!(untested.contains("class=\"lead verdict incomplete\"") && !untested.contains("FAIL"));
+        let some = page_of(&format!("{kept}friction,,1,2\n"), Language::English);
+        assert!(some.contains("INCOMPLETE. The 1 limits tested are kept; 1 more could not be tested"));
+        let both = page_of(&format!("{missed}friction,,1,2\n"), Language::English);
+        assert!(both.contains("FAIL. 1 of the 1 limits tested are not kept; 1 more could not be tested"));
+        // How a force between two tests comes about is said.
+        assert!(
+            untested
+                .contains("interpolated linearly between two tests whose velocities differ by a factor of 2 at most")
+        );
         assert!(untested.find("<svg").unwrap() < untested.find("<table").unwrap(), "picture before table");
     }
 }

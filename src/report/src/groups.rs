@@ -1,12 +1,17 @@
 //! The report over many dampers, or one at many settings: `dashpot diagnose --group`.
 
-use crate::blocks::{Block, Column, Section, Table};
+use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::diagnosis::changed_name;
 use crate::numbers::share;
+use crate::plot::axes::{Axis, Marks, Plane, Series};
+use crate::plot::palette::Role;
 use crate::words::Words;
 use crate::{Cell, Made, Workbook, made};
-use dashpot_diagnosis::Finding;
+use dashpot_core::{Model, Params};
 use dashpot_diagnosis::groups::{Answer, Answers};
+use dashpot_diagnosis::{Change, Diagnosis, Finding};
+use dashpot_identification::Standing;
+use dashpot_simulation::prediction::between_velocities;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -16,11 +21,13 @@ fn finding(finding: &Finding, words: &Words) -> String {
 
 /// The report for people.
 pub fn page(answers: &Answers, model: &Path, made: Made, words: &'static Words) -> Page {
-    let mut sections =
-        vec![Section::new("groups", words.groups_section, vec![Block::Table(of_groups(answers, words))])];
+    let mut first: Vec<Block> = curves(answers, words).map(Block::Wide).into_iter().collect();
+    first.push(Block::Table(of_groups(answers, words)));
+    let mut sections = vec![Section::new("groups", words.groups_section, first)];
     let changed = numbers(answers, words);
     if !changed.rows.is_empty() {
-        sections.push(Section::new("numbers", words.numbers_section, vec![Block::Table(changed)]));
+        let folded = Block::Folded(words.numbers_section.to_owned(), changed);
+        sections.push(Section::new("numbers", words.numbers_section, vec![folded]));
     }
     if let Some(text) = &answers.as_the_fit_saw {
         sections.push(Section::new("measurement", words.measurement_section, vec![Block::Warning(words.say(text))]));
@@ -62,8 +69,8 @@ fn of_groups(answers: &Answers, words: &Words) -> Table {
         columns: vec![
             Column::words(words.col_group),
             Column::figures(words.col_tests),
-            Column::words(words.col_answer),
-            Column::words(words.col_named),
+            Column::sentences(words.col_answer),
+            Column::sentences(words.col_named),
             Column::figures(words.col_before_n),
             Column::figures(words.col_after_n),
             Column::figures(words.col_group_noise),
@@ -73,22 +80,88 @@ fn of_groups(answers: &Answers, words: &Words) -> Table {
     }
 }
 
+/// Size of the figure, px: printed across the page.
+const SIZE: [f64; 2] = [880.0, 400.0];
+/// Groups that have a hue each; further ones are drawn in grey.
+const HUES: usize = 8;
+
+/// The FV curves of all groups over each other, with that of the reference: friction and gas included, as far as the tests of each reach.
+fn curves(answers: &Answers, words: &Words) -> Option<Figure> {
+    let reach = |diagnosis: &Diagnosis| {
+        let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
+        velocities.fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)))
+    };
+    let line = |params: &Params, (low, high): (f64, f64)| -> Option<Vec<[f64; 2]>> {
+        let model = Model::new(params).ok()?;
+        Some(between_velocities(&model, low, high).into_iter().map(|[v, f]| [1e3 * v, f]).collect())
+    };
+    let first = answers.groups.iter().find_map(|a| Some((a.diagnosis.reference.as_ref()?, reach(&a.diagnosis))));
+    let mut series: Vec<Series> = Vec::new();
+    let mut names: Vec<String> = Vec::new();
+    let mut add = |role: Role, name: &str, lines: Vec<Vec<[f64; 2]>>| {
+        if lines.iter().any(|l| !l.is_empty()) {
+            series.push(Series { role, label: "", lines, marks: Marks::Line });
+            names.push(name.to_owned());
+        }
+    };
+    let mut groups: Vec<(&str, Vec<[f64; 2]>)> = Vec::new();
+    for answer in &answers.groups {
+        groups.extend(line(&answer.diagnosis.improved, reach(&answer.diagnosis)).map(|l| (answer.group.as_str(), l)));
+    }
+    let rest = groups.split_off(groups.len().min(HUES));
+    add(Role::Shadow, words.other_groups, rest.into_iter().map(|g| g.1).collect());
+    if let Some((reference, reach)) = first {
+        add(Role::Before, &answers.reference, line(reference, reach).into_iter().collect());
+    }
+    for (k, (name, points)) in groups.into_iter().enumerate() {
+        add(Role::Group(k as u8), name, vec![points]);
+    }
+    if series.is_empty() {
+        return None;
+    }
+    let all = || series.iter().flat_map(|s| &s.lines).flatten().copied();
+    let plane = Plane {
+        title: words.plot_group_curves.into(),
+        x: Axis::around(words.axis_velocity, all().map(|p| p[0])),
+        y: Axis::around(words.axis_force, all().map(|p| p[1])),
+        series,
+    };
+    Some(Figure::new("group-curves", plane.draw_named(&names, SIZE, words)).saying(words.group_curves_caption))
+}
+
+/// Whether a number of a group was compared with the reference's: the records of the group say something of it.
+fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) -> bool {
+    if diagnosis.reference.is_none() {
+        return false;
+    }
+    match velocity {
+        // A point beyond the tests of a group is a guess there.
+        Some(v) => {
+            diagnosis.tests.iter().flat_map(|t| &t.curves.velocity).any(|of| of * v > 0.0 && of.abs() >= v.abs())
+        }
+        None => diagnosis.estimates.iter().any(|e| e.name == parameter && e.standing == Standing::Identified),
+    }
+}
+
 /// Every number that changed in any group, of the reference and of all groups.
 fn numbers(answers: &Answers, words: &Words) -> Table {
-    let mut numbers: BTreeMap<String, (f64, &str, String)> = BTreeMap::new();
+    let mut numbers: BTreeMap<String, (&Change, String)> = BTreeMap::new();
     for one in answers.groups.iter().flat_map(|a| &a.diagnosis.changes) {
-        numbers.entry(one.label()).or_insert_with(|| (one.reference, one.unit, changed_name(one, words)));
+        numbers.entry(one.label()).or_insert_with(|| (one, changed_name(one, words)));
     }
     let mut rows = Vec::new();
-    for (name, (reference, unit, called)) in &numbers {
-        let first = [answers.reference.as_str().into(), Cell::measured(*reference, unit), Cell::none()];
+    for (name, (change, called)) in &numbers {
+        let first = [answers.reference.as_str().into(), Cell::measured(change.reference, change.unit), Cell::none()];
         rows.push([Cell::from(called.as_str())].into_iter().chain(first).collect());
         for answer in &answers.groups {
             let there = answer.diagnosis.changes.iter().find(|c| c.label() == *name);
-            let [value, interval] = there.map_or_else(
-                || [words.no_change.into(), Cell::none()],
-                |c| Cell::with_interval(c.value, c.low, c.high, c.unit, words),
-            );
+            let [value, interval] = match there {
+                Some(c) => Cell::with_interval(c.value, c.low, c.high, c.unit, words),
+                None if is_compared(&answer.diagnosis, change.name, change.velocity_m_s) => {
+                    [words.no_change.into(), Cell::none()]
+                }
+                None => [words.not_compared.into(), Cell::none()],
+            };
             rows.push(vec![Cell::from(called.as_str()), answer.group.as_str().into(), value, interval]);
         }
     }

@@ -24,6 +24,7 @@ pub mod numbers;
 mod page;
 pub mod parameters;
 pub mod plot;
+pub mod quality;
 pub mod reading;
 mod subject;
 mod summary;

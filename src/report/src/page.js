@@ -262,3 +262,8 @@ function whole(svg) {
   });
   svg.addEventListener('dblclick', reset);
 }
+
+// A whole print shows what is folded on the screen.
+addEventListener("beforeprint", () => {
+  if (document.body.classList.contains("whole")) document.querySelectorAll("details").forEach((one) => { one.open = true; });
+});

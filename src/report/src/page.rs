@@ -5,6 +5,7 @@ use super::cells::{Cell, Value};
 use crate::plot::palette;
 use crate::plot::svg::escape;
 use crate::words::Words;
+use dashpot_identification::limits::Overall;
 use dashpot_output::GENERATOR;
 use std::fmt::Write as _;
 
@@ -93,8 +94,12 @@ fn section(html: &mut String, section: &Section, words: &Words) {
 fn block(html: &mut String, block: &Block, words: &Words) {
     let _ = match block {
         Block::Lead(text) => writeln!(html, "<p class=\"lead\">{}</p>", escape(text)),
-        Block::Verdict(good, text) => {
-            let class = if *good { "pass" } else { "fail" };
+        Block::Verdict(overall, text) => {
+            let class = match overall {
+                Overall::Pass => "pass",
+                Overall::Fail => "fail",
+                Overall::Incomplete => "incomplete",
+            };
             writeln!(html, "<p class=\"lead verdict {class}\">{}</p>", escape(text))
         }
         Block::Heading(text) => writeln!(html, "<h3>{}</h3>", escape(text)),
@@ -109,6 +114,11 @@ fn block(html: &mut String, block: &Block, words: &Words) {
         Block::Table(part) => {
             table(html, part, words);
             Ok(())
+        }
+        Block::Folded(title, part) => {
+            let _ = writeln!(html, "<details><summary>{} ({})</summary>", escape(title), part.rows.len());
+            table(html, part, words);
+            writeln!(html, "</details>")
         }
         Block::Figures(figures) => {
             html.push_str("<div class=\"figures\">\n");
@@ -188,6 +198,7 @@ fn class_of(columns: &[Column], index: usize) -> &'static str {
         (true, true) => " class=\"n first\"",
         (true, false) => " class=\"n\"",
         (false, true) => " class=\"first\"",
+        (false, false) if column.wraps => " class=\"w\"",
         (false, false) => "",
     }
 }

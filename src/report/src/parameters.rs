@@ -2,11 +2,14 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
+use crate::numbers::{digits, with_unit};
 use crate::words::Words;
 
+use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
+use dashpot_estimation::priors::{self, Usual};
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
 
@@ -27,8 +30,8 @@ pub struct ParameterRow {
     pub source: String,
     /// Remark.
     pub remark: Remark,
-    /// Whether the data could not determine it.
-    pub missing: bool,
+    /// Where the data could not determine it: what was assumed in its place, and from what.
+    pub assumed: Option<String>,
 }
 
 /// What a table says of a parameter beside its numbers.
@@ -54,14 +57,40 @@ impl Remark {
         match self {
             Remark::Meaning(meaning) => words.meaning(meaning).to_owned(),
             Remark::AtVelocity(v) => {
-                words.fill(words.parameter_at, &[("place", &words.number(&format!("{v:.4} m/s")))])
+                words.fill(words.parameter_at, &[("place", &words.number(&format!("{} mm/s", digits(1e3 * v, 4))))])
             }
             Remark::AtDisplacement(x) => {
-                words.fill(words.parameter_at, &[("place", &words.number(&format!("{x:.4} m")))])
+                words.fill(words.parameter_at, &[("place", &words.number(&format!("{} mm", digits(1e3 * x, 4))))])
             }
             Remark::Nothing => String::new(),
         }
     }
+}
+
+/// What was assumed of a number that the data could not determine, and from what; `why` its element is off, where it is.
+pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words: &Words) -> String {
+    let Some(row) = parameter::find(name).filter(|row| !matches!(row.parameter.shape, Shape::List(_))) else {
+        return words.not_identified.to_owned();
+    };
+    if !row.element().is_none_or(|element| params.is_on(element)) {
+        return match why {
+            Some(why) => words.fill(words.not_identified_off, &[("why", why)]),
+            None => words.not_identified.to_owned(),
+        };
+    }
+    let is = |other: f64| (value - other).abs() <= 1e-9 * other.abs();
+    let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
+    let median = prior.map(|prior| match prior.usual {
+        Usual::Size(median, _) | Usual::Strength(median, _) | Usual::Place(median, _) => median,
+    });
+    // Where the value is neither, a fit left it there: between what dampers show and what the records hardly say.
+    let source = match (prior, median) {
+        (Some(prior), Some(median)) if is(median) => words.fill(words.assumed_usual, &[("source", prior.source)]),
+        _ if row.parameter.default.first().is_some_and(|default| is(*default)) => words.assumed_default.to_owned(),
+        _ => words.assumed_held.to_owned(),
+    };
+    let value = words.number(&with_unit(value, row.parameter.unit));
+    words.fill(words.not_identified_assumed, &[("value", &value), ("source", &source)])
 }
 
 /// The table of parameters; `None` without any.
@@ -80,7 +109,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
                 known(row.low),
                 known(row.high),
                 row.source.as_str().into(),
-                if row.missing { words.not_identified.into() } else { row.remark.said(words).into() },
+                row.assumed.clone().map_or_else(|| row.remark.said(words), |assumed| assumed).into(),
             ]
         })
         .collect();
@@ -126,7 +155,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     high,
                     source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept)),
                     remark: Remark::Meaning(p.meaning),
-                    missing,
+                    assumed: missing.then(|| assumed(p.name, values[0], &model.params, None, words)),
                 });
             }
             (Shape::List(_), Some(Interval::List(pairs))) => {
@@ -147,7 +176,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                         high: Some(*high),
                         source: String::new(),
                         remark: at.unwrap_or(Remark::Nothing),
-                        missing: false,
+                        assumed: None,
                     });
                 }
             }
@@ -164,6 +193,7 @@ pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
         // What the records leave open has no number of theirs.
         value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
         source: words.say(&e.from),
+        assumed: assumed_of(e, &fit.params, words),
         ..of_estimate(e)
     };
     fit.estimates.iter().map(row).collect()
@@ -177,6 +207,7 @@ pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
             Some(finding) => words.fill(words.source_added, &[("effect", finding.effect)]),
             None => words.source_refitted.to_owned(),
         },
+        assumed: assumed_of(e, &found.improved, words),
         ..of_estimate(e)
     };
     found.estimates.iter().map(row).collect()
@@ -191,6 +222,16 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
         high: e.high,
         source: String::new(),
         remark: Remark::of(e.name),
-        missing: e.standing == Standing::NotIdentified,
+        assumed: None,
     }
+}
+
+/// What was assumed of an estimate that the data could not determine.
+pub fn assumed_of(e: &Estimate, params: &Params, words: &Words) -> Option<String> {
+    // A point of a curve that the records leave loose was fitted all the same: its interval says how loose.
+    if e.index.is_some() {
+        return (e.standing == Standing::NotIdentified).then(|| words.not_identified.to_owned());
+    }
+    let why = words.say(&e.from);
+    (e.standing == Standing::NotIdentified).then(|| assumed(e.name, e.value, params, Some(&why), words))
 }

@@ -68,7 +68,7 @@ impl Workbook<'_> {
             for block in &part.blocks {
                 match block {
                     Block::Heading(text) => heading = text,
-                    Block::Table(table) => {
+                    Block::Table(table) | Block::Folded(_, table) => {
                         let name = free_name(&part.title, &sheets, self.words);
                         sheets.push(Sheet { name, section: &part.title, heading, table });
                     }

@@ -53,6 +53,28 @@ pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsE
     without(&fit.measured, &fit.params, records)
 }
 
+/// How good a fit is: beside the noise of its records, which no model can do better than, and beside the plain FV curve.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Quality {
+    /// Error of the model.
+    pub model: Deviation,
+    /// Error of the plain FV curve that was fitted to the same tests.
+    pub fv_only: Deviation,
+    /// Mean magnitude of the noise, N; 0 where it is not known.
+    pub noise_n: f64,
+}
+
+/// How good a fit is, over the records that it was made of.
+///
+/// # Errors
+/// As [`deviation`].
+pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
+    let known: Vec<f64> = records.iter().map(|record| record.noise.force_rms).filter(|rms| *rms > 0.0).collect();
+    // The mean magnitude of normally distributed noise is √(2/π) of its root mean square.
+    let noise_n = known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt();
+    Ok(Quality { model: of_fit(fit, records)?, fv_only: without(&fit.measured, &fit.fv_only, records)?, noise_n })
+}
+
 /// Over the records without what the measurement was found to be off by.
 fn without(measured: &[Measured], params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let off = off(measured);

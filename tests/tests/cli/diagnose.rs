@@ -388,7 +388,14 @@ fn groups_are_compared_with_one_reference() {
         groups[0]["diagnosis"]["summary"]
     );
     assert!(list(&groups[0]["diagnosis"], "changed").is_empty());
-    assert!(std::fs::read_to_string(dir.join("g.html")).unwrap().contains("What changed in which group"));
+    let page = std::fs::read_to_string(dir.join("g.html")).unwrap();
+    assert!(page.contains("What changed in which group"));
+    // The picture first, then the answers, which wrap; what is long is folded.
+    let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text} is not in the report"));
+    assert!(place("FV curves of all groups") < place("<td class=\"w\">"));
+    if groups.iter().any(|g| !list(&g["diagnosis"], "changed").is_empty()) {
+        assert!(place("<details><summary>") > place("<td class=\"w\">"));
+    }
     let book = excel::sheets(&dir.join("g.xlsx"));
     let names: Vec<String> = excel::column(excel::sheet(&book, "What changed in which group"), "group")
         .iter()

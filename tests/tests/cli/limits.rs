@@ -53,10 +53,13 @@ fn a_damper_passes_or_fails_by_its_windows() {
         report.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 5 Grenzwerten nicht ein.")
             && report.contains("2024-05-17")
     );
-    // A speed that no test has is no pass.
+    // A speed that no test has is no pass, and no failure either.
     fs::write(dir.join("l.csv"), "quantity,velocity_m_s,low,high\nforce,9,0,1e6\n").unwrap();
     let untested = run(dir, &args);
     assert!(untested.code == Some(1) && untested.out.contains("NOT TESTED"), "{untested:?}");
+    assert!(untested.out.contains("INCOMPLETE: none of the 1 limits could be tested"), "{}", untested.out);
+    assert!(!untested.out.contains("FAIL") && json(&dir.join("c.json"))["limits"]["overall"] == "incomplete");
+    assert!(passed.out.contains("interpolated linearly between two tests"), "{}", passed.out);
 }
 
 #[test]

@@ -62,6 +62,12 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
+    /// Forgets what was taken back: another value takes the place of what would be done again.
+    pub fn forget_future(&mut self) {
+        self.open = None;
+        self.future.clear();
+    }
+
     /// Whether there is a step back, and one forth.
     pub fn can(&self) -> (bool, bool) {
         (!self.past.is_empty(), !self.future.is_empty())

@@ -8,10 +8,14 @@
 //! | [`tasks`] | long work with progress and cancel |
 //! | [`verbs`] | fit, validate, diagnose |
 //! | [`outputs`], [`exports`] | everything that is written |
+//! | [`answers`] | what the verbs found, and whether it is of what is on screen |
+//! | [`replacing`] | another model in the place of this one, with undo |
 //! | [`matrix`], [`study`] | the error matrix, one number at several values |
 //! | [`two_ways`] | gas and drag of a cycle |
+//! | [`velocities`] | forces at peak velocities and at given ones |
 //! | [`recent`] | campaigns that were open lately |
 
+pub mod answers;
 pub mod campaign;
 pub mod exports;
 pub mod guarded;
@@ -22,18 +26,19 @@ pub mod outputs;
 pub mod papers;
 pub mod progress;
 pub mod recent;
+pub mod replacing;
 pub mod simulation;
 pub mod study;
 pub mod tasks;
 pub mod two_ways;
+pub mod velocities;
 pub mod verbs;
 
+use answers::{Answer, Answers};
 use campaign::Loaded;
 use dashpot_core::Params;
 use dashpot_core::parameter::Element;
-use dashpot_identification::model_file;
-use dashpot_identification::validation::Validation;
-use dashpot_identification::{Estimate, Fit};
+use dashpot_identification::Estimate;
 use dashpot_records::{Options, Profile, Record, Sentence, Unusable};
 use model::Tuned;
 use recent::Recent;
@@ -43,7 +48,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 use study::Study;
-use tasks::{Diagnosed, Kind, Outcome, Standing, Task};
+use tasks::{Kind, Outcome, Standing, Task};
 
 /// Called from any thread when there is something new to show.
 pub type Waker = Arc<dyn Fn() + Send + Sync>;
@@ -55,17 +60,6 @@ pub struct Message {
     pub text: Sentence,
     /// Whether something went wrong.
     pub wrong: bool,
-}
-
-/// What the verbs found last.
-#[derive(Default)]
-pub struct Answers {
-    /// Of a fit: choices, estimates, notes.
-    pub fit: Option<Box<Fit>>,
-    /// Of a validation.
-    pub validation: Option<Box<Validation>>,
-    /// Of a diagnosis.
-    pub diagnosis: Option<Diagnosed>,
 }
 
 /// Everything that is open.
@@ -98,6 +92,13 @@ pub struct Session {
     pub generation: u64,
     /// Work under way.
     pub task: Option<Task>,
+    /// A model that waits for the user's leave to take the place of the one on screen.
+    pub pending: Option<replacing::Replacement>,
+    /// Whose answer came since the window looked last.
+    pub arrived: Option<Kind>,
+    others: replacing::Others,
+    /// How often records were read.
+    read: u64,
     simulator: Simulator,
     waker: Waker,
     /// When a slider moved last, while a full computation is due.
@@ -125,6 +126,10 @@ impl Session {
             reading: Options::default(),
             generation: 0,
             task: None,
+            pending: None,
+            arrived: None,
+            others: replacing::Others::default(),
+            read: 0,
             simulator: Simulator::new(waker.clone()),
             waker,
             moving: None,
@@ -150,7 +155,7 @@ impl Session {
         };
         let (models, records): (Vec<PathBuf>, Vec<PathBuf>) = paths.iter().cloned().partition(is_model);
         if let Some(model) = models.last() {
-            self.open_model(model);
+            self.replace(replacing::Replacement::File(model.clone()));
         }
         if !records.is_empty() {
             self.open_records(records, Options::default());
@@ -190,9 +195,9 @@ impl Session {
         }
     }
 
-    fn take_model(&mut self, model: Tuned) {
+    /// Shows a model; its forces are computed anew.
+    fn show_model(&mut self, model: Tuned) {
         self.model = Some(model);
-        self.answers.validation = None;
         self.simulated = None;
         self.identified = None;
         self.study = None;
@@ -216,6 +221,17 @@ impl Session {
         self.campaign = Some(Arc::new(own.seen_as(records, note)));
         self.reference = reference;
         self.generation += 1;
+    }
+
+    /// Where the user works: the folder of the records, or that of the model.
+    pub fn folder(&self) -> Option<PathBuf> {
+        let records = self.campaign.as_ref().and_then(|loaded| {
+            let beside = || loaded.paths.first().and_then(|path| path.parent()).map(Path::to_owned);
+            loaded.folder.clone().or_else(beside)
+        });
+        let model = || self.model.as_ref()?.path.as_ref()?.parent().map(Path::to_owned);
+        let folder = std::path::absolute(records.or_else(model)?).ok()?;
+        folder.is_dir().then_some(folder)
     }
 
     /// Whether the verbs have something to work on.
@@ -267,11 +283,20 @@ impl Session {
 
     /// Changes the model; the loops follow at once, all cycles of all tests when it rests.
     pub fn tune(&mut self, change: impl FnOnce(&mut Tuned) -> bool) {
-        let Some(model) = &mut self.model else { return };
-        if change(model) {
+        if self.step(change) {
+            self.forget_future();
+        }
+    }
+
+    /// Changes the model, or goes a step back or forth in it.
+    fn step(&mut self, change: impl FnOnce(&mut Tuned) -> bool) -> bool {
+        let Some(model) = &mut self.model else { return false };
+        let changed = change(model);
+        if changed {
             self.moving = Some(Instant::now());
             self.order(true);
         }
+        changed
     }
 
     /// Orders the forces of the model as it is.
@@ -340,15 +365,17 @@ impl Session {
                 self.generation += 1;
             }
             Outcome::Fitted(fit) => {
-                match Tuned::identified(model_file::write(&fit)) {
-                    Ok(model) => self.take_model(model),
-                    Err(error) => self.complain(Sentence::as_it_is(error)),
-                }
-                self.answers.diagnosis = None;
-                self.answers.fit = Some(fit);
+                self.fit_is_done(fit);
+                self.arrived = Some(Kind::Fit);
             }
-            Outcome::Validated(validation) => self.answers.validation = Some(validation),
-            Outcome::Diagnosed(diagnosed) => self.answers.diagnosis = Some(diagnosed),
+            Outcome::Validated(validation, basis) => {
+                self.answers.validation = Some(Answer::new(validation, *basis));
+                self.arrived = Some(Kind::Validate);
+            }
+            Outcome::Diagnosed(diagnosed, basis) => {
+                self.answers.diagnosis = Some(Answer::new(diagnosed, *basis));
+                self.arrived = Some(Kind::Diagnose);
+            }
             Outcome::Studied(study) => {
                 self.study = Some(study);
                 self.generation += 1;
@@ -401,6 +428,7 @@ impl Session {
             self.reference = None;
         }
         self.answers = Answers { fit: self.answers.fit.take(), ..Answers::default() };
+        self.read += 1;
         self.study = None;
         self.simulated = None;
         self.identified = None;
@@ -427,7 +455,7 @@ impl Session {
 
     /// What the last fit says of its numbers.
     pub fn estimates(&self) -> &[Estimate] {
-        self.answers.fit.as_ref().map_or(&[], |f| &f.estimates)
+        self.answers.fit.as_ref().map_or(&[], |f| &f.found.fit.estimates)
     }
 }
 

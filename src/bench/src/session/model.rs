@@ -180,6 +180,11 @@ impl Tuned {
         self.history.redo()
     }
 
+    /// Forgets what was taken back.
+    pub fn forget_future(&mut self) {
+        self.history.forget_future();
+    }
+
     /// Whether there is something to take back, and to do again.
     pub fn can(&self) -> (bool, bool) {
         self.history.can()
@@ -232,6 +237,21 @@ impl Tuned {
     pub fn saved_to(&mut self, path: &Path, params: Params) {
         self.path = Some(path.to_owned());
         self.saved = Some(params);
+    }
+
+    /// Whether the fit left a number of a list, or a number of its own, open.
+    pub fn is_loose(&self, name: &str, entry: Option<usize>) -> bool {
+        let identifier = entry.map_or_else(|| name.to_owned(), |k| format!("{name}[{k}]"));
+        self.identification.not_identified.contains(&identifier)
+    }
+
+    /// The identified value of a number, where a fit identified it. Of a file that no fit wrote, the value that it gives.
+    pub fn identified_value(&self, row: &Row, entry: usize) -> Option<f64> {
+        let p = row.parameter;
+        let place = matches!(p.shape, Shape::List(_)).then_some(entry);
+        let by_hand = self.identification.intervals.is_empty();
+        let value = self.identified.get(row).get(entry).or(p.default.first()).copied();
+        value.filter(|_| !self.is_loose(p.name, place) && (by_hand || self.interval(p.name, entry).is_some()))
     }
 
     /// What the fit says of a number: its 95 % interval.

@@ -1,11 +1,12 @@
 //! Reports and workbooks of what was found: those that the verbs write, in the window's language.
 
 use crate::session::Session;
+use crate::session::answers::Diagnosed;
 use crate::session::campaign::Loaded;
 use crate::session::guarded::checked;
 use crate::session::model::Tuned;
 use crate::session::outputs::told;
-use crate::session::tasks::{Diagnosed, Kind as Work, Outcome};
+use crate::session::tasks::{Kind as Work, Outcome};
 use crate::session::verbs::compared;
 use dashpot_identification::validation::validate;
 use dashpot_output::Kind;
@@ -74,7 +75,8 @@ impl Session {
     }
 
     fn write_fit(&mut self, path: PathBuf, words: &'static Words) {
-        let (Some(loaded), Some(fit), Some(model)) = (self.campaign.clone(), self.answers.fit.clone(), &self.model)
+        let (Some(loaded), Some(fit), Some(model)) =
+            (self.campaign.clone(), self.answers.fit.as_ref().map(|a| a.found.fit.clone()), &self.model)
         else {
             return;
         };
@@ -119,7 +121,7 @@ impl Session {
 
     fn write_diagnosis(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
         let (Some(loaded), Some(Diagnosed { found, over_whole_records, reference, .. }), Some(model)) =
-            (self.campaign.clone(), &self.answers.diagnosis, &self.model)
+            (self.campaign.clone(), self.answers.diagnosis.as_ref().map(|a| &a.found), &self.model)
         else {
             return;
         };

@@ -2,16 +2,14 @@
 //! far it is and can be told to stop.
 
 use crate::session::Waker;
+use crate::session::answers::{Basis, Diagnosed, Fitted};
 use crate::session::campaign::Loaded;
 use crate::session::progress::{Progress, Report};
 use crate::session::study::Study;
-use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::cancel::Cancel;
-use dashpot_identification::Fit;
 use dashpot_identification::validation::Validation;
 use dashpot_records::Sentence;
 use dashpot_records::sentence::Template;
-use dashpot_simulation::whole_records::OfDiagnosis;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex};
@@ -36,18 +34,6 @@ pub enum Kind {
     Write,
 }
 
-/// A diagnosis with what it was made from.
-pub struct Diagnosed {
-    /// The answer.
-    pub found: Box<Diagnosis>,
-    /// Which tests no refit saw.
-    pub left_out: Vec<bool>,
-    /// Errors of the models in it over every sample of the tests.
-    pub over_whole_records: OfDiagnosis,
-    /// The campaign that it was compared with, where there was one: another may be open by the time that the report is written.
-    pub reference: Option<Arc<Loaded>>,
-}
-
 /// What came of it.
 pub enum Outcome {
     /// Records.
@@ -55,11 +41,11 @@ pub enum Outcome {
     /// Records to compare with.
     Reference(Loaded),
     /// A model.
-    Fitted(Box<Fit>),
-    /// Errors.
-    Validated(Box<Validation>),
-    /// What a model lacks.
-    Diagnosed(Diagnosed),
+    Fitted(Fitted),
+    /// Errors, and of what.
+    Validated(Box<Validation>, Box<Basis>),
+    /// What a model lacks, and of what.
+    Diagnosed(Diagnosed, Box<Basis>),
     /// A family of loops.
     Studied(Study),
     /// A file or folder was written, and what must be known beside it.

@@ -1,8 +1,9 @@
 //! Fit, validate and diagnose, as the command does them, beside the window.
 
+use crate::session::answers::{Diagnosed, Fitted};
 use crate::session::campaign::Loaded;
 use crate::session::study::{Question, study};
-use crate::session::tasks::{Diagnosed, Kind, Outcome};
+use crate::session::tasks::{Kind, Outcome};
 use crate::session::{Session, progress};
 use dashpot_core::{Model, Params};
 use dashpot_diagnosis::{Options as DiagnosisOptions, choose_held_out, diagnose};
@@ -11,7 +12,7 @@ use dashpot_identification::validation::{Compared, validate};
 use dashpot_identification::{Family, FitOptions, fit};
 use dashpot_records::{Record, Sentence};
 use dashpot_simulation::prediction::predict;
-use dashpot_simulation::whole_records::OfDiagnosis;
+use dashpot_simulation::whole_records::{self, OfDiagnosis};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -24,7 +25,9 @@ impl Session {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.as_read().records[*k]).collect();
             // The progress of a fit comes from the thread that runs it alone.
             let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, Some(stage.text)));
-            found.map(|fit| Outcome::Fitted(Box::new(fit))).map_err(|e| e.sentence())
+            let fit = Box::new(found.map_err(|e| e.sentence())?);
+            let quality = whole_records::quality(&fit, &records).ok();
+            Ok(Outcome::Fitted(Fitted { fit, quality }))
         });
     }
 
@@ -32,11 +35,12 @@ impl Session {
     pub fn validate(&mut self) {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
         let (file, ticked) = (model.file(), self.ticked());
+        let Some(basis) = self.basis() else { return };
         self.begin(Kind::Validate, move |report| {
             let compared = compared(&file, &loaded, &ticked, report)?;
             let mut found = validate(&compared).map_err(Sentence::as_it_is)?;
             found.unusable.clone_from(&loaded.campaign.unusable);
-            Ok(Outcome::Validated(Box::new(found)))
+            Ok(Outcome::Validated(Box::new(found), Box::new(basis)))
         });
     }
 
@@ -44,6 +48,7 @@ impl Session {
     pub fn diagnose(&mut self) {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
         let (params, ticked, reference) = (*model.params(), self.ticked(), self.reference.clone());
+        let Some(basis) = self.basis() else { return };
         self.begin(Kind::Diagnose, move |report| {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
             let left_out = choose_held_out(&records, 0);
@@ -53,7 +58,8 @@ impl Session {
                 .map_err(|e| e.sentence())?;
             let over_whole_records = OfDiagnosis::of(&params, &found.base, &found.improved, &found.measured, &records)
                 .map_err(Sentence::as_it_is)?;
-            Ok(Outcome::Diagnosed(Diagnosed { found: Box::new(found), left_out, over_whole_records, reference }))
+            let diagnosed = Diagnosed { found: Box::new(found), left_out, over_whole_records, reference };
+            Ok(Outcome::Diagnosed(diagnosed, Box::new(basis)))
         });
     }
 
@@ -68,7 +74,7 @@ impl Session {
 
     /// The model that the diagnosis improved, as the text of its file.
     pub fn improved_text(&self) -> Option<String> {
-        let Diagnosed { found, left_out, .. } = self.answers.diagnosis.as_ref()?;
+        let Diagnosed { found, left_out, .. } = &self.answers.diagnosis.as_ref()?.found;
         let model = self.model.as_ref()?;
         let loaded = self.campaign.as_ref()?;
         let ticked = self.ticked();

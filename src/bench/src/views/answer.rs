@@ -3,8 +3,8 @@
 use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::papers::Paper;
-use crate::session::tasks::Diagnosed;
-use crate::views::View;
+use crate::session::replacing::Replacement;
+use crate::views::{View, name_of};
 use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::validation::{Errors, Validation};
@@ -12,6 +12,8 @@ use dashpot_identification::{Fit, Standing, describe_item};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::numbers::{share, with_interval};
+use dashpot_report::parameters::assumed_of;
+use dashpot_report::quality;
 use eframe::egui::{self, RichText, Ui};
 
 /// Draws the panel.
@@ -25,39 +27,53 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             wrapped(ui, RichText::new(w.no_answer));
         }
         let mut take = false;
-        if let Some(Diagnosed { found, .. }) = &session.answers.diagnosis {
-            ui.heading(w.diagnosis_answer);
-            diagnosis(ui, found, view.language, &mut view.asks);
+        let free = session.task.is_none();
+        if let Some(answer) = &session.answers.diagnosis {
+            let (found, old) = (&answer.found.found, answer.is_old(session));
+            heading(ui, w.diagnosis_answer, old, w);
+            wrapped(ui, RichText::new(headline(found, view.language.words())).strong());
+            // Above the details, which are more than the window holds.
             ui.horizontal_wrapped(|ui| {
-                let free = session.task.is_none();
                 let added = found.findings.iter().any(|f| !f.of_the_rig);
-                take = ui.add_enabled(free && added, egui::Button::new(w.take_improved)).clicked();
-                papers(
-                    ui,
-                    free,
-                    view,
-                    &[(w.write_report, Paper::DiagnosisReport), (w.save_tables, Paper::DiagnosisTables)],
-                );
+                take = ui.add_enabled(free && added && !old, egui::Button::new(w.take_improved)).clicked();
+                let offered = [(w.write_report, Paper::DiagnosisReport), (w.save_tables, Paper::DiagnosisTables)];
+                papers(ui, free && !old, view, &offered);
             });
+            diagnosis(ui, found, view.language, &mut view.asks);
             ui.separator();
         }
-        if let Some(found) = &session.answers.validation {
-            ui.heading(w.validation_answer);
-            validation(ui, found, w);
+        if let Some(answer) = &session.answers.validation {
+            let old = answer.is_old(session);
+            heading(ui, w.validation_answer, old, w);
+            validation(ui, &answer.found, w);
             let offered = [(w.write_report, Paper::ValidationReport), (w.save_tables, Paper::ValidationTables)];
-            ui.horizontal_wrapped(|ui| papers(ui, session.task.is_none(), view, &offered));
+            ui.horizontal_wrapped(|ui| papers(ui, free && !old, view, &offered));
             ui.separator();
         }
-        if let Some(found) = &session.answers.fit {
-            ui.heading(w.fit_answer);
+        if let Some(answer) = &session.answers.fit {
+            let old = answer.is_old(session);
+            heading(ui, w.fit_answer, old, w);
             // Above the numbers, which are more than the window holds.
-            papers(ui, session.task.is_none(), view, &[(w.save_tables, Paper::FitTables)]);
-            fit(ui, found, view.language);
+            let said = view.language.words();
+            if let Some(quality) = &answer.found.quality {
+                wrapped(ui, RichText::new(quality::sentence(quality, said)).strong());
+            }
+            papers(ui, free && !old, view, &[(w.save_tables, Paper::FitTables)]);
+            fit(ui, &answer.found.fit, view.language);
         }
         if take {
-            session.take_improved();
+            session.replace(Replacement::Improved);
         }
     });
+}
+
+/// The title of an answer, marked where it is of another model, other records or other tests than those on screen.
+fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
+    ui.heading(title);
+    if old {
+        let text = RichText::new(format!("⚠ {}", w.old_answer)).color(ui.visuals().warn_fg_color);
+        ui.add(egui::Label::new(text).wrap());
+    }
 }
 
 /// Buttons that write what stands beside them.
@@ -81,9 +97,12 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     }
     egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
         for e in found.estimates.iter().filter(|e| e.index.is_none()) {
-            ui.label(RichText::new(e.name).small());
+            ui.label(RichText::new(name_of(e.name, said)).small()).on_hover_text(e.name);
             match (&e.standing, e.low, e.high) {
-                (Standing::NotIdentified, ..) => ui.label(RichText::new(w.not_identified).small().weak()),
+                (Standing::NotIdentified, ..) => {
+                    let assumed = assumed_of(e, &found.params, said).unwrap_or_default();
+                    ui.add(egui::Label::new(RichText::new(assumed).small().weak()).wrap())
+                }
                 (_, Some(low), Some(high)) => {
                     let (value, interval) = with_interval(e.value, low, high, e.unit, said);
                     ui.label(RichText::new(format!("{value}  ({interval})")).small())
@@ -127,7 +146,6 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
 
 fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<Ask>) {
     let (w, said) = (texts(language), language.words());
-    wrapped(ui, RichText::new(headline(found, said)).strong());
     for finding in &found.findings {
         ui.add_space(4.0);
         let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", said.word(finding.form)) };

@@ -4,6 +4,8 @@ use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::exports::Host;
 use crate::session::papers::Paper;
+use crate::session::replacing::Replacement;
+use crate::units::{Force, Units, Velocity};
 use crate::views::{Side, View, named_list};
 use crate::words::{self, Language};
 use eframe::egui::{self, Key, KeyboardShortcut, Modifiers, Ui};
@@ -39,14 +41,14 @@ pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
     }
     // The longer one first: the shorter is part of it.
     if pressed(&REDO_TOO) || pressed(&REDO) {
-        session.tune(crate::session::model::Tuned::redo);
+        session.redo();
     }
     if pressed(&UNDO) {
-        session.tune(crate::session::model::Tuned::undo);
+        session.undo();
     }
     let (records, model) = (session.has_records(), session.model.is_some());
     if pressed(&FIT) && records {
-        session.fit();
+        session.replace(Replacement::Fit);
     }
     if pressed(&VALIDATE) && records && model {
         validate(session, view);
@@ -72,16 +74,16 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let w = view.words();
         ui.menu_button(w.file, |ui| files(ui, session, view));
         ui.separator();
-        let (undo, redo) = session.model.as_ref().map_or((false, false), crate::session::model::Tuned::can);
+        let (undo, redo) = session.can_undo();
         let tuned = session.model.as_ref().is_some_and(crate::session::model::Tuned::is_tuned);
         let can = |ui: &mut Ui, on: bool, text: &str, hint: &str| {
             ui.add_enabled(on, egui::Button::new(text)).on_hover_text(hint).clicked()
         };
         if can(ui, undo, w.undo, "Ctrl+Z") {
-            session.tune(crate::session::model::Tuned::undo);
+            session.undo();
         }
         if can(ui, redo, w.redo, "Ctrl+Y") {
-            session.tune(crate::session::model::Tuned::redo);
+            session.redo();
         }
         if can(ui, tuned, w.reset, w.reset_hint) {
             session.tune(crate::session::model::Tuned::reset);
@@ -93,7 +95,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let free = session.task.is_none();
         let (records, model) = (session.has_records() && free, session.model.is_some());
         if can(ui, records, w.fit, w.fit_hint) {
-            session.fit();
+            session.replace(Replacement::Fit);
         }
         if can(ui, records && model, w.validate, w.validate_hint) {
             validate(session, view);
@@ -133,6 +135,33 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                     }
                 });
             named_list(list, w.language);
+            for velocity in [false, true] {
+                let Units { velocity: v, force: f } = &mut view.units;
+                let symbol = if velocity {
+                    Units { velocity: *v, force: *f }.velocity()
+                } else {
+                    Units { velocity: *v, force: *f }.force()
+                };
+                let list = egui::ComboBox::from_id_salt(("units", velocity))
+                    .selected_text(symbol.symbol)
+                    .width(48.0)
+                    .show_ui(ui, |ui| {
+                        if velocity {
+                            for one in Velocity::ALL {
+                                ui.selectable_value(
+                                    v,
+                                    one,
+                                    Units { velocity: one, ..Units::default() }.velocity().symbol,
+                                );
+                            }
+                        } else {
+                            for one in Force::ALL {
+                                ui.selectable_value(f, one, Units { force: one, ..Units::default() }.force().symbol);
+                            }
+                        }
+                    });
+                named_list(list, if velocity { w.unit_of_velocity } else { w.unit_of_force });
+            }
         });
     });
 }

@@ -3,6 +3,7 @@
 use crate::session::Session;
 use crate::session::simulation::OfTest;
 use crate::session::two_ways::two_ways;
+use crate::units::Units;
 use crate::words::Words;
 use dashpot_core::Model;
 use dashpot_core::parameter::Element;
@@ -33,15 +34,15 @@ pub struct Line {
     pub place: usize,
     /// Name under the cursor.
     pub name: String,
-    /// Force over velocity, m/s and N.
+    /// Force over velocity, in the units chosen, as all that follow.
     pub velocity: Vec<PlotPoint>,
-    /// Force over displacement, mm and N.
+    /// Force over displacement.
     pub displacement: Vec<PlotPoint>,
-    /// Force over time, s and N.
+    /// Force over time, s.
     pub time: Vec<PlotPoint>,
-    /// Mean force of both ways over displacement, mm and N: gas and springs.
+    /// Mean force of both ways over displacement: gas and springs.
     pub gas: Vec<PlotPoint>,
-    /// Half the difference of both ways, mm and N: seal drag and friction.
+    /// Half the difference of both ways: seal drag and friction.
     pub drag: Vec<PlotPoint>,
     /// Temperature over time, s and °C, where it was measured.
     pub temperature: Vec<PlotPoint>,
@@ -54,6 +55,7 @@ struct Key {
     selected: BTreeSet<usize>,
     effect: Option<(Element, u64)>,
     language: usize,
+    units: Units,
 }
 
 /// The lines, kept.
@@ -73,22 +75,29 @@ const EFFECTS: usize = 6;
 
 impl Cache {
     /// The lines as the session is now.
-    pub fn lines(&mut self, session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Arc<Vec<Line>> {
+    pub fn lines(
+        &mut self,
+        session: &Session,
+        effect: Option<(Element, f64)>,
+        units: Units,
+        words: &Words,
+    ) -> Arc<Vec<Line>> {
         let key = Key {
             generation: session.generation,
             selected: session.selected.clone(),
             effect: effect.map(|(element, strength)| (element, strength.to_bits())),
             language: std::ptr::from_ref(words) as usize,
+            units,
         };
         if self.key.as_ref() != Some(&key) {
-            self.lines = Arc::new(make(session, effect, words));
+            self.lines = Arc::new(make(session, effect, units, words));
             self.key = Some(key);
         }
         self.lines.clone()
     }
 }
 
-fn make(session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Vec<Line> {
+fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: &Words) -> Vec<Line> {
     let Some(loaded) = &session.campaign else { return Vec::new() };
     let tests: Vec<usize> = session.selected.iter().copied().filter(|k| *k < loaded.tests.len()).collect();
     let most = (POINTS / (3 * tests.len().max(1))).clamp(LEAST, MOST);
@@ -104,6 +113,7 @@ fn make(session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Vec
                 seen,
                 (force, stride),
                 most,
+                units,
             )
         };
         let simulated = |of: &Option<Arc<crate::session::simulation::Simulated>>| {
@@ -115,7 +125,8 @@ fn make(session: &Session, effect: Option<(Element, f64)>, words: &Words) -> Vec
         {
             let (record, seen) = (&other.campaign.records[k], &other.tests[k]);
             let name = format!("{} · {}", record.name, words.reference);
-            lines.push(line(Whose::Reference, place, name, record, seen, (&record.force[seen.shown.clone()], 1), most));
+            let force = (&record.force[seen.shown.clone()], 1);
+            lines.push(line(Whose::Reference, place, name, record, seen, force, most, units));
         }
         if session.model.as_ref().is_some_and(crate::session::model::Tuned::is_tuned) {
             lines.extend(simulated(&session.identified).map(|(f, stride)| over(Whose::Identified, &f, stride)));
@@ -146,6 +157,7 @@ pub fn named(whose: Whose, words: &Words) -> &'static str {
     }
 }
 
+#[allow(clippy::too_many_arguments)] // each is another thing
 fn line(
     whose: Whose,
     place: usize,
@@ -154,7 +166,9 @@ fn line(
     seen: &crate::session::campaign::Seen,
     (force, stride): (&[f64], usize),
     most: usize,
+    units: Units,
 ) -> Line {
+    let [f, v, x] = [units.force(), units.velocity(), units.length()].map(|shown| shown.factor);
     let from = seen.shown.start;
     // Forces are counted by their own samples, the motion by those of the record.
     let n = seen.shown.len().div_ceil(stride).min(force.len());
@@ -166,7 +180,8 @@ fn line(
         kept.push(0);
     }
     let start = record.time.get(from).copied().unwrap_or(0.0);
-    let points = |x: &dyn Fn(usize) -> f64| kept.iter().map(|i| PlotPoint::new(x(*i), force[*i])).collect();
+    let points =
+        |across: &dyn Fn(usize) -> f64| kept.iter().map(|i| PlotPoint::new(across(*i), f * force[*i])).collect();
     let motion = |channel: &[f64]| -> Vec<f64> { (0..n).map(|i| channel[at(i)]).collect() };
     let places = two_ways(&motion(&seen.motion.displacement), &motion(&seen.motion.velocity), &force[..n]);
     let in_time: Vec<usize> = (0..n).step_by(step).collect();
@@ -174,11 +189,11 @@ fn line(
         whose,
         place,
         name,
-        velocity: points(&|i| seen.motion.velocity[at(i)]),
-        displacement: points(&|i| 1e3 * seen.motion.displacement[at(i)]),
-        time: in_time.iter().map(|i| PlotPoint::new(record.time[at(*i)] - start, force[*i])).collect(),
-        gas: places.iter().map(|p| PlotPoint::new(1e3 * p.at, p.mean)).collect(),
-        drag: places.iter().map(|p| PlotPoint::new(1e3 * p.at, 0.5 * p.difference)).collect(),
+        velocity: points(&|i| v * seen.motion.velocity[at(i)]),
+        displacement: points(&|i| x * seen.motion.displacement[at(i)]),
+        time: in_time.iter().map(|i| PlotPoint::new(record.time[at(*i)] - start, f * force[*i])).collect(),
+        gas: places.iter().map(|p| PlotPoint::new(x * p.at, f * p.mean)).collect(),
+        drag: places.iter().map(|p| PlotPoint::new(x * p.at, f * 0.5 * p.difference)).collect(),
         temperature: match (&record.temperature, whose) {
             (Some(temperature), Whose::Measured) => {
                 let all = 0..record.time.len();

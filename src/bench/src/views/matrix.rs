@@ -34,17 +34,18 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         // Wide buttons would push the last columns out of a window of 1280 px.
         ui.spacing_mut().button_padding.x = 1.0;
         egui::Grid::new("matrix").spacing([2.0, 2.0]).min_col_width(width).show(ui, |ui| {
-            let of = match view.across {
-                Across::Velocity => "mm \\ m/s",
-                Across::Frequency => "mm \\ Hz",
+            let (length, velocity) = (view.units.length(), view.units.velocity());
+            let (of, across) = match view.across {
+                Across::Velocity => (format!("{} \\ {}", length.symbol, velocity.symbol), velocity.factor),
+                Across::Frequency => (format!("{} \\ Hz", length.symbol), 1.0),
             };
             ui.label(RichText::new(of).small().weak());
             for column in &grid.columns {
-                ui.label(RichText::new(short(*column, w)).small());
+                ui.label(RichText::new(short(across * column, w)).small());
             }
             ui.end_row();
             for (r, amplitude) in grid.rows.iter().enumerate().rev() {
-                ui.label(RichText::new(short(1e3 * amplitude, w)).small());
+                ui.label(RichText::new(short(length.factor * amplitude, w)).small());
                 for c in 0..grid.columns.len() {
                     let tests = grid.cell(r, c);
                     if tests.is_empty() {

@@ -7,27 +7,33 @@
 //! | [`tests`] | the tests with what was noticed about each |
 //! | [`plots`], [`lines`] | loops, force over time, peak forces with the curve that is dragged |
 //! | [`matrix`] | the error matrix |
+//! | [`tables`] | forces at peak velocities and at given ones |
 //! | [`tune`] | elements and sliders |
 //! | [`answer`] | what fit, validation and diagnosis found |
 //! | [`records`] | how the records are read, corrected by hand |
 //! | [`study`] | one number at several values, and what an effect would look like |
-//! | [`closing`] | asked before anything is lost |
+//! | [`choosing`] | a file or folder, where the system shows no dialogs |
+//! | [`closing`], [`replacing`] | asked before anything is lost |
 
 pub mod answer;
 pub mod bar;
+pub mod choosing;
 pub mod closing;
 mod grid;
 pub mod lines;
 pub mod matrix;
 pub mod plots;
 pub mod records;
+pub mod replacing;
 pub mod status;
 pub mod study;
+pub mod tables;
 pub mod tests;
 pub mod tune;
 
 use crate::dialogs::Ask;
 use crate::session::matrix::Across;
+use crate::units::Units;
 use crate::words::{self, Language, Words};
 use dashpot_core::parameter::Element;
 use eframe::egui::{self, Color32};
@@ -56,6 +62,8 @@ pub enum Corner {
     Time,
     /// Gas and drag over displacement.
     GasAndDrag,
+    /// Forces at peak and at given velocities, as tables.
+    Tables,
     /// Temperature over time.
     Temperature,
     /// The family of loops.
@@ -81,12 +89,20 @@ pub struct View {
     pub lines: lines::Cache,
     /// Point of the FV curve that is being dragged.
     pub grabbed: Option<usize>,
+    /// Why it does not follow the pointer.
+    pub stopped: Option<plots::Stop>,
+    /// Units of plots, sliders and tables.
+    pub units: Units,
     /// What the study asks.
     pub question: study::Form,
     /// Effect that is looked at, and its strength.
     pub effect: Option<(Element, f64)>,
     /// Questions to put to the user.
     pub asks: Vec<Ask>,
+    /// A file or folder that is chosen in the window itself.
+    pub choosing: Option<choosing::Choosing>,
+    /// What was chosen so.
+    pub chosen: Vec<(Ask, Vec<std::path::PathBuf>)>,
     /// Whether the user is being asked whether to close.
     pub closing: bool,
     /// Whether the window may close.
@@ -98,6 +114,11 @@ impl View {
     pub fn words(&self) -> &'static Words {
         words::texts(self.language)
     }
+}
+
+/// The name of an element or a parameter as the reports have it, without the identifier, which stands under the pointer.
+pub fn name_of(identifier: &str, said: &dashpot_report::words::Words) -> String {
+    said.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
 }
 
 /// Colour of a `#rrggbb` text of the report's palette.

@@ -16,7 +16,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     ui.heading(w.how_read);
     ui.add(egui::Label::new(egui::RichText::new(w.how_read_hint).weak()).wrap());
     let reading = &mut session.reading;
-    egui::Grid::new("reading").num_columns(2).spacing([8.0, 6.0]).show(ui, |ui| {
+    // Both columns within the panel, however long a word is.
+    let column = 0.5 * (ui.available_width() - 8.0);
+    egui::Grid::new("reading").num_columns(2).spacing([8.0, 6.0]).max_col_width(column).show(ui, |ui| {
         let direction = |p: Option<Positive>| match p {
             None => w.from_data,
             Some(Positive::Rebound) => w.rebound,
@@ -45,17 +47,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
                 };
             }
         }
-        ui.label("");
-        ui.checkbox(&mut reading.flip_force, w.flip_force);
-        ui.end_row();
-        ui.label("");
-        ui.checkbox(&mut reading.flip_motion, w.flip_motion);
-        ui.end_row();
-        ui.label("");
-        ui.checkbox(&mut reading.subfolders, w.subfolders);
-        ui.end_row();
         let mut field = |name: &str, value: &mut f64, factor: f64, unit: &str, speed: f64| {
-            ui.label(name);
+            ui.add(egui::Label::new(name).wrap());
             ui.horizontal(|ui| {
                 let mut shown = *value * factor;
                 let field = ui.add(
@@ -82,6 +75,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         field(w.sample_rate, &mut rate, 1.0, "Hz", 1.0);
         reading.sample_rate_hz = (rate != 0.0).then_some(rate);
     });
+    ui.checkbox(&mut reading.flip_force, w.flip_force);
+    ui.checkbox(&mut reading.flip_motion, w.flip_motion);
+    ui.checkbox(&mut reading.subfolders, w.subfolders);
     if !reading.exclude.is_empty() {
         ui.label(w.excluded);
     }
@@ -122,8 +118,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
 
 /// A row of the form: one of several values, each by its name.
 fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, all: &[T], name: impl Fn(T) -> &'static str) {
-    ui.label(label);
-    let list = ComboBox::from_id_salt(label).selected_text(name(*value)).show_ui(ui, |ui| {
+    ui.add(egui::Label::new(label).wrap());
+    let width = ui.available_width().clamp(60.0, 150.0);
+    let list = ComboBox::from_id_salt(label).width(width).truncate().selected_text(name(*value)).show_ui(ui, |ui| {
         for one in all {
             ui.selectable_value(value, *one, name(*one));
         }

@@ -3,14 +3,14 @@
 use crate::session::Session;
 use crate::session::model::Reach;
 use crate::session::study::{Question, Study};
-use crate::units::{read, shown};
+use crate::units::{Units, read};
 use crate::views::grid;
-use crate::views::{Corner, View, hue, named_list};
+use crate::views::{Corner, View, hue, name_of, named_list};
 use crate::words::Words;
 use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use dashpot_estimation::scale::Scale;
 use eframe::egui::{self, ComboBox, RichText, Slider, Ui, WidgetInfo};
-use egui_plot::{Line, Plot, PlotPoints};
+use egui_plot::{Legend, Line, Plot, PlotPoints};
 
 /// What is asked, as it stands in the panel.
 pub struct Form {
@@ -45,10 +45,12 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         form.number = numbers.first().copied();
         form.range = None;
     }
-    let shown_name = form.number.map_or("", Number::name);
+    let (said, units) = (w.of.words(), view.units);
+    let shown_name = form.number.map_or_else(String::new, |number| name_of(number.name(), said));
     let list = ComboBox::from_id_salt("parameter").selected_text(shown_name).width(220.0).show_ui(ui, |ui| {
         for number in &numbers {
-            if ui.selectable_label(form.number == Some(*number), number.name()).clicked() {
+            let label = ui.selectable_label(form.number == Some(*number), name_of(number.name(), said));
+            if label.on_hover_text(number.name()).clicked() {
                 form.number = Some(*number);
                 form.range = None;
             }
@@ -59,7 +61,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let value = params.number(number);
         let reach = Reach::of(number.row(), Scale::of(&params), value, value, model.interval(number.name(), 0));
         let [low, high] = form.range.unwrap_or(around(value, &reach));
-        let unit = shown(number.parameter().unit);
+        let unit = units.shown(number.parameter().unit);
         let (mut from, mut to) = (low, high);
         for (text, end) in [(w.from, &mut from), (w.to, &mut to)] {
             ui.horizontal(|ui| {
@@ -91,7 +93,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         }
     }
     if let Some(study) = &session.study {
-        table(ui, study, w);
+        table(ui, study, units, w);
     }
     ui.separator();
     effect(ui, session, view, w);
@@ -106,22 +108,23 @@ fn around(value: f64, reach: &Reach) -> [f64; 2] {
     }
 }
 
-fn table(ui: &mut Ui, study: &Study, w: &Words) {
-    let unit = shown(study.question.number.parameter().unit);
+fn table(ui: &mut Ui, study: &Study, units: Units, w: &Words) {
+    let force = units.force();
+    let unit = units.shown(study.question.number.parameter().unit);
     egui::Grid::new("study").num_columns(3).striped(true).show(ui, |ui| {
-        ui.strong(format!("{} [{}]", study.question.number, unit.symbol));
+        ui.strong(format!("{} [{}]", name_of(study.question.number.name(), w.of.words()), unit.symbol));
         ui.strong(format!("{} [J]", w.area));
-        ui.strong(format!("{} [N]", w.gap));
+        ui.strong(format!("{} [{}]", w.gap, force.symbol));
         ui.end_row();
         for (k, member) in study.members.iter().enumerate() {
             ui.label(RichText::new(w.digits(unit.factor * member.value)).color(hue(k)));
             ui.label(w.digits(member.area));
-            ui.label(w.digits(member.gap));
+            ui.label(w.digits(force.factor * member.gap));
             ui.end_row();
         }
         ui.label(w.measured);
         ui.label(w.digits(study.measured[0]));
-        ui.label(w.digits(study.measured[1]));
+        ui.label(w.digits(force.factor * study.measured[1]));
         ui.end_row();
     });
 }
@@ -132,12 +135,12 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
     ui.add(egui::Label::new(RichText::new(w.effect_hint).weak()).wrap());
     let mut chosen = view.effect.map(|(element, _)| element);
     let list = ComboBox::from_id_salt("effect")
-        .selected_text(chosen.map_or(w.none.to_owned(), |element| element.name().replace('_', " ")))
+        .selected_text(chosen.map_or(w.none.to_owned(), |element| name_of(element.name(), w.of.words())))
         .width(220.0)
         .show_ui(ui, |ui| {
             ui.selectable_value(&mut chosen, None, w.none);
             for element in Element::all().filter(|element| !model.params().is_on(*element)) {
-                ui.selectable_value(&mut chosen, Some(element), element.name().replace('_', " "))
+                ui.selectable_value(&mut chosen, Some(element), name_of(element.name(), w.of.words()))
                     .on_hover_text(w.meaning(element.group().meaning));
             }
         });
@@ -155,27 +158,33 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
 }
 
 /// Draws the family of loops.
-pub fn plot(ui: &mut Ui, session: &Session, w: &'static Words) {
+pub fn plot(ui: &mut Ui, session: &Session, units: Units, w: &'static Words) {
     let (Some(study), Some(loaded)) = (&session.study, &session.campaign) else {
         ui.label(w.study_hint);
         return;
     };
     let Some(seen) = loaded.tests.get(study.question.test) else { return };
-    let unit = shown(study.question.number.parameter().unit);
-    ui.strong(format!("{} · {}", study.question.number, loaded.campaign.records[study.question.test].name));
+    let unit = units.shown(study.question.number.parameter().unit);
+    let (speed, newtons) = (units.velocity(), units.force());
+    ui.strong(format!(
+        "{} · {}",
+        name_of(study.question.number.name(), w.of.words()),
+        loaded.campaign.records[study.question.test].name
+    ));
     let velocity = &seen.cycle_motion.velocity;
     let step = seen.cycle_samples.div_ceil(400).max(1);
     let points = |force: &[f64]| -> Vec<[f64; 2]> {
-        (0..force.len().min(seen.cycle_samples)).step_by(step).chain([0]).map(|i| [velocity[i], force[i]]).collect()
+        (0..force.len().min(seen.cycle_samples))
+            .step_by(step)
+            .chain([0])
+            .map(|i| [speed.factor * velocity[i], newtons.factor * force[i]])
+            .collect()
     };
-    Plot::new("study")
-        .custom_x_axes(vec![grid::lower(format!("{} [m/s]", w.velocity), w)])
-        .y_axis_label(format!("{} [N]", w.force))
-        .x_grid_spacer(|input| grid::marks(input, grid::ACROSS))
-        .y_grid_spacer(|input| grid::marks(input, grid::UPWARDS))
-        .y_axis_formatter(|mark, _| grid::number(mark, w))
-        .y_axis_min_width(54.0)
-        .show(ui, |plot| {
+    let lower = format!("{} [{}]", w.velocity, speed.symbol);
+    let left = format!("{} [{}]", w.force, newtons.symbol);
+    grid::with_axes(Plot::new("study"), lower, left, w).legend(Legend::default().background_alpha(0.8)).show(
+        ui,
+        |plot| {
             let weak = plot.ctx().global_style().visuals.weak_text_color();
             let measured = points(&seen.cycle.force[..seen.cycle_samples]);
             plot.line(Line::new(w.measured, PlotPoints::from(measured)).color(weak).width(2.0));
@@ -183,5 +192,6 @@ pub fn plot(ui: &mut Ui, session: &Session, w: &'static Words) {
                 let name = format!("{} {}", w.digits(unit.factor * member.value), unit.symbol);
                 plot.line(Line::new(name, PlotPoints::from(points(&member.force))).color(hue(k)).width(1.2));
             }
-        });
+        },
+    );
 }

@@ -1,6 +1,7 @@
 //! The tests: what each is, how far the model is from it, what was noticed, and which are used.
 
 use crate::session::Session;
+use crate::units::{Shown, Units};
 use crate::views::{View, hue};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
@@ -95,13 +96,13 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
         };
         let warning = if is_damaged(record) { "⚠ " } else { "" };
         let text = format!("{warning}{}", record.name);
-        let width = (ui.available_width() - 66.0).max(60.0);
+        let width = (ui.available_width() - 34.0 - 7.5 * figures.chars().count() as f32).max(60.0);
         let label = egui::Button::selectable(place.is_some(), text).truncate().min_size(egui::vec2(width, 0.0));
         let response = ui.scope(|ui| {
             ui.set_max_width(width);
             ui.add(label)
         });
-        let response = response.inner.on_hover_text(describe(record, w));
+        let response = response.inner.on_hover_text(describe(record, view.units, w));
         if let Some(place) = place {
             let rect = response.rect;
             let mark = egui::Rect::from_min_max(rect.left_top(), egui::pos2(rect.left() + 3.0, rect.bottom()));
@@ -133,15 +134,18 @@ pub fn choose(session: &mut Session, view: &mut View, k: usize, keys: egui::Modi
     }
 }
 
-fn describe(record: &Record, w: &crate::words::Words) -> String {
+fn describe(record: &Record, units: Units, w: &crate::words::Words) -> String {
+    let (length, velocity) = (units.length(), units.velocity());
     format!(
-        "{} {} mm\n{} {} Hz\n{} {} m/s",
+        "{} {} {}\n{} {} Hz\n{} {} {}",
         w.amplitude,
-        w.digits(1e3 * record.amplitude),
+        w.digits(length.factor * record.amplitude),
+        length.symbol,
         w.frequency,
         w.digits(record.frequency),
         w.peak_velocity,
-        w.digits(record.peak_velocity)
+        w.digits(velocity.factor * record.peak_velocity),
+        velocity.symbol
     )
 }
 
@@ -154,6 +158,8 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
     let n = seen.cycle_samples;
     let area = crate::session::study::loop_area(&seen.cycle.displacement[..n], &seen.cycle.force[..n]);
     let simulated = session.simulated.as_ref().and_then(|s| s.tests.get(k));
+    let (units, force) = (view.units, view.units.force());
+    let in_unit = |unit: &Shown, value: f64| format!("{} {}", w.digits(unit.factor * value), unit.symbol);
     egui::Grid::new("detail").num_columns(2).show(ui, |ui| {
         let mut line = |name: &str, value: String| {
             ui.label(name);
@@ -161,17 +167,17 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
             ui.end_row();
         };
         if let Some(of) = simulated {
-            line(w.mean_error, format!("{} N, {} %", w.digits(of.mean_error), w.fixed(of.percent, 2)));
+            line(w.mean_error, format!("{}, {} %", in_unit(&force, of.mean_error), w.fixed(of.percent, 2)));
         }
-        line(w.amplitude, format!("{} mm", w.digits(1e3 * record.amplitude)));
+        line(w.amplitude, in_unit(&units.length(), record.amplitude));
         line(w.frequency, format!("{} Hz", w.digits(record.frequency)));
-        line(w.peak_velocity, format!("{} m/s", w.digits(record.peak_velocity)));
-        line(w.largest_force, format!("{} N", w.digits(seen.max_force)));
+        line(w.peak_velocity, in_unit(&units.velocity(), record.peak_velocity));
+        line(w.largest_force, in_unit(&force, seen.max_force));
         if !record.cycles.is_empty() {
             line(w.cycles, record.cycles.len().to_string());
             line(w.work, format!("{} J", w.digits(area)));
         }
-        line(w.noise, format!("{} N", w.digits(record.noise.force_rms)));
+        line(w.noise, in_unit(&force, record.noise.force_rms));
     });
     let said = view.language.words();
     for note in &record.notes {

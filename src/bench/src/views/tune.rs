@@ -2,12 +2,14 @@
 
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, usual_band};
-use crate::units::{read, shown};
-use crate::views::{View, named_list};
+use crate::session::replacing::Replacement;
+use crate::units::{Units, read};
+use crate::views::{View, name_of, named_list};
 use crate::words::Words;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Element, Row, Shape};
 use dashpot_estimation::scale::Scale;
+use dashpot_report::parameters::assumed;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{self, Color32, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2};
 
@@ -18,7 +20,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         ui.label(w.no_model);
         let can = session.has_records() && session.task.is_none();
         if ui.add_enabled(can, egui::Button::new(w.fit)).on_hover_text(w.fit_hint).clicked() {
-            session.fit();
+            session.replace(Replacement::Fit);
         }
         return;
     };
@@ -45,14 +47,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             Element::all().partition(|element| session.model.as_ref().is_some_and(|m| m.params().is_on(*element)));
         // What is on stands first; what could be added follows.
         for one in on {
-            element(ui, session, w, one, true, &rows);
+            element(ui, session, view, one, true, &rows);
         }
         if !off.is_empty() {
             ui.add_space(6.0);
             ui.weak(w.elements_off);
         }
         for one in off {
-            element(ui, session, w, one, false, &rows);
+            element(ui, session, view, one, false, &rows);
         }
     });
 }
@@ -81,15 +83,16 @@ fn legend(ui: &mut Ui, w: &Words) {
     });
 }
 
-fn element(ui: &mut Ui, session: &mut Session, w: &Words, element: Element, on: bool, rows: &[Row]) {
+fn element(ui: &mut Ui, session: &mut Session, view: &View, element: Element, on: bool, rows: &[Row]) {
+    let (w, units) = (view.words(), view.units);
     let group = element.group();
     let id = Id::unique(("element", element.place()));
     let mut switched = on;
     CollapsingState::load_with_default_open(ui.ctx(), id, on)
         .show_header(ui, |ui| {
-            let label = group.name.replace('_', " ");
+            let label = name_of(group.name, w.of.words());
             ui.checkbox(&mut switched, if on { RichText::new(label).strong() } else { RichText::new(label) })
-                .on_hover_text(w.meaning(group.meaning));
+                .on_hover_text(format!("{}\n{}", group.name, w.meaning(group.meaning)));
         })
         .body(|ui| {
             ui.add(egui::Label::new(RichText::new(w.meaning(group.meaning)).small().weak()).wrap());
@@ -102,9 +105,9 @@ fn element(ui: &mut Ui, session: &mut Session, w: &Words, element: Element, on: 
                         continue;
                     }
                     match row.parameter.shape {
-                        Shape::Scalar => number(ui, session, w, row, 0),
+                        Shape::Scalar => number(ui, session, w, units, row, 0),
                         Shape::Choice(words) => choice(ui, session, w, row, words),
-                        Shape::List(_) => list(ui, session, w, row),
+                        Shape::List(_) => list(ui, session, w, units, row),
                     }
                 }
             });
@@ -118,7 +121,7 @@ fn element(ui: &mut Ui, session: &mut Session, w: &Words, element: Element, on: 
 const WIDTH: f32 = 140.0;
 
 /// One number: its name, a slider with marks, and a field.
-fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize) {
+fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row, entry: usize) {
     let Some(model) = &session.model else { return };
     let p = row.parameter;
     let (Some(now), Some(identified)) = (
@@ -130,18 +133,24 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
     let interval = model.interval(p.name, entry);
     let scale = Scale::of(&model.identified);
     let reach = Reach::of(row, scale, identified, now, interval);
-    let unit = shown(p.unit);
-    let name = match p.shape {
-        Shape::List(_) => format!("{}[{entry}]", p.name),
-        _ => p.name.to_owned(),
+    let unit = units.shown(p.unit);
+    let (identifier, name) = match p.shape {
+        Shape::List(_) => (format!("{}[{entry}]", p.name), format!("{} {}", name_of(p.name, w.of.words()), entry + 1)),
+        _ => (p.name.to_owned(), name_of(p.name, w.of.words())),
     };
-    let loose = model.identification.not_identified.contains(&name);
+    let loose = model.is_loose(p.name, matches!(p.shape, Shape::List(_)).then_some(entry));
     let title = if loose {
         RichText::new(format!("{name} ({})", w.not_identified)).small().weak()
     } else {
         RichText::new(&name).small()
     };
-    ui.label(title).on_hover_text(w.meaning(p.meaning));
+    let mut hint = format!("{identifier}\n{}", w.meaning(p.meaning));
+    if loose {
+        hint += &format!("\n{}", assumed(p.name, identified, &model.identified, None, w.of.words()));
+    }
+    ui.add(egui::Label::new(title).wrap()).on_hover_text(hint);
+    // A number that the records left open was not identified, whatever stands there.
+    let mark = model.identified_value(row, entry);
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = WIDTH;
         let mut value = now;
@@ -154,7 +163,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
         let slider = slider.logarithmic(reach.factors).smallest_positive(reach.low.max(1e-300)).show_value(false);
         let slider = ui.add(slider.clamping(SliderClamping::Never));
         slider.widget_info(|| WidgetInfo::slider(true, unit.factor * value, format!("{name} {}", unit.symbol)));
-        marks(ui, slider.rect, &reach, usual_band(row, scale), interval, identified);
+        marks(ui, slider.rect, &reach, usual_band(row, scale), interval.filter(|_| !loose), mark);
         let mut in_unit = unit.factor * value;
         let speed = (in_unit.abs() * 0.005).max(1e-9);
         let field =
@@ -181,7 +190,14 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, entry: usize
 }
 
 /// Marks under a slider: what dampers show, the 95 % band, the identified value.
-fn marks(ui: &Ui, rect: Rect, reach: &Reach, usual: Option<[f64; 2]>, interval: Option<[f64; 2]>, identified: f64) {
+fn marks(
+    ui: &Ui,
+    rect: Rect,
+    reach: &Reach,
+    usual: Option<[f64; 2]>,
+    interval: Option<[f64; 2]>,
+    identified: Option<f64>,
+) {
     // The slider's own handle stops this far from its ends.
     let inside = rect.shrink2(egui::vec2(rect.height() / 2.5, 0.0));
     let x = |value: f64| inside.left() + inside.width() * reach.place(value) as f32;
@@ -197,7 +213,9 @@ fn marks(ui: &Ui, rect: Rect, reach: &Reach, usual: Option<[f64; 2]>, interval: 
     if let Some(interval) = interval {
         band(interval, 4.0, 0.0, INTERVAL);
     }
-    band([identified, identified], 6.0, 0.0, IDENTIFIED);
+    if let Some(identified) = identified {
+        band([identified, identified], 6.0, 0.0, IDENTIFIED);
+    }
 }
 
 fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&str]) {
@@ -205,14 +223,17 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
     let now = model.params().get(row).first().copied().unwrap_or(0.0) as usize;
     let mut chosen = now;
     ui.horizontal(|ui| {
-        ui.label(RichText::new(row.parameter.name).small()).on_hover_text(w.meaning(row.parameter.meaning));
+        let name = name_of(row.parameter.name, w.of.words());
+        let hint = format!("{}\n{}", row.parameter.name, w.meaning(row.parameter.meaning));
+        ui.label(RichText::new(&name).small()).on_hover_text(hint);
         let shown = words.get(now).copied().unwrap_or("");
-        let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown).show_ui(ui, |ui| {
-            for (k, word) in words.iter().enumerate() {
-                ui.selectable_value(&mut chosen, k, *word);
-            }
-        });
-        named_list(list, row.parameter.name);
+        let list =
+            egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown.replace('_', " ")).show_ui(ui, |ui| {
+                for (k, word) in words.iter().enumerate() {
+                    ui.selectable_value(&mut chosen, k, word.replace('_', " "));
+                }
+            });
+        named_list(list, &name);
     });
     if chosen != now {
         session.tune(|m| {
@@ -224,7 +245,7 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
 }
 
 /// A curve: its forces as sliders, its places as they are; on the plot its points are dragged.
-fn list(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row) {
+fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) {
     let p = row.parameter;
     let count = session.model.as_ref().map_or(0, |m| m.params().get(row).len());
     if count == 0 {
@@ -232,7 +253,7 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row) {
     }
     // Places of a curve's points are dragged with its forces, or typed.
     let places = [list!("fv_velocity"), list!("spring_displacement")].iter().any(|places| places.row() == row);
-    egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", p.name)).small())
+    egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", name_of(p.name, w.of.words()))).small())
         .id_salt(p.name)
         .default_open(false)
         .show(ui, |ui| {
@@ -241,7 +262,7 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row) {
             }
             for entry in 0..count {
                 if is_free(session.model.as_ref(), row, entry) {
-                    number(ui, session, w, row, entry);
+                    number(ui, session, w, units, row, entry);
                 }
             }
         });

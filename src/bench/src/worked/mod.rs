@@ -4,6 +4,7 @@
 //! time, for a program may abort where a test has to unwind.
 
 mod made_up;
+mod models;
 mod reference;
 mod unusable;
 
@@ -135,10 +136,10 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = stiffness(&harness);
     // The row may lie below the part of the panel that is shown.
-    widget(&harness, Role::Slider, "series_stiffness N/mm").scroll_to_me();
+    widget(&harness, Role::Slider, "series stiffness N/mm").scroll_to_me();
     harness.step();
     harness.step();
-    let slider = widget(&harness, Role::Slider, "series_stiffness N/mm").rect();
+    let slider = widget(&harness, Role::Slider, "series stiffness N/mm").rect();
     harness.drag_at(slider.center());
     harness.step();
     let generation = harness.state().session.generation;
@@ -194,10 +195,10 @@ fn a_point_of_the_curve_is_dragged_on_the_plot_and_stops_at_its_neighbours() {
     let mut harness = opened(folder.path(), 6, vec![]);
     let session = &mut harness.state_mut().session;
     let before = session.model.as_ref().unwrap().params().list(list!("fv_force")).to_vec();
-    session.tune(|m| crate::views::plots::drag(m, 3, [0.0, 1e5], false));
+    session.tune(|m| crate::views::plots::drag(m, 3, [0.0, 1e5], false).0);
     let after = session.model.as_ref().unwrap().params().list(list!("fv_force")).to_vec();
     assert_eq!(after[3], before[4], "no further than its neighbour");
-    session.tune(|m| crate::views::plots::drag(m, 6, [0.0, 50.0], false));
+    session.tune(|m| crate::views::plots::drag(m, 6, [0.0, 50.0], false).0);
     assert_eq!(session.model.as_ref().unwrap().params().list(list!("fv_force"))[6], 0.0, "no force at rest");
 }
 
@@ -259,7 +260,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     press(&mut harness, "Tables to Excel…");
     until(&mut harness, "the fit's tables", |app| app.session.task.is_none() && papers[0].exists());
     let tables = sheets(&papers[0]);
-    let estimates = &harness.state().session.answers.fit.as_ref().unwrap().estimates;
+    let estimates = &harness.state().session.answers.fit.as_ref().unwrap().found.fit.estimates;
     assert_eq!(tables.iter().find(|(name, _)| name == "Model parameters").unwrap().1.height(), 1 + estimates.len());
     harness.key_press(Key::F6);
     until(&mut harness, "the validation", |app| app.session.answers.validation.is_some());
@@ -280,7 +281,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
         assert!(page.contains(text), "{text}");
     }
     // The same figures as the window's own, which come from the same forces.
-    let validation = harness.state().session.answers.validation.as_ref().unwrap();
+    let validation = &harness.state().session.answers.validation.as_ref().unwrap().found;
     for (of, own) in validation.tests.iter().zip(&errors) {
         assert!((of.errors.model.error_percent - own.percent).abs() < 1e-9);
     }
@@ -570,8 +571,8 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
         app.session.task.is_none()
     });
     assert!(told > 0.0, "it said how far it is");
-    let crate::session::tasks::Diagnosed { found, .. } =
-        harness.state().session.answers.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness)));
+    let crate::session::answers::Diagnosed { found, .. } =
+        &harness.state().session.answers.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness))).found;
     // A spring in series and oil that gives are nearly one to a rig; either name is right.
     let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
     let named = *names.first().unwrap_or_else(|| panic!("{}", found.summary));
@@ -590,6 +591,8 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let page = std::fs::read_to_string(&report).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
     assert!(page.contains(named) && page.contains("<svg"));
     press(&mut harness, "Take the improved model");
+    // The element was switched off by hand, and that is in no file.
+    press(&mut harness, "Replace");
     let model = harness.state().session.model.as_ref().unwrap();
     assert!(model.params().is_on(Element::find(named).unwrap()) && model.is_unsaved());
     until(&mut harness, "its forces", |app| {

@@ -14,6 +14,8 @@ use dashpot_identification::{
 use dashpot_output as output;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
+use dashpot_report::parameters::assumed_of;
+use dashpot_report::quality;
 use dashpot_report::whole_records::in_words;
 use dashpot_report::words::TERMINAL;
 use dashpot_report::{Workbook, write_workbook};
@@ -218,7 +220,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     for e in found.estimates.iter().filter(|e| e.index.is_none()) {
         say(&match (&e.standing, e.low, e.high) {
-            (Standing::NotIdentified, ..) => format!("  {:<30} not identified", e.name),
+            (Standing::NotIdentified, ..) => {
+                format!("  {:<30} {}", e.name, assumed_of(e, &found.params, &TERMINAL).unwrap_or_default())
+            }
             (_, Some(low), Some(high)) => {
                 let (value, low, high) = (short(e.value), short(low), short(high));
                 format!("  {:<30} {value:>12} {:<10} 95 %: {low} to {high}", e.name, e.unit)
@@ -229,9 +233,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in &found.notes {
         say(&format!("note: {note}"))?;
     }
-    let over_whole_records = whole_records::of_fit(&found, &records)?;
+    let quality = whole_records::quality(&found, &records)?;
+    let over_whole_records = quality.model;
     let error = in_words(&over_whole_records, &TERMINAL);
     say(&format!("{} tests fitted, off by {error}; model in {}", found.tests.len(), args.output.display()))?;
+    say(&quality::sentence(&quality, &TERMINAL))?;
     if let Some(path) = json {
         dashpot_output::json(
             path,

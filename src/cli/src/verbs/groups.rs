@@ -10,6 +10,25 @@ fn change(change: &Change) -> String {
     format!("{value} (95 %: {interval})")
 }
 
+/// Changed numbers of a group that are told one by one.
+const TOLD: usize = 3;
+
+/// Those that move the force most; of a side of the FV curve the point that moved most. The report and --json have all.
+fn foremost(changed: &[Change]) -> Vec<&Change> {
+    let mut by_size: Vec<&Change> = changed.iter().collect();
+    by_size.sort_by(|a, b| (b.value - b.reference).abs().total_cmp(&(a.value - a.reference).abs()));
+    let mut seen: Vec<(&str, Option<bool>)> = Vec::new();
+    by_size.retain(|one| {
+        let of = (one.parameter, one.velocity_m_s.map(|v| v > 0.0));
+        let is_first = !seen.contains(&of);
+        seen.push(of);
+        is_first
+    });
+    by_size.sort_by(|a, b| b.force_share.total_cmp(&a.force_share));
+    by_size.truncate(TOLD);
+    by_size
+}
+
 /// One line a group, and the numbers that changed in any of them.
 pub fn told(answers: &Answers) -> Vec<String> {
     let mut lines = vec![format!("Compared with {}:", answers.reference)];
@@ -18,9 +37,14 @@ pub fn told(answers: &Answers) -> Vec<String> {
             answer.diagnosis.findings.iter().map(|f| format!("{} ({} sure)", f.effect, share(f.confidence))).collect();
         let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
         lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
-        for one in &answer.diagnosis.changes {
+        let all = answer.diagnosis.changes.len();
+        let changed = foremost(&answer.diagnosis.changes);
+        for one in &changed {
             let before = with_unit(one.reference, one.unit);
             lines.push(format!("    {:<30} {before:>16} -> {}", one.label(), change(one)));
+        }
+        if all > changed.len() {
+            lines.push(format!("    and {} more numbers: --report or --json has them", all - changed.len()));
         }
     }
     lines.extend(answers.as_the_fit_saw.iter().map(|text| format!("note: {text}")));

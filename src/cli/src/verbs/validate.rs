@@ -27,7 +27,7 @@ use std::path::PathBuf;
 #[command(
     after_help = "Examples:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json --excel tables.xlsx\n  dashpot validate damper.toml \
                   campaign/ --limits limits.csv --certificate certificate.html\n\nWith --limits it ends with 0 where the damper keeps \
-                  them all, with 1 where it does not, and with 2 on an error."
+                  them all, with 1 where it does not or not all could be tested, and with 2 on an error."
 )]
 pub struct Args {
     /// Model file

@@ -12,9 +12,9 @@ use serde::{Deserialize, Serialize};
 
 /// How near a test's peak velocity lies to the speed asked for without anything to interpolate with: what a rig misses its
 /// commanded speed by. Wider would let a steep curve decide about a window.
-const NEAR: f64 = 0.05;
+pub const NEAR: f64 = 0.05;
 /// Largest ratio of two peak velocities between which a force is interpolated: beyond, a knee of the curve may lie between.
-const BETWEEN: f64 = 2.0;
+pub const BETWEEN: f64 = 2.0;
 /// Amplitudes that count as one stroke.
 const SAME_STROKE: f64 = 0.1;
 

@@ -7,7 +7,7 @@
 mod measured;
 mod table;
 
-pub use measured::Figures;
+pub use measured::{BETWEEN, Figures, NEAR};
 pub use table::{Limit, LimitError, Quantity, parse, read};
 
 use dashpot_records::Record;
@@ -23,6 +23,29 @@ pub enum Verdict {
     Fail,
     /// The records cannot tell: no test at this speed, or none slow enough. No pass.
     NotTested,
+}
+
+/// Answer to all limits of a damper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Overall {
+    /// Every limit was tested and is kept.
+    Pass,
+    /// At least one limit is not kept.
+    Fail,
+    /// No limit is missed, but the records cannot tell of all.
+    Incomplete,
+}
+
+impl Overall {
+    /// The answer to all from the answers to each.
+    fn of(each: impl Iterator<Item = Verdict>) -> Overall {
+        each.fold(Overall::Pass, |overall, one| match (overall, one) {
+            (Overall::Fail, _) | (_, Verdict::Fail) => Overall::Fail,
+            (Overall::Incomplete, _) | (_, Verdict::NotTested) => Overall::Incomplete,
+            _ => Overall::Pass,
+        })
+    }
 }
 
 /// A figure and the test or tests that it comes from.
@@ -68,8 +91,10 @@ pub struct PeakPoint {
 /// All limits answered.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Certificate {
-    /// Whether the damper keeps every limit. A limit that could not be tested is not kept.
+    /// Whether every limit was tested and is kept.
     pub passed: bool,
+    /// The answer for the damper: a limit that was not tested is no failure, and no pass either.
+    pub overall: Overall,
     /// The same for the model.
     pub model_passed: Option<bool>,
     /// Every limit, in the order of the file.
@@ -120,6 +145,7 @@ fn answers(limits: &[Limit], measured: &Figures, simulated: Option<&Figures>) ->
     });
     Certificate {
         passed: limits.iter().all(|l| l.verdict == Verdict::Pass),
+        overall: Overall::of(limits.iter().map(|l| l.verdict)),
         model_passed: simulated.map(|_| limits.iter().all(|l| l.model_verdict == Some(Verdict::Pass))),
         peaks: peaks.collect(),
         limits,
@@ -196,6 +222,19 @@ mod tests {
     fn what_was_not_tested_is_no_pass() {
         let found = answer("quantity,velocity_m_s,low,high\nforce,1.5,900,940\n", 1.0);
         assert!(!found.passed && found.limits[0].verdict == Verdict::NotTested && found.limits[0].measured.is_none());
+        assert_eq!(found.overall, Overall::Incomplete);
+        // One that is missed fails the damper, whatever else was not tested, in any order.
+        let (missed, kept) = ("force,0.52,0,10\n", "force,0.52,900,940\n");
+        for (rows, overall) in [
+            ([missed, "force,1.5,900,940\n"], Overall::Fail),
+            (["force,1.5,900,940\n", missed], Overall::Fail),
+            (["force,1.5,900,940\n", kept], Overall::Incomplete),
+            ([kept, kept], Overall::Pass),
+        ] {
+            let found = answer(&format!("quantity,velocity_m_s,low,high\n{}", rows.concat()), 1.0);
+            assert_eq!(found.overall, overall, "{rows:?}");
+            assert_eq!(found.passed, overall == Overall::Pass);
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@
 >>> campaign = dashpot.Campaign.read("campaign/")           # doctest: +SKIP
 >>> model = dashpot.fit(campaign)                           # doctest: +SKIP
 >>> model.validate(campaign).overall.error_percent          # doctest: +SKIP
->>> model.simulate(t, displacement=x).force                 # doctest: +SKIP
+>>> model.simulate(t, displacement_m=x).force               # doctest: +SKIP
 >>> model.write("damper.toml")                              # doctest: +SKIP
 
 SI units; extension (rebound) velocity and tension force are positive everywhere. What the package says has the same digits and
@@ -98,4 +98,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), "fleet", "plot"})
+    return sorted({*__all__, "fleet", "plot"})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
@@ -46,6 +47,33 @@ def length_of(name: str, value: float | str) -> str:
         return repr(float(value))
     except (TypeError, ValueError) as error:
         raise TypeError(f"{name} is a length in m, or a text with its unit such as '412.5mm', not {value!r}") from error
+
+
+#: Largest amplitude, m, and highest speed, m/s, of a damper: beyond them the reader of records refuses a file. A long suspension travels half
+#: as far, a kerb strike reaches about 10 m/s.
+LARGEST_AMPLITUDE_M, HIGHEST_SPEED_M_S = 0.5, 20.0
+
+
+def warn_of_units(
+    displacement_m: npt.NDArray[np.float64] | None = None, velocity_m_s: npt.NDArray[np.float64] | None = None, *, level: int = 3
+) -> None:
+    """Warns of a motion that is none of a damper: mostly one in millimeters."""
+    if displacement_m is not None and len(displacement_m):
+        amplitude = float(displacement_m.max() - displacement_m.min()) / 2.0
+        if amplitude > LARGEST_AMPLITUDE_M:
+            warnings.warn(
+                f"displacement_m has an amplitude of {amplitude:.4g} m, which no damper has; it is in meters: divide millimeters by 1000",
+                stacklevel=level,
+            )
+            return
+    if velocity_m_s is not None and len(velocity_m_s):
+        speed = float(np.abs(velocity_m_s).max())
+        if speed > HIGHEST_SPEED_M_S:
+            warnings.warn(
+                f"a velocity of {speed:.4g} m/s is none of a damper; velocities are in m/s, displacements in meters and times in seconds: "
+                "divide mm/s and mm by 1000",
+                stacklevel=level,
+            )
 
 
 def words(given: str | Iterable[str]) -> list[str]:

@@ -32,7 +32,7 @@ class Origin:
 
 def origin(campaign: Sequence[Record], *more: Sequence[str] | None, files: Sequence[str] = ()) -> Origin:
     """Where a result of these records comes from; none among the further arguments says that no command gives it."""
-    if not isinstance(campaign, Campaign):
+    if not isinstance(campaign, Campaign) or not campaign.paths:
         # Some tests of a campaign, which a command knows by no name of their own.
         return Origin(several([record.name for record in campaign]), None, tuple(files))
     data = ", ".join(campaign.paths)

@@ -14,6 +14,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 _R = TypeVar("_R", bound="Result")
 
@@ -209,6 +210,28 @@ def frame(rows: Sequence[Mapping[str, Any]] | Mapping[str, Any]) -> pandas.DataF
     return pandas.DataFrame(rows if isinstance(rows, Mapping) else list(rows))
 
 
+def by_test(rows: Sequence[Mapping[str, Any]]) -> pandas.DataFrame:
+    """Rows with the name of a test each, as a table of pandas indexed by it."""
+    made = frame(rows)
+    # A campaign without tests has no columns either.
+    return made.set_index("name").rename_axis("test") if len(rows) else made
+
+
+def dataset(
+    along: str, coordinates: Mapping[str, tuple[Any, str]], variables: Mapping[str, tuple[Any, str]], **attributes: Any
+) -> xarray.Dataset:
+    """Columns with their units as a dataset of xarray, all along one dimension."""
+    try:
+        import xarray
+    except ImportError as error:
+        raise ImportError("to_xarray() needs xarray: pip install xarray") from error
+
+    def columns(of: Mapping[str, tuple[Any, str]]) -> dict[str, tuple[str, Any, dict[str, str]]]:
+        return {name: (along, values, {"units": unit} if unit else {}) for name, (values, unit) in of.items()}
+
+    return xarray.Dataset(columns(variables), columns(coordinates), attributes)
+
+
 def _shown(value: Any) -> str:
     if value is None:
         return "–"
@@ -223,6 +246,10 @@ def _shown(value: Any) -> str:
 
 #: Rows that a notebook shows; the rest is in to_pandas() and tables().
 SHOWN = 60
+#: Letters of a cell, and remarks above a table, that a notebook shows at once: longer ones make rows and lists higher than a page.
+LETTERS, REMARKS = 48, 8
+#: A table scrolls by itself where it is larger than a page.
+_BOX = 'style="max-height:420px;max-width:100%;overflow:auto"'
 
 
 def table(title: str, rows: Iterable[Mapping[str, Any]], notes: Iterable[str] = ()) -> str:
@@ -231,16 +258,25 @@ def table(title: str, rows: Iterable[Mapping[str, Any]], notes: Iterable[str] = 
     columns: list[str] = []
     for row in rows:
         columns.extend(c for c in row if c not in columns)
-    cell = 'style="text-align:right;padding:1px 8px"'
+    cell = 'style="text-align:right;padding:1px 8px;white-space:nowrap"'
+
+    def one(value: Any) -> str:
+        text = _shown(value)
+        if len(text) <= LETTERS:
+            return f"<td {cell}>{html.escape(text)}</td>"
+        return f'<td {cell} title="{html.escape(text)}">{html.escape(text[: LETTERS - 1])}…</td>'
+
     head = "".join(f"<th {cell}>{html.escape(c)}</th>" for c in columns)
     lines = [
-        "<tr>" + "".join(f"<td {cell}>{html.escape(_shown(row.get(c)))}</td>" for c in columns) + "</tr>"
+        "<tr>" + "".join(one(row.get(c)) for c in columns) + "</tr>"
         for row in rows[:SHOWN]
     ]
     more = f"<p>{len(rows) - SHOWN} more rows</p>" if len(rows) > SHOWN else ""
-    said = "".join(f"<li>{html.escape(note)}</li>" for note in notes)
-    listed = f"<ul>{said}</ul>" if said else ""
-    return f"<h4>{html.escape(title)}</h4>{listed}<table><tr>{head}</tr>{''.join(lines)}</table>{more}"
+    said = [f"<li>{html.escape(note)}</li>" for note in notes]
+    listed = f"<ul>{''.join(said[:REMARKS])}</ul>" if said else ""
+    if len(said) > REMARKS:
+        listed += f"<details><summary>{len(said) - REMARKS} more remarks</summary><ul>{''.join(said[REMARKS:])}</ul></details>"
+    return f"<h4>{html.escape(title)}</h4>{listed}<div {_BOX}><table><tr>{head}</tr>{''.join(lines)}</table></div>{more}"
 
 
 def folded(tables: Mapping[str, Sequence[Row]]) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from . import _native
 from ._arguments import as_arguments
+from ._files import needs
 from ._numbers import length_of
 from .campaign import Path
 
@@ -41,4 +42,5 @@ def export_adm(
     for name, given in dampers.items():
         length, of_it = given if isinstance(given, tuple) else (given, model_file)
         rows.append((name, length_of(f"the length of {name}", length), os.fspath(of_it)))
-    return [as_arguments(note) for note in _native.export_adm(os.fspath(source), os.fspath(path), rows, replace_preload, force)]
+    with needs(source):
+        return [as_arguments(note) for note in _native.export_adm(os.fspath(source), os.fspath(path), rows, replace_preload, force)]

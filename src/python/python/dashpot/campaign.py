@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, Union, overload
 from . import _native
 from ._arguments import loads
 from ._reading import How, how
-from ._result import Result, Row, folded, frame, held, table
+from ._files import needs
+from ._result import Result, Row, by_test, dataset, folded, frame, held, table
 from ._work import watched
 from .reading import Delay, Noise, Note, Setting, SignFinding, Unusable
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
     import pandas
+    import xarray
 
     Channel = npt.NDArray[np.float64]
 
@@ -115,6 +117,13 @@ class Record(Result):
         """The channels as columns with their units."""
         return frame(self._columns())
 
+    def to_xarray(self) -> xarray.Dataset:
+        """The channels over time, with their units. Needs xarray."""
+        units = {"displacement": "m", "velocity": "m/s", "force": "N", "side_force": "N", "temperature": "degC"}
+        channels = self._channels()
+        measured = {name: (values, units[name]) for name, values in channels.items() if name != "time"}
+        return dataset("time", {"time": (channels["time"], "s")}, measured, name=self.name, source=self.source)
+
     def _repr_html_(self) -> str:
         # The channels are too long to be read.
         own, several = held(self)
@@ -198,6 +207,7 @@ class Campaign(Sequence[Record]):
         :param strict: refuse files that are no records and tests with a fault of their own, instead of leaving those out.
         :param progress: is told the share done and what is being done.
         :raises RecordError: for the first file that cannot be read or trusted.
+        :raises FileNotFoundError: the same error, where there is no such path.
 
         >>> campaign = Campaign.read("campaign/", units={"force": "kN"})  # doctest: +SKIP
         """
@@ -207,7 +217,7 @@ class Campaign(Sequence[Record]):
             delay_s=delay_s, force_zero_n=force_zero_n, displacement_zero_m=displacement_zero_m, gain=gain, gains=gains,
             rig_mass_kg=rig_mass_kg, sample_rate_hz=sample_rate_hz, dates=dates, initial_position_m=initial_position_m, strict=strict,
         )  # fmt: skip
-        with watched(progress) as told:
+        with watched(progress) as told, needs(*named):
             campaign = cls(_native.Campaign.read(named, read_by.mapping, read_by.strict, told), named)
         campaign._reading = read_by
         for note in campaign.notes:
@@ -224,15 +234,27 @@ class Campaign(Sequence[Record]):
     @overload
     def __getitem__(self, key: int | str) -> Record: ...
     @overload
-    def __getitem__(self, key: slice) -> tuple[Record, ...]: ...
-    def __getitem__(self, key: int | str | slice) -> Record | tuple[Record, ...]:
-        """A test by its place or its name."""
+    def __getitem__(self, key: slice) -> Campaign: ...
+    def __getitem__(self, key: int | str | slice) -> Record | Campaign:
+        """A test by its position or its name; a slice is a campaign of these tests, with what was found of the whole one."""
         if isinstance(key, str):
             for record in self._records:
                 if record.name == key:
                     return record
             raise KeyError(f"there is no test {key!r}; the first is called {self._records[0].name!r}")
-        return self._records[key]
+        return self._part(self._records[key]) if isinstance(key, slice) else self._records[key]
+
+    def _part(self, records: tuple[Record, ...]) -> Campaign:
+        """Some tests of this campaign as one; it is read from no path, as a command would read all that lies there."""
+        if records:
+            native = _of_records(records, "campaign")
+        else:
+            said = json.loads(self._native.json())
+            native = _native.Campaign.again(json.dumps({**said, "records": []}), [], [], [])
+        part = Campaign(native, ())
+        # The records of all parts stay records of the same campaign, so that they can be put together again.
+        part._records = records
+        return part
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -261,8 +283,22 @@ class Campaign(Sequence[Record]):
         return {"": [own], **several, **held({"records": self._records})[1]}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row a test."""
-        return frame(self._rows())
+        """One row a test, indexed by its name."""
+        return by_test(self._rows())
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The figures of the tests, by their names. Needs xarray; :meth:`Record.to_xarray` has the channels of a test."""
+        records = self._records
+        return dataset(
+            "test",
+            {"test": ([r.name for r in records], "")},
+            {
+                "amplitude": ([r.amplitude for r in records], "m"),
+                "frequency": ([r.frequency for r in records], "Hz"),
+                "peak_velocity": ([r.peak_velocity for r in records], "m/s"),
+                "mean_displacement": ([r.mean_displacement for r in records], "m"),
+            },
+        )
 
     def tables(self) -> dict[str, pandas.DataFrame]:
         """Everything that was found, as tables: what is of the whole under ``""``, and a table for everything that there may be many of."""
@@ -271,11 +307,14 @@ class Campaign(Sequence[Record]):
     def _repr_html_(self) -> str:
         said = [*(n.text for n in self.notes), *(u.why for u in self.unusable)]
         said += [f"{record.name}: {note.text}" for record in self._records for note in record.notes]
-        shown = table(f"Campaign of {len(self)} tests", self._rows(), said)
+        # What was noticed stands above: a cell of the table cannot hold it.
+        rows = [{k: v for k, v in row.items() if k not in ("notes", "source")} for row in self._rows()]
+        shown = table(f"Campaign of {len(self)} tests", rows, said)
         return shown + folded({name or "figures": rows for name, rows in self._tables().items()})
 
     def __repr__(self) -> str:
-        return f"<dashpot.Campaign of {len(self)} tests from {', '.join(self.paths)}>"
+        origin = f" from {', '.join(self.paths)}" if self.paths else ""
+        return f"<dashpot.Campaign of {len(self)} tests{origin}>"
 
 
 def _fields(said: dict[str, Any]) -> dict[str, Any]:

@@ -77,7 +77,9 @@ class Certificate(Result):
     """Which limits a damper keeps; the ``limits`` of ``dashpot validate --limits --json``."""
 
     passed: bool
-    """Whether the damper keeps every limit. One that could not be tested is not kept."""
+    """Whether every limit was tested and is kept."""
+    overall: str
+    """Of the damper: ``pass``, ``fail`` where a limit is not kept, ``incomplete`` where none is missed and some were not tested."""
     model_passed: bool | None
     """The same for the model."""
     limits: tuple[Checked, ...]
@@ -110,4 +112,9 @@ class Certificate(Result):
         ]
 
     def _title(self) -> str:
-        return "Limits: kept" if self.passed else "Limits: not kept"
+        untested = sum(c.verdict == "not_tested" for c in self.limits)
+        return {
+            "pass": "Limits: PASS, all are kept",
+            "fail": f"Limits: FAIL, {sum(c.verdict == 'fail' for c in self.limits)} are not kept",
+            "incomplete": f"Limits: INCOMPLETE, {untested} of {len(self.limits)} could not be tested",
+        }[self.overall]

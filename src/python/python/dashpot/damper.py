@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Union, overload
 
 import numpy as np
 
 from . import _native
-from ._numbers import column, real
+from ._numbers import HIGHEST_SPEED_M_S, LARGEST_AMPLITUDE_M, column, real, warn_of_units
 from .model import Model
 
 if TYPE_CHECKING:
@@ -25,51 +26,55 @@ _COMPLEX = frozenset((np.complex64, np.complex128, np.clongdouble))
 class Damper:
     """One damper or many, with their states, for a loop with a fixed step.
 
-    >>> damper = Damper(model, initial_position=-0.02)            # doctest: +SKIP
-    >>> force = damper.step(velocity, dt)                         # one damper: numbers  # doctest: +SKIP
+    >>> damper = Damper(model, initial_position_m=-0.02)          # doctest: +SKIP
+    >>> force = damper.step(velocity, dt_s)                       # one damper: numbers  # doctest: +SKIP
     >>> corners = Damper([front, front, rear, rear], np.zeros(4)) # four: arrays  # doctest: +SKIP
-    >>> corners.step(velocities, dt, out=forces)                  # no allocation  # doctest: +SKIP
-    >>> moving = Damper(model, x, initial_velocity=v)             # has long moved so  # doctest: +SKIP
+    >>> corners.step(velocities, dt_s, out=forces)                 # no allocation  # doctest: +SKIP
+    >>> moving = Damper(model, x, initial_velocity_m_s=v)         # has long moved so  # doctest: +SKIP
 
     A single initial position makes a single damper, whose step takes and gives numbers; a list or an array makes one damper for
     each, whose steps take numbers or arrays and give arrays. SI units; extension (rebound) velocity and tension force are
     positive. A refused step raises :class:`dashpot.StepError` and leaves all states as they were.
 
-    A damper starts at rest, settled: a step that holds the position gives the static force. With ``initial_velocity`` it starts as one that
-    has long moved steadily so, under ``side_force`` and at ``temperature``: start in this manner where the simulation starts in motion, so
+    A damper starts at rest, settled: a step that holds the position gives the static force. With ``initial_velocity_m_s`` it starts as one that
+    has long moved steadily so, under ``side_force_n`` and at ``temperature_c``: start in this manner where the simulation starts in motion, so
     that the first steps show no jump of the velocity. It is ``dashpot_state_init_motion`` of the C interface.
 
-    :param initial_position: m, extension positive; one number, or one for each damper.
-    :param initial_velocity: m/s, extension positive; one number for all, or one for each damper. So are the two that follow.
-    :param side_force: N.
-    :param temperature: damper temperature, °C.
+    :param initial_position_m: m, extension positive; one number, or one for each damper.
+    :param initial_velocity_m_s: m/s, extension positive; one number for all, or one for each damper. So are the two that follow.
+    :param side_force_n: N.
+    :param temperature_c: damper temperature, °C.
     :raises StepError: where a damper cannot start so.
     """
 
     def __init__(
         self,
         model: Union[Model, Sequence[Model]],
-        initial_position: npt.ArrayLike = 0.0,
+        initial_position_m: npt.ArrayLike = 0.0,
         *,
-        initial_velocity: npt.ArrayLike = 0.0,
-        side_force: npt.ArrayLike = 0.0,
-        temperature: npt.ArrayLike = 20.0,
+        initial_velocity_m_s: npt.ArrayLike = 0.0,
+        side_force_n: npt.ArrayLike = 0.0,
+        temperature_c: npt.ArrayLike = 20.0,
     ) -> None:
         models = [model] if isinstance(model, Model) else list(model)
         for given in models:
             if not isinstance(given, Model):
                 raise TypeError(f"a damper is made of a dashpot.Model, not of a {type(given).__name__}; dashpot.Model.read(path) reads one")
-        given_positions = np.asarray(initial_position)
-        real("initial_position", given_positions)
+        given_positions = np.asarray(initial_position_m)
+        real("initial_position_m", given_positions)
         positions = given_positions.astype(float)
         self._single = positions.ndim == 0 and isinstance(model, Model)
         if positions.ndim == 0:
             positions = np.full(len(models), float(positions))
         if positions.ndim != 1:
-            raise ValueError(f"initial_position is one number, or one for each damper, not an array of {positions.ndim} dimensions")
+            raise ValueError(f"initial_position_m is one number, or one for each damper, not an array of {positions.ndim} dimensions")
         self._models, self._count = tuple(models), len(positions)
-        channels = {"initial_velocity": initial_velocity, "side_force": side_force, "temperature": temperature}
+        channels = {"initial_velocity_m_s": initial_velocity_m_s, "side_force_n": side_force_n, "temperature_c": temperature_c}
         start = [_of_each(name, given, len(positions)) for name, given in channels.items()]
+        self._warned = False
+        warn_of_units(velocity_m_s=np.asarray(start[0]))
+        if len(positions) and float(np.abs(positions).max()) > LARGEST_AMPLITUDE_M:
+            self._warn()
         self._native = _native.Dampers([m._native for m in models], positions.tolist(), *start)
         self._forces: Forces = np.zeros(len(positions))
         self._layouts = self._native.state[:, _LAYOUT].copy()
@@ -86,70 +91,82 @@ class Damper:
     @overload
     def step(
         self,
-        velocity: npt.ArrayLike,
-        dt: float,
-        displacement: npt.ArrayLike | None = None,
+        velocity_m_s: npt.ArrayLike,
+        dt_s: float,
+        displacement_m: npt.ArrayLike | None = None,
         *,
-        side_force: npt.ArrayLike = 0.0,
-        temperature: npt.ArrayLike = 20.0,
+        side_force_n: npt.ArrayLike = 0.0,
+        temperature_c: npt.ArrayLike = 20.0,
         out: Forces,
     ) -> Forces: ...
     @overload
     def step(  # pyright: ignore[reportOverlappingOverload]
         self,
-        velocity: float,
-        dt: float,
-        displacement: float | None = None,
+        velocity_m_s: float,
+        dt_s: float,
+        displacement_m: float | None = None,
         *,
-        side_force: float = 0.0,
-        temperature: float = 20.0,
+        side_force_n: float = 0.0,
+        temperature_c: float = 20.0,
         out: None = None,
     ) -> float: ...
     @overload
     def step(
         self,
-        velocity: npt.ArrayLike,
-        dt: float,
-        displacement: npt.ArrayLike | None = None,
+        velocity_m_s: npt.ArrayLike,
+        dt_s: float,
+        displacement_m: npt.ArrayLike | None = None,
         *,
-        side_force: npt.ArrayLike = 0.0,
-        temperature: npt.ArrayLike = 20.0,
+        side_force_n: npt.ArrayLike = 0.0,
+        temperature_c: npt.ArrayLike = 20.0,
         out: None = None,
     ) -> Forces: ...
     def step(
         self,
-        velocity: npt.ArrayLike,
-        dt: float,
-        displacement: npt.ArrayLike | None = None,
+        velocity_m_s: npt.ArrayLike,
+        dt_s: float,
+        displacement_m: npt.ArrayLike | None = None,
         *,
-        side_force: npt.ArrayLike = 0.0,
-        temperature: npt.ArrayLike = 20.0,
+        side_force_n: npt.ArrayLike = 0.0,
+        temperature_c: npt.ArrayLike = 20.0,
         out: Forces | None = None,
     ) -> Union[float, Forces]:
-        """Moves on by ``dt`` (s) to the velocity (m/s) at its end; returns the force (N) there.
+        """Moves on by ``dt_s`` (s) to the velocity (m/s) at its end; returns the force (N) there.
 
         A single damper gives a number and many give an array, whatever is given; type checkers, which do not know how many there are,
         take numbers to give a number and arrays an array.
 
-        :param displacement: m; where it is not given it is integrated from the initial position. A host that knows it should
+        :param displacement_m: m; where it is not given it is integrated from the initial position. A host that knows it should
             give it, so that nothing drifts.
-        :param side_force: N.
-        :param temperature: damper temperature, °C.
+        :param side_force_n: N.
+        :param temperature_c: damper temperature, °C.
         :param out: where the forces go, one float64 for each damper; a new array if not given.
         :raises StepError: where an input is absurd; all states are as they were.
         """
         # Looked up and not asked for, as a step takes a microsecond: single numbers of numpy lose their imaginary part with a warning.
         if (
-            velocity.__class__ in _COMPLEX or displacement.__class__ in _COMPLEX or dt.__class__ in _COMPLEX
-            or side_force.__class__ in _COMPLEX or temperature.__class__ in _COMPLEX
+            velocity_m_s.__class__ in _COMPLEX or displacement_m.__class__ in _COMPLEX or dt_s.__class__ in _COMPLEX
+            or side_force_n.__class__ in _COMPLEX or temperature_c.__class__ in _COMPLEX
         ):  # fmt: skip
-            raise TypeError("velocity, dt, displacement, side_force and temperature are real numbers; one of them is complex")
+            raise TypeError("velocity_m_s, dt_s, displacement_m, side_force_n and temperature_c are real numbers; one of them is complex")
         if out is not None:
-            self._native.step(velocity, dt, displacement, side_force, temperature, out)
+            if self._native.step(velocity_m_s, dt_s, displacement_m, side_force_n, temperature_c, out):
+                self._warn()
             return out
         forces = self._forces if self._single else np.empty(self._count)
-        self._native.step(velocity, dt, displacement, side_force, temperature, forces)
+        if self._native.step(velocity_m_s, dt_s, displacement_m, side_force_n, temperature_c, forces):
+            self._warn()
         return float(forces[0]) if self._single else forces
+
+    def _warn(self) -> None:
+        """Warns once of a motion that is none of a damper."""
+        if not self._warned:
+            self._warned = True
+            warnings.warn(
+                f"a displacement beyond {LARGEST_AMPLITUDE_M} m or a velocity beyond {HIGHEST_SPEED_M_S:g} m/s is none of a damper; displacements are in "
+                "meters and velocities in m/s: divide millimeters by 1000",
+                stacklevel=3,
+            )
 
     @property
     def state(self) -> npt.NDArray[np.float64]:

@@ -106,6 +106,39 @@ class FitResult(Result):
         # What the compiled part holds of a fit stays in its process.
         return {**self.__dict__, "_made_from": None}
 
+    def __str__(self) -> str:
+        """A table of the parameters with their 95 % intervals, and what was chosen and noticed: what ``print`` shows."""
+        whole = self.over_whole_records
+        lines = [
+            "[[Fit]]",
+            f"    tests               = {len(self.tests)}",
+            f"    mean error          = {whole.mean_error_n:.4g} N ({whole.error_percent:.3g} % of the largest force)",
+            f"    rms error           = {whole.rmse_n:.4g} N",
+            f"    parameters          = {sum(p.standing == 'identified' for p in self.parameters)} identified of {len(self.parameters)}",
+            "[[Parameters]]",
+        ]
+        names = [p.name if p.index is None else f"{p.name}[{p.index}]" for p in self.parameters]
+        wide = max((len(name) for name in names), default=0) + 1
+        for name, p in zip(names, self.parameters, strict=True):
+            shown = f"    {name + ':':<{wide}} {p.value:>12.6g} {p.unit:<7}"
+            if p.low is not None and p.high is not None and p.standing == "identified":
+                half = 0.5 * (p.high - p.low)
+                percent = f" ({100.0 * half / abs(p.value):.2f} %)" if p.value != 0.0 else ""
+                lines.append(f"{shown} +/- {half:.4g}{percent}  [{p.low:.6g}, {p.high:.6g}]")
+            else:
+                lines.append(f"{shown} ({p.standing}: {p.source})")
+        if self.measured:
+            lines.append("[[Measurement errors]] (taken out of the records)")
+            lines += [f"    {m.name}: {m.value:.4g} {m.unit}  [{m.low:.4g}, {m.high:.4g}]" for m in self.measured]
+        if self.choices:
+            lines.append("[[Choices]]")
+            lines += [f"    {c.of}: {c.chosen}" for c in self.choices]
+        said = [*self.notes, *(u.why for u in self.unusable)]
+        if said:
+            lines.append("[[Notes]]")
+            lines += [f"    {note}" for note in said]
+        return "\n".join(lines)
+
     def _rows(self) -> list[Row]:
         return [p.to_dict() for p in self.parameters]
 

@@ -39,7 +39,7 @@ class HostCheck(Result):
     calming_series_damping_n_s_m: float | None
     gain_without_it: float | None
     softened: tuple[str, ...]
-    """Elements that were replaced or made less steep for ``for_step``."""
+    """Elements that were replaced or made less steep for ``for_step_s``."""
     rms_error_n: float | None
     """By how much the force of the damper that was made ready differs, over the motions looked at."""
     fastest_rate_1_s: float
@@ -54,7 +54,7 @@ class HostCheck(Result):
 
     @property
     def ready(self) -> Model:
-        """The damper as the host gets it: with ``for_step`` without the friction that would chatter, else as it was.
+        """The damper as the host gets it: with ``for_step_s`` without the friction that would chatter, else as it was.
 
         :raises ValueError: of a result that was made from a dictionary, which holds no model.
         """

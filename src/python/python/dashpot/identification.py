@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from . import _native
 from ._arguments import loads
+from ._files import needs
 from ._given import Data
 from ._numbers import several, words
 from ._reading import How, Reading, how
@@ -37,7 +38,7 @@ def fit(
     FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the variants of
     friction and spring are chosen by tests left out of the fit. ``model.fit`` holds the estimates with their 95 % intervals.
 
-    :param campaign: a :class:`Campaign`, or some of its records: ``campaign[2:]``, ``[r for r in campaign if r.peak_velocity < 0.6]``.
+    :param campaign: a :class:`Campaign`, part of one (``campaign[2:]``), or some of its records: ``[r for r in campaign if r.peak_velocity < 0.6]``.
     :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``. The other models of the literature,
         which no host runs, are identified by :func:`fit_literature`.
     :param elements: elements that the fit may use; all of the model's if not given.
@@ -133,7 +134,8 @@ def diagnose_groups(
     good, called = (None, "") if reference is None else _data("reference", reference)
     # Only what is read now needs to know how, and a reference alone is read as it stands.
     reads = read_by or how(**reading)
-    with watched(progress) as told:
+    paths = [*own["paths"], *(good["paths"] if good else ())]
+    with watched(progress) as told, needs(*paths):
         said, notes, cycles, made_from = _native.diagnose_groups(
             model._native,
             {"data": own, "by": group, "reference": good, "reference_name": called, "mapping": reads.mapping, "strict": reads.strict},
@@ -173,7 +175,8 @@ def _data(name: str, data: Path | Sequence[Path] | Sequence[Record]) -> tuple[Da
         paths = paths_of(name, data)
         return {"paths": paths, "read": None}, ", ".join(paths)
     records: Sequence[Record] = data  # type: ignore[assignment]
-    if isinstance(records, Campaign):
+    # Part of a campaign is no path that could be read.
+    if isinstance(records, Campaign) and records.paths:
         return {"paths": list(records.paths), "read": records._native}, ", ".join(records.paths)
     return {"paths": [], "read": native_of(records, name)}, several([record.name for record in records])
 

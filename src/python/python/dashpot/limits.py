@@ -22,6 +22,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from . import _native
+from ._files import needs
 
 
 @dataclass(frozen=True)
@@ -64,10 +65,13 @@ def read_limits(path: str | os.PathLike[str]) -> Limits:
     """Reads a table of limits, as ``dashpot validate --limits`` does.
 
     :raises ValidationError: naming file and line.
+    :raises FileNotFoundError: the same error, where there is no such file.
     """
+    with needs(path):
+        read = _native.read_limits(os.fspath(path))
     limits = (
         Limit(quantity, velocity, -math.inf if low is None else low, math.inf if high is None else high, amplitude, label)
-        for label, quantity, velocity, low, high, amplitude in _native.read_limits(os.fspath(path))
+        for label, quantity, velocity, low, high, amplitude in read
     )
     return Limits(limits, path)
 

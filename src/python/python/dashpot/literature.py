@@ -10,6 +10,7 @@ from typing import Any
 from . import _native
 from ._arguments import loads
 from ._numbers import words
+from ._files import write_new
 from ._papers import figures_alone
 from ._result import Result
 from ._work import watched
@@ -49,13 +50,14 @@ class LiteratureModel(Result):
         return self._text
 
     def write(self, path: Path, *, force: bool = False) -> None:
-        """Writes its file, whole or not at all, to the bytes of ``dashpot fit --model``; never over a file of another kind, such as a model file.
+        """Writes its file, whole or not at all, to the bytes of ``dashpot fit --model``.
 
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
         :raises OutputError: where it cannot.
+        :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
         :raises ValueError: of a result that was made from a dictionary.
         """
-        _native.write(os.fspath(path), self.text, force)
+        write_new(path, self.text, force)
 
     def _title(self) -> str:
         return f"{self.name}, identified from {len(self.tests)} tests"

@@ -14,8 +14,9 @@ import numpy.typing as npt
 
 from . import _native
 from ._arguments import as_arguments, loads
-from ._result import Result, Row, folded, frame, held, table
-from ._numbers import column, length_of, real, several
+from ._files import needs, write_new
+from ._result import Result, Row, dataset, folded, frame, held, table
+from ._numbers import column, length_of, real, several, warn_of_units
 from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
 from .host import HostCheck
@@ -26,6 +27,7 @@ from .validation import Compared, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 
 @dataclass(frozen=True, repr=False)
@@ -75,6 +77,13 @@ class Response(Result):
         """One row an instant."""
         return frame(self._columns())
 
+    def to_xarray(self) -> xarray.Dataset:
+        """The channels over time, with their units. Needs xarray."""
+        return dataset(
+            "time", {"time": (self.time, "s")},
+            {"displacement": (self.displacement, "m"), "velocity": (self.velocity, "m/s"), "force": (self.force, "N")},
+        )  # fmt: skip
+
     def _tables(self) -> dict[str, list[Row]]:
         columns = self._columns()
         return {"": [dict(zip(columns, row, strict=True)) for row in zip(*(c.tolist() for c in columns.values()), strict=True)]}
@@ -119,9 +128,11 @@ class Model:
         """Reads a model file.
 
         :raises ModelError: naming file, line and parameter.
+        :raises FileNotFoundError: the same error, where there is no such file.
         """
         # Read by the compiled part, for its sentences.
-        model = cls(_native.Model.read(os.fspath(path)).text, path)
+        with needs(path):
+            model = cls(_native.Model.read(os.fspath(path)).text, path)
         model._file = model._name
         return model
 
@@ -134,7 +145,8 @@ class Model:
 
         :raises ModelError: where the file cannot be read, or makes no model.
         """
-        return cls(_native.import_dpr(os.fspath(path)), _named_after(path))
+        with needs(path):
+            return cls(_native.import_dpr(os.fspath(path)), _named_after(path))
 
     @classmethod
     def from_peaks(
@@ -144,8 +156,8 @@ class Model:
         positive: str | None = None,
         units: Mapping[str, str] | None = None,
         columns: Mapping[str, str | int] | None = None,
-        gas_force: float = 0.0,
-        friction: float = 0.0,
+        gas_force_n: float = 0.0,
+        friction_n: float = 0.0,
     ) -> Model:
         """Makes a model to begin with from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel; as ``dashpot import peaks``.
 
@@ -155,26 +167,28 @@ class Model:
         :param units: unit of ``velocity`` or ``force`` where the headings have none or a wrong one: ``{"force": "lbf"}``.
         :param columns: heading, or number from 1, of a column: ``velocity``, ``force``, and of one stroke ``rebound_velocity``,
             ``rebound_force``, ``compression_velocity``, ``compression_force``.
-        :param gas_force: gas force in the table's forces, N; taken out of the curve.
-        :param friction: friction in the table's forces, N; taken out of the curve.
+        :param gas_force_n: gas force in the table's forces, N; taken out of the curve.
+        :param friction_n: friction in the table's forces, N; taken out of the curve.
         :raises ModelError: naming the table and its line, where it cannot be read, what a column is cannot be told, or its forces make no model.
         """
-        for name, value in (("gas_force", gas_force), ("friction", friction)):
+        for name, value in (("gas_force_n", gas_force_n), ("friction_n", friction_n)):
             real(name, value)
-        text, direction, is_doubtful = _native.import_peaks(
-            os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, gas_force, friction
-        )
+        with needs(path):
+            text, direction, is_doubtful = _native.import_peaks(
+                os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, gas_force_n, friction_n
+            )
         if is_doubtful:
             warnings.warn(as_arguments(direction), stacklevel=2)
         return cls(text, _named_after(path))
 
     def write(self, path: Path, *, force: bool = False) -> None:
-        """Writes the model file, whole or not at all, never over a file of another kind. Reports and FMUs call the model by this name from then on.
+        """Writes the model file, whole or not at all. Reports and FMUs call the model by this name from then on.
 
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
         :raises OutputError: where it cannot.
+        :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
         """
-        _native.write(os.fspath(path), self.text, force)
+        write_new(path, self.text, force)
         self._file = self._name = os.fspath(path)
 
     @property
@@ -242,9 +256,10 @@ class Model:
         hint = f"did you mean {near[0]!r}?" if near else f"there are {several(list(parameters))}"
         raise KeyError(f"there is no parameter {name!r} in use here; {hint}")
 
-    def steady_force(self, velocity: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    def steady_force(self, velocity_m_s: npt.ArrayLike) -> npt.NDArray[np.float64]:
         """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
-        velocities = column("velocity", np.atleast_1d(velocity) if np.isscalar(velocity) else velocity)
+        velocities = column("velocity_m_s", np.atleast_1d(velocity_m_s) if np.isscalar(velocity_m_s) else velocity_m_s)
+        warn_of_units(velocity_m_s=velocities)
         with watched() as told:
             return self._native.steady_force(velocities, told)
 
@@ -279,7 +294,8 @@ class Model:
         """
         windows = None if limits is None else rows(limits)
         rivals = [os.fspath(name) for name in ([against] if isinstance(against, (str, os.PathLike)) else against)]
-        with watched(progress) as told:
+        files = [name for name in rivals if os.path.splitext(name)[1]]
+        with watched(progress) as told, needs(*files):
             said, forces, as_compared, note, rival_forces = _native.validate(self._native, native_of(campaign, "campaign"), told, windows, rivals)
         if note is not None:
             warnings.warn(note, stacklevel=2)
@@ -294,89 +310,92 @@ class Model:
 
     def simulate(
         self,
-        time: npt.ArrayLike,
-        displacement: npt.ArrayLike | None = None,
-        velocity: npt.ArrayLike | None = None,
+        time_s: npt.ArrayLike,
+        displacement_m: npt.ArrayLike | None = None,
+        velocity_m_s: npt.ArrayLike | None = None,
         *,
-        side_force: npt.ArrayLike | None = None,
-        temperature: npt.ArrayLike | None = None,
-        initial_position: float | None = None,
-        step: float | None = None,
+        side_force_n: npt.ArrayLike | None = None,
+        temperature_c: npt.ArrayLike | None = None,
+        initial_position_m: float | None = None,
+        step_s: float | None = None,
         progress: Progress | None = None,
     ) -> Response:
         """The force for a motion; as ``dashpot simulate``.
 
         With displacement (m) and velocity (m/s) both drive the model; displacement alone is differentiated by a cubic spline;
-        velocity alone is integrated from ``initial_position`` (m). Extension is positive. The damper starts settled in its
-        first position. Noise of a measured displacement comes back multiplied by the series stiffness:
+        velocity alone is integrated from ``initial_position_m`` (m). Extension is positive. The damper starts settled in its
+        first position. A warning says where a motion is none of a damper, as in millimeters. Noise of a measured displacement comes back multiplied by the series stiffness:
         :meth:`validate` smooths, this does not.
 
-        :param time: times, s, increasing.
-        :param step: fixed step, s; the times given if not.
+        :param time_s: times, s, increasing.
+        :param step_s: fixed step, s; the times given if not.
         :param progress: is told the share done and what is being done.
         :raises MotionError: where a number overflows, or position or step cannot be.
         :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """
         channels = (
-            column("time", time),
-            None if displacement is None else column("displacement", displacement),
-            None if velocity is None else column("velocity", velocity),
-            None if side_force is None else column("side_force", side_force),
-            None if temperature is None else column("temperature", temperature),
+            column("time_s", time_s),
+            None if displacement_m is None else column("displacement_m", displacement_m),
+            None if velocity_m_s is None else column("velocity_m_s", velocity_m_s),
+            None if side_force_n is None else column("side_force_n", side_force_n),
+            None if temperature_c is None else column("temperature_c", temperature_c),
         )
-        for name, value in (("initial_position", initial_position), ("step", step)):
+        for name, value in (("initial_position_m", initial_position_m), ("step_s", step_s)):
             real(name, value)
         with watched(progress) as told:
-            return Response(*self._native.simulate(*channels, initial_position, step, told))
+            response = Response(*self._native.simulate(*channels, initial_position_m, step_s, told))
+        # Of the motion that drove the model: a slow motion in millimeters shows by its stroke, a small fast one by its velocity.
+        warn_of_units(displacement_m=response.displacement, velocity_m_s=response.velocity)
+        return response
 
-    def check(self, *, host_step: float = 1e-3, wheel_mass: float = 40.0, for_step: float | None = None) -> HostCheck:
+    def check(self, *, host_step_s: float = 1e-3, wheel_mass_kg: float = 40.0, for_step_s: float | None = None) -> HostCheck:
         """Whether the damper chatters in a host that holds its force over a step; as ``dashpot check``.
 
-        :param host_step: step of the host, s.
-        :param wheel_mass: the lightest mass that the damper moves, kg.
-        :param for_step: step of a host, s, in place of ``host_step``: friction that chatters there is replaced by presliding friction, and
+        :param host_step_s: step of the host, s.
+        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
+        :param for_step_s: step of a host, s, in place of ``host_step_s``: friction that chatters there is replaced by presliding friction, and
             :attr:`HostCheck.ready` is the damper for that host, to be written or exported.
         :raises ModelError: where step or mass cannot be.
         """
-        for name, value in (("host_step", host_step), ("wheel_mass", wheel_mass), ("for_step", for_step)):
+        for name, value in (("host_step_s", host_step_s), ("wheel_mass_kg", wheel_mass_kg), ("for_step_s", for_step_s)):
             real(name, value)
         with watched():
-            said, told, text = _native.check(self._native, host_step, wheel_mass, for_step)
+            said, told, text = _native.check(self._native, host_step_s, wheel_mass_kg, for_step_s)
         found = HostCheck.from_dict(loads(said))
-        ready = self if for_step is None else Model(text, self._name)
+        ready = self if for_step_s is None else Model(text, self._name)
         return replace(found, told=tuple(as_arguments(line) for line in told), _ready=ready)
 
     def export_adams(
         self,
         folder: Path,
         *,
-        length: float | str = 0.4,
+        length_m: float | str = 0.4,
         library: Path | None = None,
-        host_step: float = 1e-3,
-        wheel_mass: float = 40.0,
-        for_step: float | None = None,
+        host_step_s: float = 1e-3,
+        wheel_mass_kg: float = 40.0,
+        for_step_s: float | None = None,
         force: bool = False,
     ) -> list[str]:
         """Writes everything that a run folder of Adams needs: model file, library, commands, a test rig; as ``dashpot export adams``.
 
         :param folder: folder to write to; made if it is not there. It begins with ``README.txt``.
-        :param length: distance of the damper's markers at zero displacement, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
+        :param length_m: distance of the damper's markers at zero displacement, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
         :param library: the library to hand out; if not given, those that this package was built with.
-        :param host_step: step, s, of a program that Adams is coupled to, at which chatter is judged.
-        :param wheel_mass: the lightest mass that the damper moves, kg.
-        :param for_step: step, s, of such a program: friction that chatters there is replaced by presliding friction.
+        :param host_step_s: step, s, of a program that Adams is coupled to, at which chatter is judged.
+        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
+        :param for_step_s: step, s, of such a program: friction that chatters there is replaced by presliding friction.
         :param force: also over files of another kind, or write-protected ones; the command's ``--force``.
         :returns: what is to be known of it, in sentences.
         :raises ExportError: for a length that no damper has, a step or mass that cannot be, or a library without the routines.
         :raises OutputError: where it cannot be written, or would take another file's place.
         """
-        for name, value in (("host_step", host_step), ("wheel_mass", wheel_mass), ("for_step", for_step)):
+        for name, value in (("host_step_s", host_step_s), ("wheel_mass_kg", wheel_mass_kg), ("for_step_s", for_step_s)):
             real(name, value)
         with watched():
             return _said_of(
                 _native.export_adams(
-                    self._native, os.fspath(folder), length_of("length", length), None if library is None else os.fspath(library),
-                    host_step, wheel_mass, for_step, force,
+                    self._native, os.fspath(folder), length_of("length_m", length_m), None if library is None else os.fspath(library),
+                    host_step_s, wheel_mass_kg, for_step_s, force,
                 )
             )  # fmt: skip
 
@@ -405,17 +424,17 @@ class Model:
         four: bool = False,
         motion_scale: float | None = None,
         force_scale: float | None = None,
-        position_offset: float = 0.0,
+        position_offset_m: float = 0.0,
         inputs: str | None = None,
-        carmaker: float | str | None = None,
+        carmaker_length_m: float | str | None = None,
         model_curve: bool = False,
         sources: bool = True,
         hide_parameters: bool = False,
         library: Path | None = None,
         binaries: Mapping[str, Path] | None = None,
-        host_step: float = 1e-3,
-        wheel_mass: float = 40.0,
-        for_step: float | None = None,
+        host_step_s: float = 1e-3,
+        wheel_mass_kg: float = 40.0,
+        for_step_s: float | None = None,
         name: str | None = None,
         force: bool = False,
     ) -> list[str]:
@@ -427,34 +446,35 @@ class Model:
         :param motion_scale: extension in m per unit of the host's motion, such as 0.001 for mm; 1 for one damper, -1 for a vehicle. The
             FMU declares that unit, and none where a motion ratio is in the scale.
         :param force_scale: the host's force per N of tension, such as 0.001 for kN; 1 for one damper, -1 for a vehicle. As for the motion.
-        :param position_offset: extension from the rig's zero, m, where the host's displacement is 0.
+        :param position_offset_m: extension from the rig's zero, m, where the host's displacement is 0.
         :param inputs: when the importer sets the inputs of a co-simulation step: ``"begin"``, as FMPy does (the FMU extrapolates), or ``"end"``.
             Without it they count at the end, and an importer of the first kind gets the force one step late.
-        :param carmaker: for IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the ``.pluginfo`` file by which it takes it.
+        :param carmaker_length_m: for IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the ``.pluginfo`` file by which it takes it.
             The length of the damper at which the displacement in the records was 0, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
-        :param model_curve: with ``carmaker``: for the damper that CarMaker's equilibrium is looked for with, the model's own curve, without
+        :param model_curve: with ``carmaker_length_m``: for the damper that CarMaker's equilibrium is looked for with, the model's own curve, without
             friction, also where the model file has the plain FV curve that was fitted to the same tests.
         :param sources: whether the sources of kernel and FMU go inside.
         :param hide_parameters: no number of the damper is a variable of the FMU or can be read off its files; a veil and no lock, see
             ``dashpot export fmu --help``.
         :param library: static library ``libdashpot.a`` for this computer: the binary is compiled here (needs a C compiler).
-            Without it the runtimes that this package was built with are put inside.
+            Without it the binaries that this package holds for Linux, and for Windows where it was built with them, are put inside; that
+            needs neither compiler nor library.
         :param binaries: library files for further platforms, compiled from this FMU's own sources: ``{"darwin64": "dashpot_damper.dylib"}``.
-        :param host_step: step of the host, s, at which chatter is judged; what is to be known of it stands on the FMU's page.
-        :param wheel_mass: the lightest mass that the damper moves, kg.
-        :param for_step: step of a host, s: friction that chatters there is replaced by presliding friction (:meth:`check` says what that changes).
+        :param host_step_s: step of the host, s, at which chatter is judged; what is to be known of it stands on the FMU's page.
+        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
+        :param for_step_s: step of a host, s: friction that chatters there is replaced by presliding friction (:meth:`check` says what that changes).
         :param name: name of the model in the FMU.
         :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
         :returns: the platforms that it runs on.
         :raises ExportError: where there is no runtime, the compiler refuses, or a length, step or mass cannot be.
         :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: where ``carmaker``, which sets signs and zero, stands beside what sets them too, or ``model_curve`` stands without it.
+        :raises ValueError: where ``carmaker_length_m``, which sets signs and zero, stands beside what sets them too, or ``model_curve`` stands without it.
         """
-        if carmaker is not None and (four or motion_scale is not None or force_scale is not None or position_offset != 0.0):
-            raise ValueError("carmaker sets signs, units and zero; give it without four, motion_scale, force_scale and position_offset")
-        if model_curve and carmaker is None:
-            raise ValueError("model_curve chooses the curve for CarMaker's equilibrium; give carmaker, the length of the damper, too")
-        for number, value in (("host_step", host_step), ("wheel_mass", wheel_mass), ("for_step", for_step)):
+        if carmaker_length_m is not None and (four or motion_scale is not None or force_scale is not None or position_offset_m != 0.0):
+            raise ValueError("carmaker_length_m sets signs, units and zero; give it without four, motion_scale, force_scale and position_offset_m")
+        if model_curve and carmaker_length_m is None:
+            raise ValueError("model_curve chooses the curve for CarMaker's equilibrium; give carmaker_length_m, the length of the damper, too")
+        for number, value in (("host_step_s", host_step_s), ("wheel_mass_kg", wheel_mass_kg), ("for_step_s", for_step_s)):
             real(number, value)
         beside = [others] if isinstance(others, Model) else list(others)
         for other in beside:
@@ -464,7 +484,7 @@ class Model:
         stem = os.path.splitext(os.path.basename(self._name))[0]
         vehicle = four or len(models) > 1
         usual = f"dashpot vehicle, four dampers ({stem})" if vehicle else f"dashpot {stem}"
-        with watched():
+        with watched(), needs(library, *(binaries or {}).values()):
             return _native.export_fmu(
                 models,
                 os.fspath(path),
@@ -476,16 +496,16 @@ class Model:
                     "inputs": inputs,
                     "motion_scale": motion_scale,
                     "force_scale": force_scale,
-                    "position_offset": position_offset,
-                    "carmaker": None if carmaker is None else length_of("carmaker", carmaker),
+                    "position_offset": position_offset_m,
+                    "carmaker": None if carmaker_length_m is None else length_of("carmaker_length_m", carmaker_length_m),
                     "model_curve": model_curve,
                     "sources": sources,
                     "hide_parameters": hide_parameters,
                     "library": None if library is None else os.fspath(library),
                     "binaries": [(platform, os.fspath(file)) for platform, file in (binaries or {}).items()],
-                    "host_step": host_step,
-                    "wheel_mass": wheel_mass,
-                    "for_step": for_step,
+                    "host_step": host_step_s,
+                    "wheel_mass": wheel_mass_kg,
+                    "for_step": for_step_s,
                     "force": bool(force),
                 },
             )

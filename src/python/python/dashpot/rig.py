@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 
 from . import _native
+from ._files import needs, write_new
 from ._given import Bench, Tests
 from ._numbers import real, words
 from ._work import watched
@@ -91,7 +92,7 @@ def measure_virtual(
         "start_temperature_c": start_temperature_c,
         "order": order,
     }
-    with watched(progress) as told:
+    with watched(progress) as told, needs(matrix):
         _native.measure(os.fspath(folder), tests, bench, None if hide is None else _asked(hide), bool(severity), told)
     return Campaign.read(folder)
 
@@ -113,13 +114,14 @@ def write_test_matrix(
     :param peak_velocities_m_s: peak velocities, m/s.
     :param frequency_limit_hz: highest frequency that the rig can run, Hz.
     :param slow_tests: whether slow cycles for friction and gas force come last.
-    :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+    :param force: overwrite a file that is there, also one of another kind or a write-protected one.
     :returns: the number of tests.
     :raises RigError: where a number is none of a rig, or no test is left.
-    :raises OutputError: where it cannot be written, or would take another file's place.
+    :raises OutputError: where it cannot be written.
+    :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
     """
     text, count = _native.test_matrix(_tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests))
-    _native.write(os.fspath(path), text, force)
+    write_new(path, text, force)
     return count
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _native
 from ._papers import Origin, Papers, figures_alone, page
-from ._result import Result, Row, folded, held, table
+from ._result import Result, Row, by_test, folded, held, table
 from ._work import watched
 from .certificate import Certificate
 from .reading import Unusable
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     import numpy as np
     import numpy.typing as npt
+    import pandas
 
     from .campaign import Campaign, Path
     from .limits import Row as Window
@@ -268,6 +269,10 @@ class Validation(Papers, Result):
 
     def _rows(self) -> list[Row]:
         return [held(t)[0] for t in self.tests]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row a test, indexed by its name."""
+        return by_test(self._rows())
 
     def _repr_html_(self) -> str:
         row = {

@@ -164,25 +164,30 @@ enum Drawn {
 impl Plane {
     /// Draws the figure.
     pub fn draw(&self, words: &Words) -> String {
-        self.drawn(Drawn::Lines(LINE_LIMIT), SIZE, words)
+        self.drawn(Drawn::Lines(LINE_LIMIT), SIZE, words, &[])
     }
 
     /// Draws lines that swing for a long time, with as many points as that takes.
     pub fn draw_long(&self, words: &Words) -> String {
-        self.drawn(Drawn::Lines(6 * LINE_LIMIT), SIZE, words)
+        self.drawn(Drawn::Lines(6 * LINE_LIMIT), SIZE, words, &[])
     }
 
     /// Draws the figure of lines that cross themselves many times, as the places that they pass.
     pub fn draw_traces(&self, words: &Words) -> String {
-        self.drawn(Drawn::Traces, SIZE, words)
+        self.drawn(Drawn::Traces, SIZE, words, &[])
     }
 
     /// Draws the figure at another size, px.
     pub fn draw_sized(&self, size: [f64; 2], words: &Words) -> String {
-        self.drawn(Drawn::Lines(LINE_LIMIT), size, words)
+        self.drawn(Drawn::Lines(LINE_LIMIT), size, words, &[])
     }
 
-    fn drawn(&self, how: Drawn, size: [f64; 2], words: &Words) -> String {
+    /// The figure at a size, its series called by names that are no words of the report.
+    pub fn draw_named(&self, names: &[String], size: [f64; 2], words: &Words) -> String {
+        self.drawn(Drawn::Lines(LINE_LIMIT), size, words, names)
+    }
+
+    fn drawn(&self, how: Drawn, size: [f64; 2], words: &Words, names: &[String]) -> String {
         let [width, height] = size;
         let wanted = |length: f64| (6.0 * length / SIZE[0]).round() as usize;
         let (x_ticks, y_ticks) = (self.x.ticks(wanted(width), words), self.y.ticks(6, words));
@@ -197,7 +202,10 @@ impl Plane {
         svg.data("y", &self.y.label);
 
         let mark = |s: &Series| if matches!(s.marks, Marks::Dots | Marks::LargeDots) { Mark::Dot } else { Mark::Line };
-        let legend: Vec<_> = self.series.iter().map(|series| (series.role, series.label, mark(series))).collect();
+        let label = |k: usize, series: &Series| names.get(k).map_or(series.label, String::as_str).to_owned();
+        let labels: Vec<String> = self.series.iter().enumerate().map(|(k, series)| label(k, series)).collect();
+        let named = self.series.iter().zip(&labels);
+        let legend: Vec<_> = named.map(|(series, label)| (series.role, label.as_str(), mark(series))).collect();
         heading(&mut svg, &self.title, left, &legend);
 
         let vertical = |value: f64| [[at_x(value), top], [at_x(value), bottom]];

@@ -20,7 +20,23 @@ pub enum Role {
     Shadow,
     /// What a damper may show.
     Limit,
+    /// One of many dampers; of eight hues.
+    Group(u8),
 }
+
+/// Hues of many dampers, on light and on dark paper: after Okabe & Ito too.
+const GROUPS: [[&str; 2]; 8] = [
+    ["#d43d0f", "#ff7f52"],
+    ["#0067a5", "#5cb8f2"],
+    ["#009e73", "#2fd3a3"],
+    ["#b3508a", "#e39ac4"],
+    ["#b07c00", "#f0b93a"],
+    ["#6a3d9a", "#c3a5e8"],
+    ["#4f6b00", "#b5cf5a"],
+    ["#7a5230", "#d3a57e"],
+];
+/// Their classes.
+const GROUP_CLASSES: [&str; 8] = ["g0", "g1", "g2", "g3", "g4", "g5", "g6", "g7"];
 
 /// Every role, for the page's style sheet.
 const ROLES: [Role; 6] = [Role::Measured, Role::Model, Role::FvOnly, Role::Before, Role::Shadow, Role::Limit];
@@ -35,6 +51,7 @@ impl Role {
             Self::Before => "before",
             Self::Shadow => "shadow",
             Self::Limit => "limit",
+            Self::Group(k) => GROUP_CLASSES[usize::from(k) % GROUP_CLASSES.len()],
         }
     }
 
@@ -47,6 +64,7 @@ impl Role {
             Self::Before => "#767b80",
             Self::Shadow => "#c3c9cf",
             Self::Limit => "#6a3d9a",
+            Self::Group(k) => GROUPS[usize::from(k) % GROUPS.len()][0],
         }
     }
 
@@ -59,6 +77,7 @@ impl Role {
             Self::Before => "#a9b0b6",
             Self::Shadow => "#4b535b",
             Self::Limit => "#c3a5e8",
+            Self::Group(k) => GROUPS[usize::from(k) % GROUPS.len()][1],
         }
     }
 
@@ -71,6 +90,7 @@ impl Role {
             Self::FvOnly | Self::Before => 1.3,
             Self::Shadow => 0.8,
             Self::Limit => 1.6,
+            Self::Group(_) => 1.5,
         }
     }
 
@@ -92,7 +112,7 @@ pub const PAPER: &str = "#ffffff";
 /// Style rules that recolour inline figures where the reader prefers a dark page; print stays light.
 pub fn page_css() -> String {
     let mut css = String::from("@media screen and (prefers-color-scheme: dark) {\n");
-    for role in ROLES {
+    for role in ROLES.into_iter().chain((0..GROUPS.len() as u8).map(Role::Group)) {
         let (class, colour) = (role.class(), role.dark());
         let _ = writeln!(css, "  svg .l.{class} {{ stroke: {colour}; }}\n  svg .p.{class} {{ fill: {colour}; }}");
     }

@@ -150,7 +150,7 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
         # Beyond the speeds of the campaign the curve is a guess.
         shown = low <= velocity / PEAK_SCATTER <= high
         figures[force_column(velocity)] = float(force) if shown else None
-    if plan.reference is not None and (plan.diagnose == "all" or plan.diagnose == "failed" and figures["missed"]):
+    if plan.reference is not None and (plan.diagnose == "all" or plan.diagnose == "failed" and figures["judgement"] == "failed"):
         figures.update(_diagnosed(campaign, plan))
     return figures
 
@@ -161,7 +161,8 @@ def judged(limits: Sequence[Limit], measured: _native.Figures | None) -> dict[st
         return {"judgement": None, "missed": []}
     # Taken as it comes: a table of ten thousand dampers is judged anew whenever it is made.
     found = json.loads(measured.judge(rows(limits)))
-    return {"judgement": "passed" if found["passed"] else "failed", "missed": [told for one in found["limits"] if (told := missed(one))]}
+    judgement = {"pass": "passed", "fail": "failed", "incomplete": "incomplete"}[found["overall"]]
+    return {"judgement": judgement, "missed": [told for one in found["limits"] if (told := missed(one))]}
 
 
 def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:

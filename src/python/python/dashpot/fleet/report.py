@@ -25,6 +25,8 @@ from .statistics import OUTLIER, Control, Numbers, Places, batches, control, dri
 
 #: Dampers in the table of outliers, worst first; all are in the Parquet file.
 OUTLIERS = 100
+#: How what was found of a limit begins where no test could tell (:func:`dashpot.certificate.missed`).
+_UNTESTED = "not tested"
 #: Reasons and refused campaigns told one by one.
 REASONS = 20
 #: What stands in the head of every page that dashpot writes.
@@ -34,6 +36,7 @@ _HEAD = """<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name
 body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#1b1f24}
 table{border-collapse:collapse;margin:.6em 0}td,th{padding:2px 10px;border-bottom:1px solid #d8dee4;text-align:right}
 td:first-child,th:first-child{text-align:left}.t{text-align:left}img{max-width:100%}.warn{color:#9a3412}
+.scroll{max-height:36em;overflow:auto}@media print{.scroll{max-height:none;overflow:visible}body{margin:0;max-width:none}td,th{font-size:8pt;padding:2px 5px;overflow-wrap:break-word}}
 </style></head><body>"""
 
 
@@ -44,6 +47,13 @@ class Quantity:
     name: str
     unit: str
     values: Numbers
+    known_to: float = 0.0
+    """Standard deviation to which the fit knows one value, the median over the fleet; 0 where it says none."""
+
+    @property
+    def off(self) -> Numbers:
+        """Distance of each damper from the median in robust deviations."""
+        return far_off(self.values, self.known_to)
 
 
 def write_report(results: str | os.PathLike[str], path: str | os.PathLike[str]) -> None:
@@ -100,6 +110,7 @@ def report(results: str | os.PathLike[str]) -> str:
     # The order in which they were made: by date where there is one, then by serial number.
     order = serials[np.argsort(np.where(np.isfinite(dates), dates, np.inf)[serials], kind="stable")]
     parts = [_HEAD, "<h1>Fleet of dampers</h1>", _summary(table, count)]
+    parts.append(_dampers(table, quantities))
     parts.append(_outliers(table, quantities))
     parts.append("<h2>Every quantity</h2><p>Left: how often which value. Then over date and over the order of making with the limits "
                  "of an individuals chart (centre ± 2.66 mean moving ranges; red: outside, orange: ninth in a row on one side); "
@@ -117,7 +128,15 @@ def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
         # One column at a time: the models themselves stay on the disk.
         values = np.array(file.read(columns=[name])[name].to_pylist(), dtype=float)
         if np.isfinite(values).any():
-            yield Quantity(name, unit, values)
+            yield Quantity(name, unit, values, _known_to(file, name) if name in names else 0.0)
+
+
+def _known_to(file: Any, name: str) -> float:
+    """The median standard deviation of a parameter, from its 95 % intervals."""
+    ends = file.read(columns=[f"{name}_low", f"{name}_high"]).to_pydict()
+    low, high = (np.array(ends[f"{name}_{end}"], dtype=float) for end in ("low", "high"))
+    width = (high - low)[np.isfinite(high - low)]
+    return float(np.median(width)) / (2 * 1.96) if len(width) else 0.0
 
 
 def _natural(text: str) -> list[tuple[int, int, str]]:
@@ -137,30 +156,80 @@ def _number(value: float) -> str:
     return "–" if not np.isfinite(value) else f"{value:.4g}"
 
 
+#: Beyond so many robust deviations a damper is another thing, and the figure says no more.
+_FARTHEST = 99.0
+
+
+def _distance(deviations: float) -> str:
+    return f"{deviations:+.1f}" if abs(deviations) <= _FARTHEST else f"beyond {'+' if deviations > 0 else '-'}{_FARTHEST:.0f}"
+
+
+#: Dampers listed one by one; of more, those that miss a limit and those that are far off come first.
+DAMPERS = 300
+_VERDICTS = {"passed": "PASS", "failed": "FAIL", "incomplete": "INCOMPLETE"}
+
+
+def _dampers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> str:
+    """One row a damper."""
+    count = len(table["campaign"])
+    signed = np.nan_to_num(np.array([q.off for q in quantities])).reshape(-1, count)
+    off = np.abs(signed)
+    worst = off.max(axis=0) if len(off) else np.zeros(count)
+    rank = {"failed": 0, "incomplete": 1}
+    listed = list(range(count))
+    if count > DAMPERS:
+        listed = sorted(listed, key=lambda k: (table["status"][k] == "ok", rank.get(table["judgement"][k] or "", 2), -worst[k], k))[:DAMPERS]
+    by_name = {q.name: q.values for q in quantities}
+    error = by_name.get("error_percent", np.full(count, np.nan))
+    rows = []
+    for k in listed:
+        furthest = int(off[:, k].argmax()) if len(off) else 0
+        unusual = f"{quantities[furthest].name} ({_distance(float(signed[furthest, k]))})" if worst[k] > OUTLIER else "–"
+        is_ok = table["status"][k] == "ok"
+        verdict = _VERDICTS.get(table["judgement"][k] or "", "–")
+        missed = "; ".join(table["missed"][k] or ())
+        rows.append(
+            _row(
+                (
+                    table["serial"][k] or table["campaign"][k], table["batch"][k] or "–", (table["date"][k] or "–")[:10],
+                    _number(float(error[k])) if is_ok else "not identified", f"{verdict}: {missed}" if missed else verdict, unusual,
+                    _effect(table, k) if is_ok else "–",
+                )
+            )
+        )  # fmt: skip
+    head = _row(("damper", "batch", "date", "mean error, %", "limits", "most unusual (robust deviations)", "changed against the reference"), "th")
+    more = f"<p>{count - DAMPERS} more are in the Parquet table: those that miss a limit or are far off are listed.</p>" if count > DAMPERS else ""
+    return f'<h2>Dampers</h2><div class="scroll"><table>{head}{"".join(rows)}</table></div>{more}'
+
+
 def _summary(table: dict[str, list[Any]], count: int) -> str:
     failed = [(c, r) for c, s, r in zip(table["campaign"], table["status"], table["reason"], strict=True) if s != "ok"]
     judged = Counter(j for j in table["judgement"] if j)
     out = [f"<p>{count} dampers, {count - len(failed)} identified, {len(failed)} not."]
     if judged:
-        out.append(f" {judged['passed']} keep all limits, {judged['failed']} do not.")
+        counts = [(judged["passed"], "PASS"), (judged["failed"], "FAIL"), (judged["incomplete"], "INCOMPLETE (no limit missed, not all tested)")]
+        out.append(f" Limits: {', '.join(f'{count} {word}' for count, word in counts if count)}.")
     out.append("</p>")
     # A table of an earlier version has no such columns.
     turned = in_two_directions(table.get("positive", ()), table.get("positive_confidence", ()))
     if turned:
         out.append(f'<p class="warn">{html.escape(turned[0].upper() + turned[1:])}.</p>')
     # A name may hold a colon; what was found stands behind the last.
-    missed = Counter(text.rsplit(": ", 1)[0] for all_of in table["missed"] for text in all_of or ())
-    if missed:
-        rows = "".join(_row(pair) for pair in missed.most_common())
-        out.append(f"<h2>Limits missed</h2><table>{_row(('limit', 'dampers'), 'th')}{rows}</table>")
+    told = [text.rsplit(": ", 1) for all_of in table["missed"] for text in all_of or ()]
+    missed = Counter(name for name, found in told if not found.startswith(_UNTESTED))
+    untested = Counter(name for name, found in told if found.startswith(_UNTESTED))
+    if told:
+        names = sorted({*missed, *untested}, key=lambda name: (-missed[name], -untested[name], name))
+        rows = "".join(_row((name, missed[name], untested[name])) for name in names)
+        out.append(f"<h2>Limits missed</h2><table>{_row(('limit', 'dampers that miss it', 'dampers not tested'), 'th')}{rows}</table>")
     effects = Counter(e for e in table["effect"] if e)
     if effects:
         rows = "".join(_row(pair) for pair in effects.most_common())
         out.append(f"<h2>What changed against the reference</h2><table>{_row(('effect', 'dampers'), 'th')}{rows}</table>")
     if failed:
         # Most reasons begin with the file, and with that with the campaign.
-        told = [r if str(r).startswith(c) else f"{c}: {r}" for c, r in failed[:REASONS]]
-        rows = "".join(f'<li class="warn">{html.escape(text)}</li>' for text in told)
+        reasons = [r if str(r).startswith(c) else f"{c}: {r}" for c, r in failed[:REASONS]]
+        rows = "".join(f'<li class="warn">{html.escape(text)}</li>' for text in reasons)
         more = f"<p>{len(failed) - REASONS} more are in the table.</p>" if len(failed) > REASONS else ""
         out.append(f"<h2>Campaigns that could not be identified</h2><ul>{rows}</ul>{more}")
     return "".join(out)
@@ -199,7 +268,8 @@ def _effect(table: dict[str, list[Any]], k: int) -> str:
 def _outliers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> str:
     if not quantities:
         return ""
-    off = np.abs(np.nan_to_num(np.array([far_off(q.values) for q in quantities])))
+    distances = [q.off for q in quantities]
+    off = np.abs(np.nan_to_num(np.array(distances)))
     worst = off.max(axis=0)
     found = [int(k) for k in np.argsort(-worst, kind="stable") if worst[k] > OUTLIER]
     text = f"<h2>Outliers</h2><p>{len(found)} dampers have a quantity more than {OUTLIER} robust deviations from the median.</p>"
@@ -209,7 +279,7 @@ def _outliers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> st
     for k in found[:OUTLIERS]:
         by = np.argsort(-off[:, k], kind="stable")[:3]
         quoted = ", ".join(
-            f"{quantities[i].name} {_number(quantities[i].values[k])} {quantities[i].unit} ({far_off(quantities[i].values)[k]:+.1f})"
+            f"{quantities[i].name} {_number(quantities[i].values[k])} {quantities[i].unit} ({_distance(float(distances[i][k]))})"
             for i in by
             if off[i, k] > OUTLIER
         )
@@ -240,11 +310,12 @@ def _quantity(q: Quantity, dates: Numbers, serials: Places, order: Places, names
 
 def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, groups: Sequence[Any]) -> str:
     from matplotlib.figure import Figure
+    from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
-    figure = Figure(figsize=(11.5, 2.5))
+    figure = Figure(figsize=(12.5, 2.9))
     axes = figure.subplots(1, 4, width_ratios=[1, 1.2, 1.6, 1])
     # Fixed places: working them out takes longer than drawing.
-    figure.subplots_adjust(left=0.05, right=0.995, bottom=0.24, top=0.97, wspace=0.28)
+    figure.subplots_adjust(left=0.055, right=0.995, bottom=0.27, top=0.97, wspace=0.32)
     there = q.values[np.isfinite(q.values)]
     axes[0].hist(there, bins=min(40, max(5, int(np.sqrt(len(there))))), color="#4f7cac")
     axes[0].set_xlabel(q.unit)
@@ -269,12 +340,18 @@ def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, 
         half = np.nan_to_num(np.array([g.high - g.mean for g in groups]))
         axes[3].errorbar(at, means, yerr=half, fmt="o", ms=4, capsize=3, color="#4f7cac")
         if len(groups) <= 12:
-            axes[3].set_xticks(at, [plain(g.name) for g in groups], rotation=45, ha="right", fontsize=7)
+            axes[3].set_xticks(at, [plain(g.name) for g in groups], rotation=45, ha="right", fontsize=9)
         axes[3].set_xlabel("batch")
     else:
         _empty(axes[3], "no batches")
     for axis in axes:
-        axis.tick_params(labelsize=7)
+        # At 90 dots an inch 9 points are 11 px. Few ticks with whole numbers: an offset in a corner (1e6 + ...) cannot be read.
+        axis.tick_params(labelsize=9)
+        for way, formatter in ((axis.xaxis, axis.xaxis.get_major_formatter()), (axis.yaxis, axis.yaxis.get_major_formatter())):
+            if isinstance(formatter, ScalarFormatter):
+                way.set_major_locator(MaxNLocator(5 if way is axis.yaxis else 4))
+                formatter.set_useOffset(False)
+                formatter.set_powerlimits((-4, 6))
     out = io.BytesIO()
     # No version and no date inside: the same results make the same bytes.
     figure.savefig(out, format="png", dpi=90, metadata={"Software": None})

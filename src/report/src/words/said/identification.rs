@@ -12,11 +12,14 @@ pub const ALL: &[Said] = &[
     // How a variant was chosen.
     ["{of}: {chosen} — {why}", "{of}: {chosen} — {why}", "{of} : {chosen} — {why}", "{of}：{chosen}——{why}"],
     [
-        "error on left-out tests {error} of the allowed error{others}; {reason}",
-        "Fehler an zurückgehaltenen Versuchen: das {error}-Fache des zulässigen{others}; {reason}",
-        "écart sur les essais mis de côté : {error} de l’écart admis{others} ; {reason}",
-        "留出试验的误差为允许误差的 {error} 倍{others}；{reason}",
+        "{grade}: on left-out tests it is off by {error} times what their noise allows{others}; {reason}",
+        "{grade}: an zurückgehaltenen Versuchen das {error}-Fache dessen, was deren Rauschen zulässt{others}; {reason}",
+        "{grade} : sur les essais mis de côté, {error} fois l’écart qu’admet leur bruit{others} ; {reason}",
+        "{grade}：留出试验的误差为其噪声所允许的 {error} 倍{others}；{reason}",
     ],
+    ["good", "gut", "bon", "好"],
+    ["fair", "mäßig", "moyen", "一般"],
+    ["poor", "schlecht", "mauvais", "差"],
     [" ({others})", " ({others})", " ({others})", "（{others}）"],
     ["{name} {error}", "{name} {error}", "{name} {error}", "{name} {error}"],
     [

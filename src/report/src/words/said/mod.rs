@@ -103,15 +103,15 @@ mod tests {
     fn what_a_model_file_keeps_is_said_as_if_it_came_from_the_fit() {
         let made_and_said = [
             (
-                "friction: none, rigid in series — error on left-out tests 0.93 of the allowed error (none 1.20, Coulomb + viscous, rigid \
+                "friction: none, rigid in series — good: on left-out tests it is off by 0.93 times what their noise allows (none 1.20, Coulomb + viscous, rigid \
                  in series 0.97); no other is better by what its parameters cost",
-                "Reibung: keine, starr in Reihe — Fehler an zurückgehaltenen Versuchen: das 0,93-Fache des zulässigen (keine 1,20, Coulomb \
+                "Reibung: keine, starr in Reihe — gut: an zurückgehaltenen Versuchen das 0,93-Fache dessen, was deren Rauschen zulässt (keine 1,20, Coulomb \
                  + viskos, starr in Reihe 0,97); keine andere Variante ist um so viel besser, wie ihre Parameter kosten",
             ),
             (
-                "measurement: a late force channel — error on left-out tests 1.02 of the allowed error (as recorded 1.94); no other is \
+                "measurement: a late force channel — good: on left-out tests it is off by 1.02 times what their noise allows (as recorded 1.94); no other is \
                  better by what its parameters cost",
-                "Messung: ein später Kraftkanal — Fehler an zurückgehaltenen Versuchen: das 1,02-Fache des zulässigen (wie aufgezeichnet \
+                "Messung: ein später Kraftkanal — gut: an zurückgehaltenen Versuchen das 1,02-Fache dessen, was deren Rauschen zulässt (wie aufgezeichnet \
                  1,94); keine andere Variante ist um so viel besser, wie ihre Parameter kosten",
             ),
             (

@@ -1,0 +1,38 @@
+//! Asked before a model tuned by hand makes way for another.
+
+use crate::session::Session;
+use crate::views::View;
+use crate::views::bar::save;
+use eframe::egui::{Id, Modal, Ui};
+
+/// Asks where a model waits to take the place of values that are in no file.
+pub fn show(ui: &Ui, session: &mut Session, view: &mut View) {
+    if session.pending.is_none() {
+        return;
+    }
+    // Saved meanwhile, or undone: nothing would be lost.
+    if !session.has_unsaved_tuning() {
+        session.replace_pending();
+        return;
+    }
+    let w = view.words();
+    let asked = Modal::new(Id::unique("replacing")).show(ui.ctx(), |ui| {
+        ui.heading(w.replacing);
+        ui.label(w.replacing_unsaved);
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            if ui.button(w.stay).clicked() {
+                session.pending = None;
+            }
+            if ui.button(w.save_first).clicked() {
+                save(session, view);
+            }
+            if ui.button(w.replace_anyway).clicked() {
+                session.replace_pending();
+            }
+        });
+    });
+    if asked.should_close() {
+        session.pending = None;
+    }
+}

@@ -1,0 +1,95 @@
+//! How good a fit is, in one sentence: beside the noise and beside the plain FV curve.
+
+use crate::numbers::digits;
+use crate::words::Words;
+use dashpot_simulation::whole_records::Quality;
+
+/// Errors up to so many times the noise are as good as the records allow: beyond, the model's form shows.
+const NOISE: f64 = 1.5;
+/// Largest mean error, percent of a test's largest force, of a good fit: a damper repeats itself within 1 to 2 % from test to test
+/// (Dixon, *The Shock Absorber Handbook*, 2007, chapter 10).
+const GOOD: f64 = 2.0;
+/// The same of a fair one; beyond, friction, gas or hysteresis are not followed.
+const FAIR: f64 = 5.0;
+/// Ratio of the errors from which the model is better than the curve.
+const BETTER: f64 = 1.05;
+
+/// The sentence.
+pub fn sentence(quality: &Quality, words: &Words) -> String {
+    let Quality { model, fv_only, noise_n } = quality;
+    let by_noise = model.mean_error_n / noise_n;
+    let is_known = by_noise.is_finite();
+    let no_better = fv_only.mean_error_n < BETTER * model.mean_error_n;
+    let grade = if is_known && by_noise <= NOISE {
+        words.quality_noise
+    } else if model.error_percent <= GOOD {
+        words.quality_good
+    } else if model.error_percent <= FAIR && !no_better {
+        words.quality_fair
+    } else {
+        words.quality_poor
+    };
+    let beside = if is_known {
+        words.fill(words.quality_beside_noise, &[("ratio", &digits(by_noise, 2)), ("noise", &digits(*noise_n, 2))])
+    } else {
+        words.quality_noise_unknown.to_owned()
+    };
+    let curve = if no_better { words.quality_curve_no_worse } else { words.quality_curve_worse };
+    let curve = words.fill(
+        curve,
+        &[
+            ("error", &digits(fv_only.mean_error_n, 3)),
+            ("percent", &digits(fv_only.error_percent, 2)),
+            ("ratio", &digits(fv_only.mean_error_n / model.mean_error_n, 2)),
+        ],
+    );
+    words.fill(
+        words.quality_sentence,
+        &[
+            ("grade", grade),
+            ("error", &digits(model.mean_error_n, 3)),
+            ("percent", &digits(model.error_percent, 2)),
+            ("beside", &beside),
+            ("curve", &curve),
+        ],
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{EN, Language};
+    use dashpot_identification::validation::Deviation;
+
+    fn of(model: [f64; 2], curve: [f64; 2], noise_n: f64) -> Quality {
+        let deviation = |[mean_error_n, error_percent]: [f64; 2]| Deviation {
+            mean_error_n,
+            error_percent,
+            region1_n: 0.0,
+            region2_n: 0.0,
+            rmse_n: mean_error_n,
+        };
+        Quality { model: deviation(model), fv_only: deviation(curve), noise_n }
+    }
+
+    #[test]
+    fn it_says_good_or_bad_beside_noise_and_curve() {
+        for (quality, begins, holds) in [
+            (
+                of([4.0, 0.5], [40.0, 5.0], 3.2),
+                "As good as the noise allows",
+                "1.2 times the noise of the records (3.2 N)",
+            ),
+            (of([12.0, 1.2], [40.0, 5.0], 1.0), "Good", "12 times the noise"),
+            (of([12.0, 1.2], [40.0, 5.0], 0.0), "Good", "3.3 times as much"),
+            (of([40.0, 4.0], [80.0, 8.0], 1.0), "Fair", "2.0 times as much"),
+            (of([40.0, 4.0], [40.0, 4.0], 1.0), "Poor", "no larger error"),
+            (of([90.0, 9.0], [180.0, 18.0], 1.0), "Poor", "2.0 times as much"),
+        ] {
+            let text = sentence(&quality, &EN);
+            assert!(text.starts_with(begins) && text.contains(holds), "{text}");
+        }
+        let german = sentence(&of([4.0, 0.5], [40.0, 5.0], 3.2), Language::German.words());
+        assert!(german.contains("3,2 N") && german.contains("FV-Kurve"), "{german}");
+    }
+}
