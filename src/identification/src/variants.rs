@@ -12,8 +12,8 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::spring_end::excess;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
-use dashpot_records::sentence::Template;
 use dashpot_records::Sentence;
+use dashpot_records::sentence::Template;
 use rayon::prelude::*;
 use serde::Serialize;
 
