@@ -4,6 +4,7 @@
 //! method is so only while the step times the fastest rate lies inside the method's region, and beyond it may well answer a wrong force without an error.
 
 use dashpot_core::evaluate::partials;
+use dashpot_core::family::Definition;
 use dashpot_core::{Input, Model, Params};
 use nalgebra::DMatrix;
 
@@ -36,10 +37,16 @@ pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
-/// The longest step, s, at which an explicit solver can integrate the states of all these dampers itself.
-pub fn longest_explicit_step(all: &[Params]) -> f64 {
+/// The longest step, s, at which an explicit solver can integrate the states of all these dampers itself, at every setting of their grids.
+pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
+    let at_each_setting = |damper: &D| {
+        let damper: Definition = (*damper).into();
+        let grid = damper.axis.grid().to_vec();
+        if grid.is_empty() { vec![damper.params] } else { grid.iter().map(|setting| damper.at(*setting)).collect() }
+    };
     all.iter()
-        .filter_map(|params| Model::new(params).ok())
+        .flat_map(at_each_setting)
+        .filter_map(|params| Model::new(&params).ok())
         .map(|model| explicit_step(fastest_rate(&model)))
         .fold(1.0, f64::min)
 }

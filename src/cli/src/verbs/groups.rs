@@ -13,20 +13,9 @@ fn change(change: &Change) -> String {
 /// Changed numbers of a group that are told one by one.
 const TOLD: usize = 3;
 
-/// Those that move the force most; of a side of the FV curve the point that moved most. The report and --json have all.
-fn foremost(changed: &[Change]) -> Vec<&Change> {
-    let mut by_size: Vec<&Change> = changed.iter().collect();
-    by_size.sort_by(|a, b| (b.value - b.reference).abs().total_cmp(&(a.value - a.reference).abs()));
-    let mut seen: Vec<(&str, Option<bool>)> = Vec::new();
-    by_size.retain(|one| {
-        let of = (one.parameter, one.velocity_m_s.map(|v| v > 0.0));
-        let is_first = !seen.contains(&of);
-        seen.push(of);
-        is_first
-    });
-    by_size.sort_by(|a, b| b.force_share.total_cmp(&a.force_share));
-    by_size.truncate(TOLD);
-    by_size
+/// Those that move the force most, which come first. The report and --json have all.
+fn foremost(changed: &[Change]) -> &[Change] {
+    &changed[..TOLD.min(changed.len())]
 }
 
 /// One line a group, and the numbers that changed in any of them.
@@ -39,7 +28,7 @@ pub fn told(answers: &Answers) -> Vec<String> {
         lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
         let all = answer.diagnosis.changes.len();
         let changed = foremost(&answer.diagnosis.changes);
-        for one in &changed {
+        for one in changed {
             let before = with_unit(one.reference, one.unit);
             lines.push(format!("    {:<30} {before:>16} -> {}", one.label(), change(one)));
         }
