@@ -7,8 +7,7 @@ use dashpot_tests::library::root;
 /// Whether a limit is written in the code: a number or a constant.
 fn is_written(limit: &str) -> bool {
     let limit = limit.trim().trim_start_matches('-');
-    let is_number = limit.starts_with(|c: char| c.is_ascii_digit())
-        && limit.chars().all(|c| c.is_ascii_alphanumeric() || "._".contains(c));
+    let is_number = limit.replace('_', "").parse::<f64>().is_ok();
     let constant = limit.trim_end_matches(".0").trim_end_matches(".1");
     let is_constant =
         !constant.is_empty() && constant.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_');

@@ -52,7 +52,7 @@ fn texts_of_strangers_do_not_act_on_the_terminal() {
         &["fit", &option],
     ] {
         let ran = run(folder, case);
-        assert!(ran.code == Some(2) && ran.err.contains("1b}"), "{case:?}: {ran:?}");
+        assert!(ran.code == Some(2) && ran.err.contains("202e}"), "{case:?}: {ran:?}");
         assert!(!ran.err.chars().chain(ran.out.chars()).any(acts), "{case:?}: {ran:?}");
     }
 }
