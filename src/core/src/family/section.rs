@@ -245,6 +245,7 @@ impl Lookup for &Curve {
 pub struct Lent<'a>(core::marker::PhantomData<&'a ()>);
 
 impl<'a> Tables for Lent<'a> {
+    const HAS_STAGES_OF_ITS_OWN: bool = false;
     type Fv = Section<'a>;
     type Spring = &'a Curve;
     type Conductance = Passage<'a>;
