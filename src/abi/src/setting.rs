@@ -184,6 +184,7 @@ pub unsafe extern "C" fn dashpot_setting_at(
         let (to, state) = unsafe { (exclusive(setting)?, checked(state)?) };
         // SAFETY: as above.
         unsafe { input::checked(input)? };
+        // SAFETY: as above.
         *to = match unsafe { prepared(model) } {
             Ok(_) => 0.0,
             // SAFETY: as above.

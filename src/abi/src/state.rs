@@ -172,6 +172,7 @@ pub unsafe extern "C" fn dashpot_state_init(
         // SAFETY: as above.
         let (settled, delay) = match plain {
             Ok(model) => (model.settled(&at), Delay::UNSET),
+            // SAFETY: as above.
             Err(_) => unsafe { family(model) }.map(|family| (family.settled(&at, None), family.settled_delay(None)))?,
         };
         computed(settled.is_finite())?;
@@ -199,6 +200,7 @@ pub unsafe extern "C" fn dashpot_state_init_motion(
         // SAFETY: as above.
         let (settled, delay) = match plain {
             Ok(model) => (model.settled(&at), Delay::UNSET),
+            // SAFETY: as above.
             Err(_) => unsafe {
                 let (family, setting) = (family(model)?, input::setting(input)?);
                 (family.settled(&at, setting), family.settled_delay(setting))

@@ -7,6 +7,7 @@ use crate::tables::{ForceLaw, Held, Lookup, Owned, Tables};
 use core::fmt::Debug;
 
 impl Tables for Owned {
+    const HAS_STAGES_OF_ITS_OWN: bool = true;
     type Fv = FvCurve;
     type Spring = Curve;
     type Conductance = Conductance;

@@ -48,6 +48,8 @@ pub trait Conduction: Copy + Debug {
 
 /// Who keeps the tables of a model.
 pub trait Tables: Copy + Debug {
+    /// Whether stages are compiled for the elements that are on; else all share one, which makes the library smaller and a step slower.
+    const HAS_STAGES_OF_ITS_OWN: bool;
     /// The FV curve.
     type Fv: ForceLaw;
     /// The table of a spring.

@@ -37,8 +37,8 @@ impl Place {
     pub fn new(grid: &[f64; MAX_GRID], count: usize, setting: f64) -> Place {
         let mut interval = 0;
         // Eight values at most, so counting needs no search.
-        for place in 1..MAX_GRID - 1 {
-            interval += usize::from(place + 1 < count && setting >= grid[place]);
+        for (place, from) in grid.iter().enumerate().skip(1) {
+            interval += usize::from(place + 1 < count && setting >= *from);
         }
         let low = grid[interval & (MAX_GRID - 1)];
         let h = grid[(interval + 1) & (MAX_GRID - 1)] - low;

@@ -245,6 +245,8 @@ impl Lookup for &Curve {
 pub struct Lent<'a>(core::marker::PhantomData<&'a ()>);
 
 impl<'a> Tables for Lent<'a> {
+    // Without them the library is 130 KB smaller, and a step with an oil column takes 10,500 instructions where it takes 6,500.
+    const HAS_STAGES_OF_ITS_OWN: bool = true;
     type Fv = Section<'a>;
     type Spring = &'a Curve;
     type Conductance = Passage<'a>;

@@ -311,8 +311,8 @@ pub(super) struct Drive<'a, T: Tables> {
 }
 
 /// Moves the states of both paths along the path of the driven end.
-pub(super) fn advance(
-    drive: &Drive<impl Tables>,
+pub(super) fn advance<T: Tables>(
+    drive: &Drive<T>,
     state: &mut State,
     output: &mut Output,
     follow: &mut impl EachStage,
@@ -327,7 +327,7 @@ pub(super) fn advance(
     macro_rules! compiled {
         ($($on:expr,)*) => {
             match () {
-                $(() if is_for::<{ $on }>(e) => advance_on::<{ $on }>(drive, &mut now, follow),)*
+                $(() if T::HAS_STAGES_OF_ITS_OWN && is_for::<{ $on }>(e) => advance_on::<{ $on }>(drive, &mut now, follow),)*
                 () => advance_on::<ANY>(drive, &mut now, follow),
             }
         };
