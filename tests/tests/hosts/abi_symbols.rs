@@ -52,12 +52,13 @@ fn exports_what_the_header_declares_and_nothing_else() {
     assert_eq!(exported, declared);
 }
 
-/// Real-time hosts keep it in their caches and small controllers in their memory. It has 450 KB with Rust 1.95, a tenth more may come of another
-/// compiler. A method, an element or a kind of number that becomes a type of the step compiles the step once more: it had 1068 KB of that.
+/// An element or a kind of number that becomes a type of the step compiles the step once more, which this shows. It has 964 KB with Rust 1.95: 450
+/// for the ordinary damper, as much again for one over a setting, whose tables are borrowed and whose step is therefore compiled a second time
+/// (837 KB where only the general stage is, but then a step with an oil column takes 10,500 instructions instead of 6,500).
 #[test]
 fn is_no_larger_than_it_was() {
     let size = std::fs::metadata(shared()).expect("the library").len();
-    assert!(size < 500_000, "{size} bytes");
+    assert!(size < 1_060_000, "{size} bytes");
 }
 
 /// Nothing that a second thread could see.
