@@ -201,19 +201,14 @@ fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     };
     let mut with_a_wrong_one = base();
     with_a_wrong_one.enable(Element::find("gas_spring").unwrap(), true);
-    let starts = [
-        base(),
-        without(&["coulomb_friction"]),
-        without(&["series_compliance", "coulomb_friction"]),
-        with_a_wrong_one,
-    ];
+    let starts =
+        [base(), without(&["coulomb_friction"]), without(&["series_compliance", "coulomb_friction"]), with_a_wrong_one];
     let answers: Vec<(Vec<&str>, f64)> = starts
         .iter()
         .map(|model| {
             let found = of(&records, model);
             let is_in = |status: Status| matches!(status, Status::Kept | Status::Added);
-            let mut effects: Vec<&str> =
-                found.inventory.iter().filter(|i| is_in(i.status)).map(|i| i.effect).collect();
+            let mut effects: Vec<&str> = found.inventory.iter().filter(|i| is_in(i.status)).map(|i| i.effect).collect();
             effects.sort_unstable();
             (effects, found.after.rmse_n)
         })

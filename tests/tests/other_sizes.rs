@@ -48,7 +48,8 @@ fn a_fit_of_scaled_forces_is_the_scaled_fit() {
     let of_a_car = fitted(&records);
     for factor in FACTORS {
         let found = fitted(&times(&records, factor));
-        let chosen = |fit: &Fit| fit.inventory.iter().map(|i| (i.effect, i.form)).collect::<std::collections::BTreeSet<_>>();
+        let chosen =
+            |fit: &Fit| fit.inventory.iter().map(|i| (i.effect, i.form)).collect::<std::collections::BTreeSet<_>>();
         assert_eq!(chosen(&found), chosen(&of_a_car), "{factor}");
         assert!((found.misfit / of_a_car.misfit - 1.0).abs() < 0.02, "{factor}: {} {}", found.misfit, of_a_car.misfit);
         let told = |fit: &Fit| fit.measured.iter().map(|m| m.name).collect::<Vec<_>>();

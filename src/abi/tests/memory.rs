@@ -98,6 +98,7 @@ fn input(x: Option<f64>, v: f64) -> Box<dashpot_input> {
         velocity: v,
         side_force: 0.0,
         temperature: 0.0,
+        setting: 0.0,
     })
 }
 

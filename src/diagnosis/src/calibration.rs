@@ -12,7 +12,9 @@ struct Calibration {
 
 static CALIBRATION: LazyLock<Calibration> = LazyLock::new(|| {
     let of = |name: &str| {
-        let line = include_str!("calibration.toml").lines().find(|line| line.split('=').next().is_some_and(|key| key.trim() == name));
+        let line = include_str!("calibration.toml")
+            .lines()
+            .find(|line| line.split('=').next().is_some_and(|key| key.trim() == name));
         line.and_then(|line| line.split('=').nth(1)).and_then(|value| value.split('#').next()?.trim().parse().ok())
     };
     Calibration {

@@ -48,7 +48,8 @@ fn velocity_of(part: CurvePart, base: &Params) -> f64 {
         Speeds::All => 0.3,
         Speeds::High => 1.0,
     };
-    let nearest = speeds.iter().copied().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted);
+    let nearest =
+        speeds.iter().copied().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted);
     if part.rebound { nearest } else { -nearest }
 }
 
@@ -77,7 +78,9 @@ pub fn changes(
             let delta = refit.theta[k];
             let change = match number.free {
                 Free::Shift(unknown) => {
-                    let (Unknown::Log(own) | Unknown::Linear(own) | Unknown::Above(own, _)) = unknown else { return None };
+                    let (Unknown::Log(own) | Unknown::Linear(own) | Unknown::Above(own, _)) = unknown else {
+                        return None;
+                    };
                     let (reference, value) = (before.number(own), after.number(own));
                     let end = |d: f64| match unknown {
                         Unknown::Log(_) => reference * libm::exp(d),

@@ -287,7 +287,8 @@ impl Composed<'_> {
         probability: &dyn Fn(&str) -> f64,
     ) -> Judged {
         let (before, after) = (self.given.evidence.mean(), self.best.evidence.mean());
-        let times = |mean_square: f64| Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()));
+        let times =
+            |mean_square: f64| Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()));
         let mut notes = Vec::new();
         let suspects = self.suspects(names, probability);
         let gone: Vec<&InventoryItem> =
@@ -307,12 +308,14 @@ impl Composed<'_> {
             };
             let names = names.iter().map(name).collect();
             let also: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
-            let also = (!also.is_empty()).then(|| Sentence::from(phrases::ALSO_CHANGED).with_list("changes", also, phrases::COMMA));
-            let summary = Sentence::from(if self.against.is_some() { phrases::NEW_EFFECT } else { phrases::HAS_EFFECT })
-                .with_list("names", names, phrases::COMMA)
-                .with("before", format!("{:.2}", before.sqrt()))
-                .with("after", format!("{:.2}", after.sqrt()))
-                .with_any("also", also);
+            let also = (!also.is_empty())
+                .then(|| Sentence::from(phrases::ALSO_CHANGED).with_list("changes", also, phrases::COMMA));
+            let summary =
+                Sentence::from(if self.against.is_some() { phrases::NEW_EFFECT } else { phrases::HAS_EFFECT })
+                    .with_list("names", names, phrases::COMMA)
+                    .with("before", format!("{:.2}", before.sqrt()))
+                    .with("after", format!("{:.2}", after.sqrt()))
+                    .with_any("also", also);
             return Judged { verdict: Verdict::Named, summary, suspects, notes };
         }
         if !changed.is_empty() {
@@ -369,9 +372,7 @@ impl Composed<'_> {
         let nearest = match (looks_like, suspects.first()) {
             (Some((unnamed, _)), _) => Some(Sentence::from(phrases::LOOKS_LIKE).with_said("what", looks(*unnamed))),
             (None, Some(first)) => Some(
-                Sentence::from(phrases::NEAREST)
-                    .with("effect", first.effect)
-                    .with("percent", percent(first.share)),
+                Sentence::from(phrases::NEAREST).with("effect", first.effect).with("percent", percent(first.share)),
             ),
             (None, None) => None,
         };
@@ -427,7 +428,8 @@ impl Composed<'_> {
                 let (name, unit) = name_of(&number.free);
                 let value = at(theta[k]);
                 let (low, high) = (at(theta[k] - 1.96 * deviations[k]), at(theta[k] + 1.96 * deviations[k]));
-                parameters.insert(name, Value { value, low, high, unit, plausible: is_plausible(hypothesis, k, theta) });
+                parameters
+                    .insert(name, Value { value, low, high, unit, plausible: is_plausible(hypothesis, k, theta) });
             }
             let place = self.best.components.iter().position(|c| c.effect == effect);
             let without = place
@@ -437,7 +439,8 @@ impl Composed<'_> {
             let item = items.iter().find(|i| i.effect == effect);
             let family = card.map_or("", |c| c.family);
             let of_family = family_tree.iter().flat_map(|path| &path.branches).filter(|branch| branch.name == family);
-            let family_confidence = of_family.map(|branch| confidence(branch.probability, self.against.is_some())).sum::<f64>();
+            let family_confidence =
+                of_family.map(|branch| confidence(branch.probability, self.against.is_some())).sum::<f64>();
             Finding {
                 effect,
                 form: component.form,
@@ -531,7 +534,9 @@ impl Composed<'_> {
     /// Tests that would tell apart what is undecided; none where nothing is.
     fn next_tests(&self, judged: &Judged, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<NextTest> {
         let is_sure = names.iter().all(|c| probability(c.effect) >= DECIDED);
-        if judged.verdict.nothing_is_missing() || judged.verdict == Verdict::Named && is_sure && judged.suspects.is_empty() {
+        if judged.verdict.nothing_is_missing()
+            || judged.verdict == Verdict::Named && is_sure && judged.suspects.is_empty()
+        {
             return Vec::new();
         }
         let mut rivals: Vec<next_test::Rival> = Vec::new();

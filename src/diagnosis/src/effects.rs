@@ -1,9 +1,9 @@
 //! One card an effect: where it acts, what it is, what records must show of it, and the test that shows it best.
 
 use super::phrases;
-use dashpot_estimation::situation::Situation;
 use dashpot_core::element;
 use dashpot_core::parameter::GROUPS;
+use dashpot_estimation::situation::Situation;
 use dashpot_records::sentence::{Sentence, Template};
 
 /// What is known of an effect apart from its equations, which are the kernel's, and the starts of its search, which are in the
@@ -299,11 +299,13 @@ mod tests {
         for c in all.iter().filter(|c| c.effect != "gain_drift") {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
         }
-        let missing: Vec<&str> =
-            EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
+        let missing: Vec<&str> = EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
         // What the base has on is no candidate, and what no rig can separate never is one.
         let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
-        assert!(missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)), "{missing:?}");
+        assert!(
+            missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
+            "{missing:?}"
+        );
     }
 
     #[test]

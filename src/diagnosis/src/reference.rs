@@ -195,7 +195,10 @@ mod tests {
         let other = sine(0.02, 2.0, 0.0, shared);
         let far = sine(0.05, 2.0, 0.0, shared);
         let freed = without_shared_error(vec![worn, other, far], &[good], &residual);
-        assert_eq!((freed.tests.len(), freed.missing, freed.shifted), (3, vec!["0.02 2".to_owned(), "0.05 2".to_owned()], vec![]));
+        assert_eq!(
+            (freed.tests.len(), freed.missing, freed.shifted),
+            (3, vec!["0.02 2".to_owned(), "0.05 2".to_owned()], vec![])
+        );
         for force in &freed.tests[0].segment.force {
             assert!((force - 7.0).abs() < 0.05, "{force}");
         }

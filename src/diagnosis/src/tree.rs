@@ -24,7 +24,11 @@ fn sorted(mut branches: Vec<Branch>) -> Vec<Branch> {
 }
 
 /// Probability of structures that satisfy a condition on their forms.
-fn probability(search: &StructureSearch, temperature: f64, is_in: &dyn Fn(&(&'static str, &'static str)) -> bool) -> f64 {
+fn probability(
+    search: &StructureSearch,
+    temperature: f64,
+    is_in: &dyn Fn(&(&'static str, &'static str)) -> bool,
+) -> f64 {
     let all: Vec<f64> = search.table.values().map(|row| row.log_posterior / temperature).collect();
     let own = search.table.iter().filter(|(key, _)| key.iter().any(is_in));
     let own: Vec<f64> = own.map(|(_, row)| row.log_posterior / temperature).collect();
@@ -57,7 +61,12 @@ pub fn tree(search: &StructureSearch, temperature: f64) -> Vec<Branch> {
     };
     let effect = |name: &'static str| {
         let probability = probability(search, temperature, &|own| own.0 == name);
-        (probability > 0.0).then(|| Branch { name: name.to_owned(), level: "effect", probability, branches: forms(name) })
+        (probability > 0.0).then(|| Branch {
+            name: name.to_owned(),
+            level: "effect",
+            probability,
+            branches: forms(name),
+        })
     };
     let of = |names: &[&'static str]| probability(search, temperature, &|own| names.contains(&own.0));
     let family = |family: &'static str| {

@@ -3,8 +3,8 @@
 use super::effects::{CARDS, remedy};
 use super::outcome::CouldNotTest;
 use super::phrases;
-use dashpot_estimation::situation::Situation;
 use dashpot_core::parameter::Element;
+use dashpot_estimation::situation::Situation;
 use dashpot_records::sentence::Sentence;
 
 /// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.

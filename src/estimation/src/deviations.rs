@@ -86,9 +86,7 @@ pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Optio
     let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
     let scaled = DMatrix::from_fn(n, n, |i, j| hessian[(i, j)] / (scale[i] * scale[j]));
     let inverse = scaled.try_inverse()?;
-    let determined = (0..n)
-        .map(|i| (information[i] / (scale[i] * scale[i])) / inverse[(i, i)].max(1.0))
-        .collect();
+    let determined = (0..n).map(|i| (information[i] / (scale[i] * scale[i])) / inverse[(i, i)].max(1.0)).collect();
     let bread = DMatrix::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j]));
     Some((&bread * meat * &bread, determined))
 }
@@ -121,7 +119,8 @@ mod tests {
     #[test]
     fn samples_of_a_slow_residual_stand_for_few() {
         let slow: Vec<f64> = (0..400).map(|k| libm::sin(0.03 * f64::from(k))).collect();
-        let noise: Vec<f64> = (0..400u32).map(|k| f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65_536.0 - 0.5).collect();
+        let noise: Vec<f64> =
+            (0..400u32).map(|k| f64::from(k.wrapping_mul(2_654_435_761) >> 16) / 65_536.0 - 0.5).collect();
         assert!(correlation_factor(&noise) < 2.0 && correlation_factor(&slow) > 20.0);
     }
 }

@@ -1,11 +1,11 @@
 //! A first guess that an engineer would make: FV points at peak velocity, friction and gas force from slow tests.
 
-use dashpot_core::Params;
-use dashpot_core::parameter::Number;
-use dashpot_core::{element, list, number};
 use crate::scale::Scale;
 use crate::segment::Segment;
 use crate::unknowns::anchor;
+use dashpot_core::Params;
+use dashpot_core::parameter::Number;
+use dashpot_core::{element, list, number};
 use serde::{Deserialize, Serialize};
 
 /// Tests slower than this show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).

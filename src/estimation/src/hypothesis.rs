@@ -4,11 +4,11 @@
 use super::heating::Heating;
 use super::measurement::{Artefact, earlier, finer, low_pass};
 use super::samples::Test;
+use crate::curve_part::CurvePart;
 use crate::priors::in_search;
 use crate::scale::Scale;
 use crate::segment::Segment;
 use crate::sensitivity::{Accuracy, Run, forces};
-use crate::curve_part::CurvePart;
 use crate::unknowns::{Unknown, Unknowns};
 use dashpot_core::number;
 use dashpot_core::{Model, Parameter, Params};

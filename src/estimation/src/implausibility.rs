@@ -18,7 +18,11 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
             Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
             // A change from a reference is as probable as its prior in the refit says.
-            Free::Shift(_) | Free::Curve(_) | Free::Rig(_) | Free::Cooling | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
+            Free::Shift(_)
+            | Free::Curve(_)
+            | Free::Rig(_)
+            | Free::Cooling
+            | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
         if let Some(usual) = of(number, scale) {
             all.push((number, usual.off(value)));

@@ -1,13 +1,13 @@
 //! What a base model and its tests look like from far: figures from which searches start.
 
-use dashpot_core::Params;
-use dashpot_core::{element, list, number};
 use crate::first_guess::{dry, slowing_forces};
 use crate::heating::Heating;
 use crate::samples::Test;
 use crate::scale::Scale;
 use crate::segment::Segment;
 use crate::warmth::temperatures;
+use dashpot_core::Params;
+use dashpot_core::{element, list, number};
 use dashpot_records::Record;
 use dashpot_records::restrict;
 

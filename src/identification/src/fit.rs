@@ -6,15 +6,17 @@ use super::literature::{Literature, LiteratureError, fv_curve, observation::obse
 use super::of_the_rig::{self, Measured};
 use super::phrases;
 use super::short::in_words;
-use dashpot_core::parameter::{Element, names};
+use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::campaign_clock::{clock_from, clock_runs_on};
 use dashpot_estimation::first_guess::SLOW;
 use dashpot_estimation::heating::Heating;
-use dashpot_estimation::hypothesis::{Hypothesis, number as free_number};
+use dashpot_estimation::hypothesis::{Free, Hypothesis, Number as FreeNumber, number as free_number};
+use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::refit::{self, Refit, refit};
 use dashpot_estimation::samples::{self, Test, Thin, segments};
+use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
@@ -152,6 +154,61 @@ struct Found {
     misfit: f64,
 }
 
+impl Found {
+    /// Names a parameter that this data cannot determine, and whose element therefore stays off.
+    fn leave_out(&mut self, number: Number, why: Template) {
+        self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_said("why", why));
+        let (name, unit) = (number.name(), number.parameter().unit);
+        let standing = Standing::NotIdentified;
+        let from = why.into();
+        self.estimates.push(Estimate { name, index: None, value: 0.0, low: None, high: None, unit, from, standing });
+    }
+}
+
+/// Widens the intervals until they hold those of another fit of the same numbers, which the records do not rule out.
+fn hold_too(estimates: &mut [Estimate], others: &[Estimate]) {
+    for estimate in estimates {
+        let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
+        let Some(other) = others.iter().find(same) else { continue };
+        if let (Some(low), Some(high), Some(from), Some(to)) = (estimate.low, estimate.high, other.low, other.high) {
+            (estimate.low, estimate.high) = (Some(low.min(from)), Some(high.max(to)));
+        }
+    }
+}
+
+/// How late the force channel of a rig usually is, s (a filter of 200 Hz makes 1 ms), and the mass, kg, that usually hangs between load cell
+/// and damper: eye, clamp and joint of a car's damper.
+const USUAL_DELAY: f64 = 1e-3;
+const USUAL_MASS: f64 = 2.0;
+
+/// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual: a series path that is soft
+/// without them is stiff with them.
+fn with_open_measurement(structure: &Structure, tests: &[Test], given: &Off) -> Vec<Estimate> {
+    let mut freed = structure.hypothesis.clone();
+    let scale = Scale::of(&freed.base).force();
+    let open = [(Artefact::Delay, USUAL_DELAY, given.delay_s), (Artefact::Mass, USUAL_MASS * scale, given.mass_kg)];
+    for (artefact, spread, _) in open.into_iter().filter(|(_, _, given)| *given == 0.0) {
+        let free = Free::Rig(artefact);
+        if freed.place_of(&free).is_none() {
+            let (low, high) = artefact.bounds();
+            // The mean of a mass that is not negative is half its spread at most.
+            let start = if artefact == Artefact::Mass { 0.1 * spread } else { 0.0 };
+            freed.numbers.push(FreeNumber {
+                free,
+                start,
+                step: 0.3 * spread,
+                bounds: (low, high),
+                prior: Some((0.0, spread)),
+            });
+        }
+    }
+    if freed.numbers.len() == structure.hypothesis.numbers.len() {
+        return Vec::new();
+    }
+    let start = freed.start();
+    refit(&freed, tests, &start, None, refit::Effort::JUDGE).map_or_else(Vec::new, |end| estimates(&freed, &end, tests))
+}
+
 /// Fits a model to records.
 ///
 /// # Errors
@@ -278,7 +335,7 @@ const USUAL: [&str; 15] = [
 
 /// Elements that a fit can identify.
 pub fn identified() -> Vec<Element> {
-    let mut all = vec![element!("fv_curve")];
+    let mut all = vec![element!("fv_curve"), element!("viscous_friction")];
     all.extend(USUAL.iter().filter(|name| **name != "moving_mass").filter_map(|name| Element::find(name).ok()));
     all
 }
@@ -343,14 +400,8 @@ fn fit_thesis(
     let heating = Arc::new(Heating::new(records, tests));
     let thin = Thin::new(tests).tests;
     let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
-    let context = SearchContext {
-        records,
-        tests: &thin,
-        is_allowed: &may,
-        changes: &[],
-        most: usize::MAX,
-        progress: &|_| (),
-    };
+    let context =
+        SearchContext { records, tests: &thin, is_allowed: &may, changes: &[], most: usize::MAX, progress: &|_| () };
     progress(Stage { done: 0.3, text: phrases::CHOOSING_STRUCTURE });
     let not_finite = || FitError::NotFinite { test: tests.first().map_or(String::new(), |t| t.segment.name.clone()) };
     let search = StructureSearch::run(&context, starts::plain(&thin, &heating, &allowed)).ok_or_else(not_finite)?;
@@ -359,10 +410,17 @@ fn fit_thesis(
     let probabilities = search.probabilities(TEMPERATURE);
     let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
     let inventory = inventory(&search, &best, None, tests, &probability);
-    let mut found = finish(&best, tests);
+    let mut found = finish(&best, tests, &about.given);
     found.inventory = inventory;
     if best.hypothesis.base.is_on(element!("series_compliance")) && !of_the_rig::tells_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
+    }
+    let situation = Situation::new(&best.hypothesis.base, records, tests);
+    if !effects_can_be_shown("side_force_friction", &situation, about) && allowed(element!("side_force_friction")) {
+        found.leave_out(number!("side_force_coefficient"), phrases::NEEDS_SIDE_FORCES);
+    }
+    if allowed(element!("viscous_friction")) {
+        found.leave_out(number!("viscous_coefficient"), phrases::TAKEN_UP);
     }
     Ok(found)
 }
@@ -374,10 +432,13 @@ fn refined(structure: &Structure, tests: &[Test]) -> Option<Structure> {
 }
 
 /// Intervals, and what the records leave open.
-fn finish(structure: &Structure, tests: &[Test]) -> Found {
+fn finish(structure: &Structure, tests: &[Test], given: &Off) -> Found {
     let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
-    let estimates = estimates(hypothesis, refit, tests);
+    let mut estimates = estimates(hypothesis, refit, tests);
+    if hypothesis.base.is_on(element!("series_compliance")) && of_the_rig::tells_delay(tests) {
+        hold_too(&mut estimates, &with_open_measurement(structure, tests, given));
+    }
     for estimate in &estimates {
         match estimate.standing {
             Standing::NotIdentified if estimate.index.is_none() => notes.push(of_number(phrases::HELD, estimate)),

@@ -21,9 +21,9 @@ mod texts;
 pub mod validation;
 
 pub use as_the_fit_saw::AS_THE_FIT_SAW;
-pub use fit::{TEMPERATURE, Family, Fit, FitError, FitOptions, Stage, fit};
-pub use intervals::{Estimate, Standing};
 pub use dashpot_estimation::structure::inventory::InventoryItem;
+pub use fit::{Family, Fit, FitError, FitOptions, Stage, TEMPERATURE, fit};
+pub use intervals::{Estimate, Standing};
 pub use inventory_text::describe_item;
 pub use kind::{KINDS, Kind};
 pub use of_the_rig::{Measured, off};

@@ -16,6 +16,9 @@ dashpot_records::phrases! {
     CARRIES: "{effect}: {force} N rms, {share} of the force; probability {probability}";
     CARRIES_IN_FORM: "{effect} ({form}): {force} N rms, {share} of the force; probability {probability}";
     // What the data does not determine.
+    NOT_IDENTIFIED: "{name} could not be identified from this data ({why}); its element is off";
+    NEEDS_SIDE_FORCES: "it needs slow tests at two or more side forces, with a side-force channel";
+    TAKEN_UP: "a free FV curve takes a v² term up";
     HELD: "{name} could not be identified from this data; it is held at {value} {unit}";
     AT_BOUND: "{name} ran into the bound of its range at {value} {unit}: the data asks for something this element cannot do";
     // What the campaign cannot show.

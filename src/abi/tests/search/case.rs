@@ -106,6 +106,7 @@ impl Given {
             velocity: self.v,
             side_force: self.side,
             temperature: self.temperature,
+            setting: 0.0,
         }
     }
 }

@@ -63,7 +63,9 @@ const WEAK: [Number; 33] = [
 /// Element that a free number belongs to; `None` for numbers of the measurement and of the FV curve.
 pub fn element_of(free: &Free) -> Option<Element> {
     let element = match free {
-        Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => number.row().element(),
+        Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
+            number.row().element()
+        }
         Free::Model(Unknown::Rise { curve: CurveName::Spring, .. }) => Some(element!("parallel_spring")),
         Free::Model(Unknown::Entry(list, _)) => list.row().element(),
         Free::Cooling | Free::HeatCapacity => Some(element!("temperature_fade")),
@@ -101,7 +103,14 @@ impl Component {
                 let own = of.numbers.iter().filter(|n| element_of(&n.free) == Some(element));
                 let frees: Vec<Free> = own.map(|n| n.free.clone()).collect();
                 let numbers = frees.iter().map(weight).sum();
-                Component { effect: element.name(), form: "", elements: vec![element], fixed: Vec::new(), frees, numbers }
+                Component {
+                    effect: element.name(),
+                    form: "",
+                    elements: vec![element],
+                    fixed: Vec::new(),
+                    frees,
+                    numbers,
+                }
             })
             .collect();
         all.extend(of.numbers.iter().filter_map(|n| match n.free {

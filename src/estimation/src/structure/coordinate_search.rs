@@ -49,10 +49,10 @@ pub fn settle(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_core::Params;
-    use dashpot_core::{element, number};
     use crate::hypothesis::number;
     use crate::unknowns::Unknown;
+    use dashpot_core::Params;
+    use dashpot_core::{element, number};
     use nalgebra::{DMatrix, DVector};
 
     #[test]

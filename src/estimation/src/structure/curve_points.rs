@@ -2,14 +2,14 @@
 //! no missing effect.
 
 use super::screening::Projection;
-use dashpot_core::Model;
-use dashpot_core::curve::MAX_POINTS;
-use dashpot_core::list;
 use crate::hypothesis::{Free, Hypothesis, number};
 use crate::refit::{Effort, Refit, refit};
 use crate::samples::Test;
 use crate::sensitivity::Accuracy;
 use crate::unknowns::{CurveName, Unknown, Unknowns, anchor};
+use dashpot_core::Model;
+use dashpot_core::curve::MAX_POINTS;
+use dashpot_core::list;
 use nalgebra::DVector;
 
 /// Fall of χ² that a further point must bring, and share of the excess that all of them must.

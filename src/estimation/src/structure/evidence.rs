@@ -56,7 +56,13 @@ pub fn mean_squares(tests: &[Test], residual: &DVector<f64>) -> Vec<f64> {
 
 impl Evidence {
     /// Of residuals at `theta`; `numbers` counts the free numbers.
-    pub fn new(hypothesis: &Hypothesis, theta: &[f64], residual: &DVector<f64>, tests: &[Test], numbers: f64) -> Evidence {
+    pub fn new(
+        hypothesis: &Hypothesis,
+        theta: &[f64],
+        residual: &DVector<f64>,
+        tests: &[Test],
+        numbers: f64,
+    ) -> Evidence {
         Evidence {
             mean_squares: mean_squares(tests, residual),
             weights: tests.iter().map(|t| if t.frequency > 0.0 { 1.0 } else { ROAD }).collect(),

@@ -122,8 +122,7 @@ pub fn expand(
         let candidate = &list[screened[place].candidate];
         let numbers = from.numbers() + Component::of_candidate(candidate).numbers;
         let hypothesis = &screened[place].hypothesis;
-        Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers).log()
-            + prior_with(candidate)
+        Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers).log() + prior_with(candidate)
     };
     let mut trials: Vec<Trial> = halve(entrants, &field, &posterior)
         .into_iter()
@@ -136,7 +135,16 @@ pub fn expand(
             }
         })
         .collect();
-    if std::env::var("DT").is_ok() { eprintln!("TIME screen {:?} ({}) entrants {:?} ({}) halve {:?}", t1, screened.len(), t2-t1, ne, t0.elapsed()-t2); }
+    if std::env::var("DT").is_ok() {
+        eprintln!(
+            "TIME screen {:?} ({}) entrants {:?} ({}) halve {:?}",
+            t1,
+            screened.len(),
+            t2 - t1,
+            ne,
+            t0.elapsed() - t2
+        );
+    }
     trials.sort_by(|a, b| b.structure.log_posterior.total_cmp(&a.structure.log_posterior));
     let mut visible: Vec<(&'static str, f64)> = Vec::new();
     for s in &screened {

@@ -1,13 +1,13 @@
 //! An explanation with one more effect: switched on, its numbers free, at one of its starts.
 
-use crate::vocabulary::{Candidate, DrawnOn, Fresh, Start};
-use dashpot_core::Params;
-use dashpot_core::list;
-use dashpot_core::parameter;
 use crate::hypothesis::{Free, Hypothesis, Number, number};
 use crate::scale::Scale;
 use crate::spring_end::straighten;
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
+use crate::vocabulary::{Candidate, DrawnOn, Fresh, Start};
+use dashpot_core::Params;
+use dashpot_core::list;
+use dashpot_core::parameter;
 use dashpot_records::restrict;
 
 /// The explanation at `theta` with a candidate added at one of its starts.

@@ -73,8 +73,7 @@ pub fn halve(
     let t2 = t0.elapsed();
     by_posterior(&mut refits);
     let best = refits.first().map_or(f64::NEG_INFINITY, |r| r.0);
-    let finals: Vec<bool> =
-        refits.iter().enumerate().map(|(k, r)| k < budget.finals && best - r.0 < REACH).collect();
+    let finals: Vec<bool> = refits.iter().enumerate().map(|(k, r)| k < budget.finals && best - r.0 < REACH).collect();
     let full = |((_, place, known), is_final): ((f64, usize, Refit), bool)| {
         if !is_final {
             return (place, known);
@@ -91,7 +90,9 @@ pub fn halve(
         (place, judged)
     };
     let mut all: Vec<(usize, Refit)> = refits.into_par_iter().zip(finals).map(full).collect();
-    if std::env::var("DT").is_ok() { eprintln!("TIME look {t1:?} compare {:?} full {:?}", t2-t1, t0.elapsed()-t2); }
+    if std::env::var("DT").is_ok() {
+        eprintln!("TIME look {t1:?} compare {:?} full {:?}", t2 - t1, t0.elapsed() - t2);
+    }
     all.extend(rest.into_iter().map(|(_, place, refit)| (place, refit)));
     all
 }

@@ -94,11 +94,8 @@ pub fn inventory(
     let measured = rms(tests.iter().map(|t| mean_square(t.forces().iter().copied())));
     let Some(whole) = forces(&best.hypothesis, tests, &best.refit.theta) else { return Vec::new() };
     let is_in = |structure: &Structure, effect: &str| structure.components.iter().any(|c| c.effect == effect);
-    let gone: Vec<&Component> = given
-        .iter()
-        .flat_map(|given| &given.components)
-        .filter(|component| !is_in(best, component.effect))
-        .collect();
+    let gone: Vec<&Component> =
+        given.iter().flat_map(|given| &given.components).filter(|component| !is_in(best, component.effect)).collect();
     let mut all: Vec<InventoryItem> = best
         .components
         .iter()

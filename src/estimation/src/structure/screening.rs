@@ -5,13 +5,13 @@
 
 use super::extend::extend;
 use super::nearby::Nearby;
-use crate::vocabulary::{Candidate, Fresh, Start};
 use crate::cancel;
 use crate::gram::gram;
 use crate::hypothesis::{Free, Hypothesis, Residual};
 use crate::refit::{Refit, weights};
 use crate::samples::Test;
 use crate::unknowns::Unknown;
+use crate::vocabulary::{Candidate, Fresh, Start};
 use dashpot_records::restrict;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;

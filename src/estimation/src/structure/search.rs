@@ -89,13 +89,17 @@ impl Structure {
 
     /// Refitted from where it stands, with more points on the FV curve where those are worth it.
     pub fn refined(&self, tests: &[Test], effort: Effort) -> Structure {
-        let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else { return self.clone() };
+        let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
+            return self.clone();
+        };
         if is_bent(&self.hypothesis, tests, &fine.theta) {
             fine = unbent(&self.hypothesis, tests, fine);
         }
         let now = (self.hypothesis.clone().starting_at(&fine.theta), fine);
         let finer = with_enough_points(now.clone(), tests, noise_chi2(tests));
-        let of = |(hypothesis, refit): (Hypothesis, Refit)| Structure::new(hypothesis, refit, self.components.clone(), tests);
+        let of = |(hypothesis, refit): (Hypothesis, Refit)| {
+            Structure::new(hypothesis, refit, self.components.clone(), tests)
+        };
         let (plain, finer) = (of(now), of(finer));
         if finer.log_posterior > plain.log_posterior { finer } else { plain }
     }
@@ -207,14 +211,35 @@ impl StructureSearch {
             }
             self.last = trials.clone();
             if std::env::var("DP").is_ok() {
-                eprintln!("round {round} best {:.1} ms {:.2} {:?}", self.best.log_posterior, self.best.evidence.mean(), self.best.key());
-                for t in trials.iter().enumerate().filter(|(k, t)| *k < 8 || std::env::var("DF").is_ok_and(|f| t.form.0 == f)).map(|x| x.1) { eprintln!("   + {:?} {:.1} ms {:.2} impl {:.1}", t.form, t.structure.log_posterior, t.structure.evidence.mean(), t.structure.evidence.implausibility); }
+                eprintln!(
+                    "round {round} best {:.1} ms {:.2} {:?}",
+                    self.best.log_posterior,
+                    self.best.evidence.mean(),
+                    self.best.key()
+                );
+                for t in trials
+                    .iter()
+                    .enumerate()
+                    .filter(|(k, t)| *k < 8 || std::env::var("DF").is_ok_and(|f| t.form.0 == f))
+                    .map(|x| x.1)
+                {
+                    eprintln!(
+                        "   + {:?} {:.1} ms {:.2} impl {:.1}",
+                        t.form,
+                        t.structure.log_posterior,
+                        t.structure.evidence.mean(),
+                        t.structure.evidence.implausibility
+                    );
+                }
             }
             let added = trials.iter().find(|t| t.unnamed.is_none());
             if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - 3.0) {
                 let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
-                let next = self.best_removal(context, &next).filter(|less| less.log_posterior > next.log_posterior).unwrap_or(next);
+                let next = self
+                    .best_removal(context, &next)
+                    .filter(|less| less.log_posterior > next.log_posterior)
+                    .unwrap_or(next);
                 if next.log_posterior > self.best.log_posterior + RISE {
                     self.best = next;
                     continue;
@@ -266,23 +291,35 @@ impl StructureSearch {
     fn swap(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, done: &mut BTreeSet<Vec<Form>>) -> bool {
         for place in 0..self.best.components.len() {
             let Some(less) = self.best.without(place, context.tests, Effort::JUDGE) else { continue };
-            if self.best.log_posterior - less.log_posterior > CONTESTED && self.best.components.len() > 1 && self.best.components[place].form.is_empty() {
+            if self.best.log_posterior - less.log_posterior > CONTESTED
+                && self.best.components.len() > 1
+                && self.best.components[place].form.is_empty()
+            {
                 continue;
             }
             if !done.insert(less.key()) {
                 continue;
             }
             let own = self.best.components[place].effect;
-            let is_tried = |c: &Candidate| c.unnamed.is_none() && (c.effect == own || forms.contains(&(c.effect, c.form)));
+            let is_tried =
+                |c: &Candidate| c.unnamed.is_none() && (c.effect == own || forms.contains(&(c.effect, c.form)));
             let Some(Expansion { trials, .. }) = expand(context, &less, &is_tried, Budget::RIVALS) else { continue };
             self.note(&trials);
             self.rivals.extend(trials.iter().filter(|t| t.form.0 != own).take(2).cloned());
             if std::env::var("DP").is_ok() {
                 eprintln!("swap {own} ({:.1})", less.log_posterior);
-                for t in trials.iter().take(3) { eprintln!("   + {:?} {:.1} ms {:.2}", t.form, t.structure.log_posterior, t.structure.evidence.mean()); }
+                for t in trials.iter().take(3) {
+                    eprintln!(
+                        "   + {:?} {:.1} ms {:.2}",
+                        t.form,
+                        t.structure.log_posterior,
+                        t.structure.evidence.mean()
+                    );
+                }
             }
             let Some(trial) = trials.first() else { continue };
-            if trial.structure.log_posterior > self.best.log_posterior - 2.0 && trial.structure.key() != self.best.key() {
+            if trial.structure.log_posterior > self.best.log_posterior - 2.0 && trial.structure.key() != self.best.key()
+            {
                 let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
                 if next.log_posterior > self.best.log_posterior + RISE {
@@ -296,7 +333,8 @@ impl StructureSearch {
 
     /// Probability of every effect: sums over the table, where posteriors are divided by `temperature`.
     pub fn probabilities(&self, temperature: f64) -> BTreeMap<&'static str, f64> {
-        let logs: Vec<(&Vec<Form>, f64)> = self.table.iter().map(|(key, row)| (key, row.log_posterior / temperature)).collect();
+        let logs: Vec<(&Vec<Form>, f64)> =
+            self.table.iter().map(|(key, row)| (key, row.log_posterior / temperature)).collect();
         let whole = log_sum_exp(&logs.iter().map(|l| l.1).collect::<Vec<_>>());
         let mut all = BTreeMap::new();
         for (key, log) in logs {

@@ -4,12 +4,12 @@
 //! has given way to it. Put straight, both go back.
 
 use super::evidence::{effective_count, noise_chi2};
-use dashpot_core::curve::{Curve, Interpolation};
-use dashpot_core::{element, list, number};
 use crate::hypothesis::{Free, Hypothesis};
 use crate::refit::{Effort, Refit, refit};
 use crate::samples::Test;
 use crate::unknowns::{CurveName, Unknown, Unknowns};
+use dashpot_core::curve::{Curve, Interpolation};
+use dashpot_core::{element, list, number};
 use dashpot_records::restrict;
 
 /// Mean excess per independent sample, in σ², below which no other start is worth its time.
@@ -120,9 +120,9 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::segment::Segment;
     use crate::vocabulary::base_numbers;
     use dashpot_core::{Input, Params};
-    use crate::segment::Segment;
 
     /// Sines of so many metres and hertz, with the forces of an explanation.
     fn measured(of: &Hypothesis, sines: &[(f64, f64)]) -> Vec<Test> {

@@ -22,7 +22,11 @@ pub fn given(params: &Params, heating: &Arc<Heating>) -> (Hypothesis, Vec<Compon
 }
 
 /// Models made from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and without one.
-pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<(Hypothesis, Vec<Component>)> {
+pub fn plain(
+    tests: &[Test],
+    heating: &Arc<Heating>,
+    may: &dyn Fn(Element) -> bool,
+) -> Vec<(Hypothesis, Vec<Component>)> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     let first = guess(&segments);
     let scale = size(&segments).force();

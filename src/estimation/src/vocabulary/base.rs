@@ -1,12 +1,12 @@
 //! The numbers of the model that is diagnosed.
 
-use dashpot_core::Params;
-use dashpot_core::parameter::{Element, Number, Row, Shape, table};
-use dashpot_core::{element, list, number};
 use crate::hypothesis::{Number as FreeNumber, number};
 use crate::priors::{self, Usual};
 use crate::scale::Scale;
 use crate::unknowns::Unknown;
+use dashpot_core::Params;
+use dashpot_core::parameter::{Element, Number, Row, Shape, table};
+use dashpot_core::{element, list, number};
 
 /// Factor by which the internal mass may leave that of the model: two standard deviations of what dampers show. A rod does not get heavier, so
 /// that records which ask for more than that disagree with the model, and the mass has a name; free, it would take up any mass of the rig. Held

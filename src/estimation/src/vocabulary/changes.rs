@@ -21,9 +21,11 @@ pub fn changes(reference: &Hypothesis) -> Vec<Candidate> {
             values.iter().map(|v| Start::at(&[*v])).collect(),
         )
     };
-    let mut all: Vec<Candidate> = CurvePart::ALL.iter().map(|part| plain(part.name(), Free::Curve(*part), &RELATIVE)).collect();
+    let mut all: Vec<Candidate> =
+        CurvePart::ALL.iter().map(|part| plain(part.name(), Free::Curve(*part), &RELATIVE)).collect();
     for number in &reference.numbers {
-        let Free::Model(unknown @ (Unknown::Log(own) | Unknown::Linear(own) | Unknown::Above(own, _))) = number.free else {
+        let Free::Model(unknown @ (Unknown::Log(own) | Unknown::Linear(own) | Unknown::Above(own, _))) = number.free
+        else {
             continue;
         };
         all.push(plain(own.name(), Free::Shift(unknown), &STEPS.map(|step| step * number.step)));

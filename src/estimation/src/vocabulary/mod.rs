@@ -17,12 +17,12 @@ mod valves;
 pub use base::base_numbers;
 pub use changes::changes;
 
-use crate::situation::Situation;
-use dashpot_core::parameter::{Element, Number};
 use crate::hypothesis::Free;
 use crate::measurement::Artefact;
 use crate::scale::Scale;
+use crate::situation::Situation;
 use crate::unknowns::Unknown;
+use dashpot_core::parameter::{Element, Number};
 
 /// A number that an effect brings along.
 #[derive(Debug, Clone)]
@@ -66,16 +66,34 @@ pub struct DrawnOn {
 
 impl Start {
     fn at(values: &[f64]) -> Start {
-        Start { values: values.to_vec(), moves: Vec::new(), unbend: None, straighten: None, curve: Vec::new(), level: 0.0 }
+        Start {
+            values: values.to_vec(),
+            moves: Vec::new(),
+            unbend: None,
+            straighten: None,
+            curve: Vec::new(),
+            level: 0.0,
+        }
     }
 
     /// Whether it moves numbers of the base.
     pub fn moves_the_base(&self) -> bool {
-        !self.moves.is_empty() || self.unbend.is_some() || self.straighten.is_some() || !self.curve.is_empty() || self.level > 0.0
+        !self.moves.is_empty()
+            || self.unbend.is_some()
+            || self.straighten.is_some()
+            || !self.curve.is_empty()
+            || self.level > 0.0
     }
 
     fn moving(values: &[f64], moves: &[(Number, f64)]) -> Start {
-        Start { values: values.to_vec(), moves: moves.to_vec(), unbend: None, straighten: None, curve: Vec::new(), level: 0.0 }
+        Start {
+            values: values.to_vec(),
+            moves: moves.to_vec(),
+            unbend: None,
+            straighten: None,
+            curve: Vec::new(),
+            level: 0.0,
+        }
     }
 }
 
@@ -119,10 +137,9 @@ impl Fresh {
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => scale.of_number(*number),
             Free::Model(Unknown::Rise { .. }) | Free::HeatCapacity => scale.force(),
             Free::Rig(artefact) => scale.of_artefact(*artefact),
-            Free::Model(Unknown::Above(..) | Unknown::Entry(..))
-            | Free::Cooling
-            | Free::Shift(_)
-            | Free::Curve(_) => 1.0,
+            Free::Model(Unknown::Above(..) | Unknown::Entry(..)) | Free::Cooling | Free::Shift(_) | Free::Curve(_) => {
+                1.0
+            }
         }
     }
 

@@ -1,9 +1,9 @@
 //! The oil column: compressibility, air, voids, temperature.
 
 use super::{Candidate, DrawnOn, Fresh, Start, candidate, fresh, held, linear, log, near};
+use crate::hypothesis::Free;
 use crate::situation::Situation;
 use dashpot_core::{element, number};
-use crate::hypothesis::Free;
 
 /// One over the length of an oil column, 1/m.
 const COLUMN: f64 = 6.0;
@@ -209,9 +209,7 @@ fn unfilled(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 &[element!("cavitation")],
                 vec![fraction(), held(number!("cavitation_velocity"), (0.03, 1.5), 0.7)],
-                starts
-                    .flat_map(|values| curves.clone().map(|curve| Start { curve, ..Start::at(&values) }))
-                    .collect(),
+                starts.flat_map(|values| curves.clone().map(|curve| Start { curve, ..Start::at(&values) })).collect(),
             )
         });
         all.push(Candidate {
@@ -221,10 +219,7 @@ fn unfilled(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 &[element!("cavitation")],
                 vec![fraction()],
-                UNFILLED
-                    .iter()
-                    .flat_map(|a| curves.clone().map(|curve| Start { curve, ..Start::at(&[*a]) }))
-                    .collect(),
+                UNFILLED.iter().flat_map(|a| curves.clone().map(|curve| Start { curve, ..Start::at(&[*a]) })).collect(),
             )
         });
     }

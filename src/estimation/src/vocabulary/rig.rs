@@ -1,10 +1,10 @@
 //! The rig: mass on the load cell, late channels, zeros that are off or move.
 
 use super::{Candidate, Start, candidate, fresh, linear, of_the_rig};
-use crate::situation::Situation;
-use dashpot_core::{element, number};
 use crate::hypothesis::Free;
 use crate::measurement::Artefact;
+use crate::situation::Situation;
+use dashpot_core::{element, number};
 
 /// How far the zero of a load cell may be off, N.
 const OFF: f64 = 200.0;

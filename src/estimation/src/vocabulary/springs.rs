@@ -1,7 +1,7 @@
 //! Gas and springs beside the valves.
 
-use crate::situation::Situation;
 use super::{Candidate, Fresh, Start, candidate, held, linear};
+use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 

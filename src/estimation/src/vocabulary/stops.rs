@@ -2,9 +2,9 @@
 
 use super::{Candidate, Start, candidate, held, linear, log};
 use crate::situation::Situation;
+use crate::spring_end::excess;
 use dashpot_core::parameter::Element;
 use dashpot_core::{element, number};
-use crate::spring_end::excess;
 
 /// Adds them.
 pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {

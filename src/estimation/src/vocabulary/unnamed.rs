@@ -17,13 +17,14 @@ fn looks_like(unnamed: Unnamed, artefacts: &[Artefact], start: &[f64]) -> Candid
 
 /// What a rig may add that the vocabulary has no name for.
 pub(super) fn unnamed(all: &mut Vec<Candidate>) {
-    all.extend([Load::Whole, Load::BeyondRest].map(|load| {
-        looks_like(Unnamed::Guides, &[Artefact::Guide(load), Artefact::GuideAlong(load)], &[0.03, 0.1])
-    }));
+    all.extend(
+        [Load::Whole, Load::BeyondRest].map(|load| {
+            looks_like(Unnamed::Guides, &[Artefact::Guide(load), Artefact::GuideAlong(load)], &[0.03, 0.1])
+        }),
+    );
     all.extend(TURNS_OVER.map(|width| looks_like(Unnamed::LoadCell, &[Artefact::Loop(width)], &[0.02])));
     all.extend(
-        RESONATES.map(|hz| {
-            looks_like(Unnamed::Resonance, &[Artefact::Ring(hz), Artefact::RingAcross(hz)], &[0.01, 0.01])
-        }),
+        RESONATES
+            .map(|hz| looks_like(Unnamed::Resonance, &[Artefact::Ring(hz), Artefact::RingAcross(hz)], &[0.01, 0.01])),
     );
 }

@@ -127,7 +127,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     }
     // It follows from stiffness and mass.
     let explicit_step = if options.hide_parameters { 0.0 } else { options.explicit_step };
-        let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
+    let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
     let describe =
         |guid: &str, sources: &[String]| description::description(version, &variables, guid, options.name, sources);
     let contents =

@@ -3,9 +3,9 @@
 
 use super::Value;
 use super::table::{Limit, Quantity};
-use dashpot_estimation::first_guess::{self, SLOW};
 use crate::peaks::{AtPeak, Peak};
 use crate::validation::{Compared, Hysteresis};
+use dashpot_estimation::first_guess::{self, SLOW};
 use dashpot_estimation::samples::segments;
 use dashpot_records::Record;
 use serde::{Deserialize, Serialize};
