@@ -2,11 +2,11 @@
 
 use super::phrases;
 use dashpot_core::{Params, list};
-use dashpot_estimation::curve_part::{CurvePart, Speeds};
+use dashpot_estimation::curve_part::{CurvePart, Side, Speeds};
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::samples::Test;
-use dashpot_estimation::structure::search::Structure;
+use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_records::{Sentence, reading_unit};
 use serde::Serialize;
@@ -41,7 +41,8 @@ const Z: f64 = 1.96;
 /// Where the forces of a part of the FV curve are given: the middle of its speeds, by ratio, and the fastest.
 fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     let velocity = base.list(list!("fv_velocity"));
-    let side = |v: &&f64| if part.rebound { **v > 0.0 } else { **v < 0.0 };
+    let is_rebound = part.side != Side::Compression;
+    let side = |v: &&f64| if is_rebound { **v > 0.0 } else { **v < 0.0 };
     let speeds: Vec<f64> = velocity.iter().filter(side).map(|v| v.abs()).collect();
     let wanted = match part.speeds {
         Speeds::Low => 0.05,
@@ -50,7 +51,7 @@ fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     };
     let nearest =
         speeds.iter().copied().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap_or(wanted);
-    if part.rebound { nearest } else { -nearest }
+    if is_rebound { nearest } else { -nearest }
 }
 
 fn force_at(params: &Params, velocity: f64) -> f64 {
@@ -144,6 +145,7 @@ impl Change {
         let (reference, value) = (digits(self.reference), digits(self.value));
         if let Some(velocity) = self.velocity_m_s {
             let said = match self.name {
+                "fv_curve" => phrases::CHANGED_BOTH,
                 "rebound_curve" => phrases::CHANGED_REBOUND,
                 "compression_curve" => phrases::CHANGED_COMPRESSION,
                 "rebound_low_speed" => phrases::CHANGED_REBOUND_LOW,

@@ -7,6 +7,7 @@ use super::effects::{self, meaning};
 use super::name_of::name_of;
 use super::outcome::*;
 use super::prepared::Against;
+use super::wording::{percent, physical};
 use super::{improved, next_test, phrases, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::gap::{errors, gap_closed, rms, rms_of_tests};
@@ -16,8 +17,9 @@ use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::component::{Component, element_of};
+use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, Status, inventory};
-use dashpot_estimation::structure::search::{Structure, StructureSearch};
+use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_estimation::vocabulary::Unnamed;
 use dashpot_identification::TEMPERATURE;
@@ -52,10 +54,6 @@ pub(super) struct Composed<'a> {
     pub situation: Situation,
     /// The reference damper, where there is one.
     pub against: Option<Against>,
-}
-
-pub fn percent(x: f64) -> String {
-    format!("{:.0} %", 100.0 * x)
 }
 
 /// Fraction of what is beyond the noise that is explained: of mean squares in units of what noise and curves leave.
@@ -116,7 +114,7 @@ impl Composed<'_> {
         };
         let (fitted_before, left_before) = (of(&self.given, &self.fitted), of(&self.given, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
-        let items = inventory(&self.search, &self.best, Some(&self.given), &self.fitted, &probability);
+        let items = inventory(&self.best, Some(&self.given), &self.fitted, &probability);
         let force = |effect: &str| items.iter().find(|i| i.effect == effect).map_or(0.0, |i| i.force_n_rms);
         let changed = if is_against { changes(&self.best, &self.fitted, &probability, &force) } else { Vec::new() };
         let (changed_items, inventory): (Vec<InventoryItem>, Vec<InventoryItem>) =
@@ -581,12 +579,4 @@ const RARE: f64 = 2.5;
 /// Whether dampers show such a value.
 fn is_plausible(hypothesis: &Hypothesis, k: usize, theta: &[f64]) -> bool {
     hypothesis.numbers[k].prior.is_none_or(|(mean, sd)| ((theta[k] - mean) / sd).abs() < RARE)
-}
-
-/// A number in the unit that people use.
-pub fn physical(free: &Free, value: f64) -> f64 {
-    match free {
-        Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => libm::exp(value),
-        _ => value,
-    }
 }

@@ -10,7 +10,8 @@ use dashpot_core::Params;
 use dashpot_estimation::refit::{Effort, refit};
 use dashpot_estimation::samples::{Test, Thin};
 use dashpot_estimation::situation::Situation;
-use dashpot_estimation::structure::search::{SearchContext, Structure, StructureSearch};
+use dashpot_estimation::structure::context::{SearchContext, Structure};
+use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_estimation::structure::starts;
 use dashpot_estimation::vocabulary::{Candidate, changes};
 use dashpot_records::Record;
@@ -88,7 +89,10 @@ fn alone<'a>(
     };
     let given = starts::given(params, &heating);
     let mut all = vec![given.clone()];
-    all.extend(starts::plain(&thin, &heating, &|_| true));
+    // Asked about some effects alone, or for none, the given model is the only one to compare with.
+    if options.candidates.is_none() && options.max_effects > 0 {
+        all.extend(starts::plain(&thin, &heating, &|_| true));
+    }
     let search = StructureSearch::run(&context, all).ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);
     let start = search.starts.iter().find(|s| s.components == given.1).unwrap_or(&search.best);

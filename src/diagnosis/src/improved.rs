@@ -1,12 +1,12 @@
 //! The improved model as a fit, so that it is written, read and reported like any other.
 
-use super::composed::{percent, physical};
 use super::name_of::name_of;
 use super::outcome::Diagnosis;
 use super::phrases;
+use super::wording::{percent, physical};
 use dashpot_estimation::campaign_clock::clock_from;
 use dashpot_estimation::hypothesis::Free;
-use dashpot_estimation::structure::search::Structure;
+use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::literature::{fv_curve, observation::of_records};
 use dashpot_identification::model_file::ModelFile;

@@ -43,6 +43,7 @@ mod texts;
 mod tree;
 mod untestable;
 mod warmer;
+mod wording;
 
 pub use changes::Change;
 pub use dashpot_estimation::structure::inventory::{InventoryItem, Status};

@@ -38,6 +38,7 @@ dashpot_records::phrases! {
     COLDER_SENSE: "colder";
     CHANGED: "{numbers}{more}";
     NOTHING_ELSE: "; nothing else changed";
+    CHANGED_BOTH: "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} m/s)";
     CHANGED_REBOUND: "rebound force {percent} % at all speeds ({reference} -> {value} N at {velocity} m/s)";
     CHANGED_COMPRESSION: "compression force {percent} % at all speeds ({reference} -> {value} N at {velocity} m/s)";
     CHANGED_REBOUND_LOW: "rebound force at low speed {percent} % ({reference} -> {value} N at {velocity} m/s)";

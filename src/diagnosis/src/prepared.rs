@@ -10,7 +10,7 @@ use dashpot_estimation::refit::{Effort, refit};
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
-use dashpot_estimation::structure::search::Structure;
+use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::starts;
 use dashpot_records::Record;
 use std::sync::Arc;

@@ -20,8 +20,9 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
+use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
-use dashpot_estimation::structure::search::{SearchContext, Structure, StructureSearch};
+use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_estimation::structure::starts;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_estimation::vocabulary::Candidate;
@@ -409,7 +410,7 @@ fn fit_thesis(
     let best = refined(&search.best, tests).ok_or_else(not_finite)?;
     let probabilities = search.probabilities(TEMPERATURE);
     let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
-    let inventory = inventory(&search, &best, None, tests, &probability);
+    let inventory = inventory(&best, None, tests, &probability);
     let mut found = finish(&best, tests, &about.given);
     found.inventory = inventory;
     if best.hypothesis.base.is_on(element!("series_compliance")) && !of_the_rig::tells_delay(tests) {

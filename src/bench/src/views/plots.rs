@@ -499,7 +499,7 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
     let mut stopped = (allowed != wanted).then_some(Stop::Force);
     let changed = model.set(force.row(), point, allowed);
     let p = force.row().parameter;
-    if allowed.clamp(p.low, p.high) != allowed {
+    if restrict(allowed, p.low, p.high) != allowed {
         stopped = Some(Stop::Bound);
     }
     let mut moved = false;

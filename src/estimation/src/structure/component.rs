@@ -135,7 +135,6 @@ impl Component {
     /// Removes it from a hypothesis that stands at `theta`.
     pub fn remove(&self, from: &Hypothesis, theta: &[f64]) -> Hypothesis {
         let mut to = from.clone().starting_at(theta);
-        to.base = from.params(theta);
         for element in &self.elements {
             to.base.enable(*element, false);
         }

@@ -15,7 +15,7 @@ use nalgebra::DVector;
 
 /// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact. With a smaller value
 /// the discretization of the FV curve earns an effect a name; with a larger one effects below the noise are lost.
-const FORM: f64 = 0.15;
+const FORM: f64 = 0.3;
 /// Observations of the form error in a test. A mean cycle shows more than one feature of it, but they are correlated with those of
 /// neighboring tests. More of them give names to what an effect absorbs by a fraction, fewer lose effects that act in few tests.
 const OBSERVATIONS: f64 = 1.5;
@@ -148,14 +148,14 @@ mod tests {
     }
 
     #[test]
-    fn one_wild_test_does_not_decide() {
-        let mut wild = vec![1.2; 30];
-        wild[0] = 1e4;
-        let all_better = |squares: &[f64]| squares.iter().map(|s| 1.0 + 0.5 * (s - 1.0)).collect::<Vec<_>>();
-        let gain = evidence(&all_better(&wild), 0.0).log() - evidence(&wild, 0.0).log();
-        let mut wild_better = wild.clone();
-        wild_better[0] = 5e3;
-        assert!(gain > 3.0 * (evidence(&wild_better, 0.0).log() - evidence(&wild, 0.0).log()));
+    fn one_wild_test_hides_no_gain_in_the_others_and_is_not_overlooked() {
+        let with = |bulk: f64, wild: f64| {
+            let mut all = vec![bulk; 30];
+            all[0] = wild;
+            evidence(&all, 0.0).log()
+        };
+        assert!(with(1.0, 50.0) > with(1.5, 50.0) + 10.0);
+        assert!(with(1.5, 1.5) > with(1.5, 50.0) + 5.0);
     }
 
     #[test]

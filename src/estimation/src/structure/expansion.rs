@@ -1,12 +1,14 @@
 //! All structures that have one more effect than a given one.
 
+use super::budget::Budget;
 use super::component::Component;
+use super::context::{Form, SearchContext, Structure};
 use super::evidence::Evidence;
 use super::halving::{Entrant, Field, halve};
 use super::nearby::Nearby;
 use super::prior_odds::log_prior;
 use super::screening::{Projection, Screened, screen};
-use super::search::{Form, SearchContext, Structure};
+
 use crate::cancel;
 use crate::refit::Refit;
 use crate::samples::Test;
@@ -15,28 +17,6 @@ use crate::situation::Situation;
 use crate::vocabulary::{Candidate, Unnamed, candidates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-
-/// How much an expansion may spend.
-#[derive(Debug, Clone, Copy)]
-pub struct Budget {
-    /// Starts of one form that are refitted, of those that leave the base where it is and of those that move it.
-    pub starts: [usize; 2],
-    /// Starts that are refitted in all.
-    pub entrants: usize,
-    /// Forms that are refitted in the second heat.
-    pub forms: usize,
-    /// Forms that are refitted with a Jacobian of their own.
-    pub finals: usize,
-}
-
-impl Budget {
-    /// Every form of every effect.
-    pub const WIDE: Budget = Budget { starts: [2, 2], entrants: 84, forms: 20, finals: 4 };
-    /// Few forms, known to be promising.
-    pub const NARROW: Budget = Budget { starts: [1, 1], entrants: 30, forms: 10, finals: 3 };
-    /// To compare rivals of one effect.
-    pub const RIVALS: Budget = Budget { starts: [1, 1], entrants: 18, forms: 6, finals: 2 };
-}
 
 /// A structure with one more effect, or what an error without a name would explain.
 #[derive(Clone)]
@@ -79,9 +59,7 @@ pub fn expand(
         .filter(|c| from.components.iter().all(|own| own.effect != c.effect))
         .filter(|c| (context.is_allowed)(c, &situation) && is_tried(c))
         .collect();
-    let t0 = std::time::Instant::now();
     let screened = screen(hypothesis, &at, &projection, &list, tests, &nearby);
-    let t1 = t0.elapsed();
     let entrants: Vec<Entrant> = choose(&screened, &list, budget)
         .par_iter()
         .filter_map(|place| {
@@ -103,8 +81,6 @@ pub fn expand(
             Some(Entrant { screened: *place, start, jacobian })
         })
         .collect();
-    let t2 = t0.elapsed();
-    let ne = entrants.len();
     let structure_of = |place: usize, refit: Refit| {
         let candidate = &list[screened[place].candidate];
         let mut components = from.components.clone();
@@ -135,16 +111,6 @@ pub fn expand(
             }
         })
         .collect();
-    if std::env::var("DT").is_ok() {
-        eprintln!(
-            "TIME screen {:?} ({}) entrants {:?} ({}) halve {:?}",
-            t1,
-            screened.len(),
-            t2 - t1,
-            ne,
-            t0.elapsed() - t2
-        );
-    }
     trials.sort_by(|a, b| b.structure.log_posterior.total_cmp(&a.structure.log_posterior));
     let mut visible: Vec<(&'static str, f64)> = Vec::new();
     for s in &screened {

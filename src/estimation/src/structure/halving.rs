@@ -1,7 +1,7 @@
 //! Successive halving: many short refits, then longer ones of the best, then full ones of the very best.
 
+use super::budget::Budget;
 use super::coordinate_search::settle;
-use super::expansion::Budget;
 use super::nearby::Nearby;
 use super::screening::Screened;
 use super::series_restart::{is_bent, unbent};
@@ -56,9 +56,7 @@ pub fn halve(
         let end = refit_by(of(place), tests, &entrant.start, Some(entrant.jacobian), Effort::LOOK, &residual)?;
         Some((log_posterior(place, &end), place, end))
     };
-    let t0 = std::time::Instant::now();
     let mut ahead: Vec<(f64, usize, Refit)> = entrants.into_par_iter().filter_map(short).collect();
-    let t1 = t0.elapsed();
     by_posterior(&mut ahead);
     let mut forms: BTreeSet<usize> = BTreeSet::new();
     ahead.retain(|(_, place, _)| forms.insert(form_of(*place)));
@@ -70,7 +68,6 @@ pub fn halve(
         (log_posterior(place, &end), place, end)
     };
     let mut refits: Vec<(f64, usize, Refit)> = ahead.into_par_iter().map(longer).collect();
-    let t2 = t0.elapsed();
     by_posterior(&mut refits);
     let best = refits.first().map_or(f64::NEG_INFINITY, |r| r.0);
     let finals: Vec<bool> = refits.iter().enumerate().map(|(k, r)| k < budget.finals && best - r.0 < REACH).collect();
@@ -90,9 +87,6 @@ pub fn halve(
         (place, judged)
     };
     let mut all: Vec<(usize, Refit)> = refits.into_par_iter().zip(finals).map(full).collect();
-    if std::env::var("DT").is_ok() {
-        eprintln!("TIME look {t1:?} compare {:?} full {:?}", t2 - t1, t0.elapsed() - t2);
-    }
     all.extend(rest.into_iter().map(|(_, place, refit)| (place, refit)));
     all
 }

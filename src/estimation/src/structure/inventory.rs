@@ -1,7 +1,7 @@
 //! The inventory of a structure: each effect with the force it carries and its probability, beside another structure.
 
 use super::component::Component;
-use super::search::{Structure, StructureSearch};
+use super::context::Structure;
 use crate::hypothesis::Hypothesis;
 use crate::samples::Test;
 use crate::sensitivity::Accuracy;
@@ -84,13 +84,11 @@ const REPLACES: f64 = 0.5;
 
 /// The inventory of `best` beside a given model; without one, every effect counts as added.
 pub fn inventory(
-    search: &StructureSearch,
     best: &Structure,
     given: Option<&Structure>,
     tests: &[Test],
     probability: &dyn Fn(&str) -> f64,
 ) -> Vec<InventoryItem> {
-    let _ = search;
     let measured = rms(tests.iter().map(|t| mean_square(t.forces().iter().copied())));
     let Some(whole) = forces(&best.hypothesis, tests, &best.refit.theta) else { return Vec::new() };
     let is_in = |structure: &Structure, effect: &str| structure.components.iter().any(|c| c.effect == effect);

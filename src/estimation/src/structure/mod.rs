@@ -2,7 +2,9 @@
 //!
 //! | module | what |
 //! |---|---|
-//! | [`component`] | one effect of a structure |
+//! | [`context`], [`component`] | what a search works on; a structure; one effect of it |
+//! | [`budget`] | how much a step of the search may spend |
+//! | [`starts`], [`inventory`] | where a search starts; what each effect carries |
 //! | [`evidence`], [`prior_odds`] | how probable the records are under a structure, and the structure beforehand |
 //! | [`extend`] | a hypothesis with one more effect |
 //! | [`screening`] | first-order gain of every start of every effect |
@@ -11,7 +13,9 @@
 //! | [`search`] | add, remove, swap and change of form, from several starts; the table of visited structures |
 //! | [`curve_points`], [`series_restart`], [`coordinate_search`], [`nearby`] | what refits need |
 
+pub mod budget;
 pub mod component;
+pub mod context;
 pub mod coordinate_search;
 pub mod curve_points;
 pub mod evidence;

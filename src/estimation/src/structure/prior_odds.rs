@@ -25,7 +25,8 @@ const FREQUENT: [(&str, f64); 10] = [
 ];
 
 /// Changes against a reference that are frequent, with their log odds: what is adjusted, wears or leaks. Any other number changes rarely.
-const CHANGES: [(&str, f64); 12] = [
+const CHANGES: [(&str, f64); 13] = [
+    ("fv_curve", -1.0),
     ("gas_force", -0.7),
     ("coulomb_force", -0.7),
     ("presliding_force", -0.7),
@@ -53,6 +54,11 @@ fn log_prior_odds(effect: &str, form: &str, is_of_measurement: bool) -> f64 {
     }
     let frequent = FREQUENT.iter().find(|(name, _)| *name == effect);
     frequent.map_or(if is_of_measurement { FAULT } else { RARE }, |(_, odds)| *odds)
+}
+
+/// Whether an effect is a fault or a design of few.
+pub fn is_rare(effect: &str, form: &str) -> bool {
+    form != "changed" && log_prior_odds(effect, form, false) <= RARE
 }
 
 /// Effects of which one is enough: a second of a group is as rare as a fault.

@@ -3,117 +3,18 @@
 //! From several starts, moves add, remove, swap and change the form of an effect. Every structure that was refitted stays in a table with
 //! its log posterior; the search ends where no move from the best raises it. Probabilities of effects are sums over that table.
 
+use super::budget::Budget;
 use super::component::Component;
-use super::curve_points::with_enough_points;
-use super::evidence::{Evidence, log_sum_exp, noise_chi2};
-use super::expansion::{Budget, Expansion, Trial, expand};
-use super::prior_odds::log_prior;
-use super::series_restart::{is_bent, unbent};
+use super::context::{Form, SearchContext, Structure};
+use super::evidence::log_sum_exp;
+use super::expansion::{Expansion, Trial, expand};
+use super::prior_odds::is_rare;
 use crate::cancel;
-use crate::hypothesis::{Free, Hypothesis};
-use crate::refit::{Effort, Refit, refit};
-use crate::samples::Test;
-use crate::situation::Situation;
-use crate::unknowns::{CurveName, Unknown};
+use crate::hypothesis::Hypothesis;
+use crate::refit::{Effort, refit};
 use crate::vocabulary::{Candidate, Unnamed};
-use dashpot_core::list;
-use dashpot_records::Record;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// An effect with its form.
-pub type Form = (&'static str, &'static str);
-
-/// What a search works on.
-pub struct SearchContext<'a> {
-    /// The records.
-    pub records: &'a [&'a Record],
-    /// Their tests.
-    pub tests: &'a [Test],
-    /// Whether a candidate may be part of the structure.
-    pub is_allowed: &'a (dyn Fn(&Candidate, &Situation) -> bool + Sync),
-    /// Candidates beside the vocabulary: changes against a reference.
-    pub changes: &'a [Candidate],
-    /// Most effects that may be added.
-    pub most: usize,
-    /// Told how far the search is, 0 to 1.
-    pub progress: &'a (dyn Fn(f64) + Sync),
-}
-
-/// A model with its effects, refitted.
-#[derive(Clone)]
-pub struct Structure {
-    /// The model with its free numbers.
-    pub hypothesis: Hypothesis,
-    /// Where its refit ended.
-    pub refit: Refit,
-    /// Its effects.
-    pub components: Vec<Component>,
-    /// Its residuals.
-    pub evidence: Evidence,
-    /// Log posterior, up to a constant that all structures of a search share.
-    pub log_posterior: f64,
-}
-
-impl Structure {
-    /// From a refit.
-    pub fn new(hypothesis: Hypothesis, refit: Refit, components: Vec<Component>, tests: &[Test]) -> Structure {
-        let hypothesis = hypothesis.starting_at(&refit.theta);
-        let numbers = numbers(&hypothesis, &components);
-        let evidence = Evidence::new(&hypothesis, &refit.theta, &refit.residual, tests, numbers);
-        let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
-        let log_posterior = evidence.log() + log_prior(&effects);
-        Structure { hypothesis, refit, components, evidence, log_posterior }
-    }
-
-    /// Free numbers, weakly informed ones counted half.
-    pub fn numbers(&self) -> f64 {
-        numbers(&self.hypothesis, &self.components)
-    }
-
-    /// Its effects with their forms, sorted.
-    pub fn key(&self) -> Vec<Form> {
-        let mut key: Vec<Form> = self.components.iter().map(|c| (c.effect, c.form)).collect();
-        key.sort_unstable();
-        key
-    }
-
-    /// Without one of its effects, refitted.
-    pub fn without(&self, place: usize, tests: &[Test], effort: Effort) -> Option<Structure> {
-        let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
-        let mut components = self.components.clone();
-        components.remove(place);
-        let refit = refit(&hypothesis, tests, &hypothesis.start(), None, effort)?;
-        Some(Structure::new(hypothesis, refit, components, tests))
-    }
-
-    /// Refitted from where it stands, with more points on the FV curve where those are worth it.
-    pub fn refined(&self, tests: &[Test], effort: Effort) -> Structure {
-        let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
-            return self.clone();
-        };
-        if is_bent(&self.hypothesis, tests, &fine.theta) {
-            fine = unbent(&self.hypothesis, tests, fine);
-        }
-        let now = (self.hypothesis.clone().starting_at(&fine.theta), fine);
-        let finer = with_enough_points(now.clone(), tests, noise_chi2(tests));
-        let of = |(hypothesis, refit): (Hypothesis, Refit)| {
-            Structure::new(hypothesis, refit, self.components.clone(), tests)
-        };
-        let (plain, finer) = (of(now), of(finer));
-        if finer.log_posterior > plain.log_posterior { finer } else { plain }
-    }
-}
-
-/// Points of the FV curve and of the spring table are numbers too.
-fn numbers(hypothesis: &Hypothesis, components: &[Component]) -> f64 {
-    let points = hypothesis
-        .numbers
-        .iter()
-        .filter(|n| matches!(n.free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. })))
-        .count();
-    points as f64 + components.iter().map(|c| c.numbers).sum::<f64>()
-}
 
 /// A row of the table of visited structures.
 #[derive(Debug, Clone)]
@@ -210,29 +111,9 @@ impl StructureSearch {
                 *forms = select_promising(&trials);
             }
             self.last = trials.clone();
-            if std::env::var("DP").is_ok() {
-                eprintln!(
-                    "round {round} best {:.1} ms {:.2} {:?}",
-                    self.best.log_posterior,
-                    self.best.evidence.mean(),
-                    self.best.key()
-                );
-                for t in trials
-                    .iter()
-                    .enumerate()
-                    .filter(|(k, t)| *k < 8 || std::env::var("DF").is_ok_and(|f| t.form.0 == f))
-                    .map(|x| x.1)
-                {
-                    eprintln!(
-                        "   + {:?} {:.1} ms {:.2} impl {:.1}",
-                        t.form,
-                        t.structure.log_posterior,
-                        t.structure.evidence.mean(),
-                        t.structure.evidence.implausibility
-                    );
-                }
-            }
-            let added = trials.iter().find(|t| t.unnamed.is_none());
+            let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form)).count();
+            let may = |t: &&Trial| t.unnamed.is_none() && (rare < context.most || !is_rare(t.form.0, t.form.1));
+            let added = trials.iter().find(may);
             if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - 3.0) {
                 let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
@@ -280,9 +161,6 @@ impl StructureSearch {
             if less.log_posterior <= self.best.log_posterior {
                 return;
             }
-            if std::env::var("DP").is_ok() {
-                eprintln!("removed -> {:?} {:.1}", less.key(), less.log_posterior);
-            }
             self.best = less;
         }
     }
@@ -306,17 +184,6 @@ impl StructureSearch {
             let Some(Expansion { trials, .. }) = expand(context, &less, &is_tried, Budget::RIVALS) else { continue };
             self.note(&trials);
             self.rivals.extend(trials.iter().filter(|t| t.form.0 != own).take(2).cloned());
-            if std::env::var("DP").is_ok() {
-                eprintln!("swap {own} ({:.1})", less.log_posterior);
-                for t in trials.iter().take(3) {
-                    eprintln!(
-                        "   + {:?} {:.1} ms {:.2}",
-                        t.form,
-                        t.structure.log_posterior,
-                        t.structure.evidence.mean()
-                    );
-                }
-            }
             let Some(trial) = trials.first() else { continue };
             if trial.structure.log_posterior > self.best.log_posterior - 2.0 && trial.structure.key() != self.best.key()
             {
@@ -368,9 +235,4 @@ fn select_promising(trials: &[Trial]) -> BTreeSet<Form> {
         }
     }
     forms
-}
-
-/// Names of the FV curve's parameter lists, for messages.
-pub fn curve_points(structure: &Structure) -> usize {
-    structure.hypothesis.base.list(list!("fv_velocity")).len()
 }

@@ -1,0 +1,108 @@
+//! What a search works on, and what it compares: structures, refitted.
+
+use super::component::Component;
+use super::curve_points::with_enough_points;
+use super::evidence::{Evidence, noise_chi2};
+use super::prior_odds::log_prior;
+use super::series_restart::{is_bent, unbent};
+use crate::hypothesis::{Free, Hypothesis};
+use crate::refit::{Effort, Refit, refit};
+use crate::samples::Test;
+use crate::situation::Situation;
+use crate::unknowns::{CurveName, Unknown};
+use crate::vocabulary::Candidate;
+use dashpot_records::Record;
+
+/// An effect with its form.
+pub type Form = (&'static str, &'static str);
+
+/// What a search works on.
+pub struct SearchContext<'a> {
+    /// The records.
+    pub records: &'a [&'a Record],
+    /// Their tests.
+    pub tests: &'a [Test],
+    /// Whether a candidate may be part of the structure.
+    pub is_allowed: &'a (dyn Fn(&Candidate, &Situation) -> bool + Sync),
+    /// Candidates beside the vocabulary: changes against a reference.
+    pub changes: &'a [Candidate],
+    /// Most effects that may be added.
+    pub most: usize,
+    /// Told how far the search is, 0 to 1.
+    pub progress: &'a (dyn Fn(f64) + Sync),
+}
+
+/// A model with its effects, refitted.
+#[derive(Clone)]
+pub struct Structure {
+    /// The model with its free numbers.
+    pub hypothesis: Hypothesis,
+    /// Where its refit ended.
+    pub refit: Refit,
+    /// Its effects.
+    pub components: Vec<Component>,
+    /// Its residuals.
+    pub evidence: Evidence,
+    /// Log posterior, up to a constant that all structures of a search share.
+    pub log_posterior: f64,
+}
+
+impl Structure {
+    /// From a refit.
+    pub fn new(hypothesis: Hypothesis, refit: Refit, components: Vec<Component>, tests: &[Test]) -> Structure {
+        let hypothesis = hypothesis.starting_at(&refit.theta);
+        let numbers = numbers(&hypothesis, &components);
+        let evidence = Evidence::new(&hypothesis, &refit.theta, &refit.residual, tests, numbers);
+        let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
+        let log_posterior = evidence.log() + log_prior(&effects);
+        Structure { hypothesis, refit, components, evidence, log_posterior }
+    }
+
+    /// Free numbers, weakly informed ones counted half.
+    pub fn numbers(&self) -> f64 {
+        numbers(&self.hypothesis, &self.components)
+    }
+
+    /// Its effects with their forms, sorted.
+    pub fn key(&self) -> Vec<Form> {
+        let mut key: Vec<Form> = self.components.iter().map(|c| (c.effect, c.form)).collect();
+        key.sort_unstable();
+        key
+    }
+
+    /// Without one of its effects, refitted.
+    pub fn without(&self, place: usize, tests: &[Test], effort: Effort) -> Option<Structure> {
+        let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
+        let mut components = self.components.clone();
+        components.remove(place);
+        let refit = refit(&hypothesis, tests, &hypothesis.start(), None, effort)?;
+        Some(Structure::new(hypothesis, refit, components, tests))
+    }
+
+    /// Refitted from where it stands, with more points on the FV curve where those are worth it.
+    pub fn refined(&self, tests: &[Test], effort: Effort) -> Structure {
+        let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
+            return self.clone();
+        };
+        if is_bent(&self.hypothesis, tests, &fine.theta) {
+            fine = unbent(&self.hypothesis, tests, fine);
+        }
+        let now = (self.hypothesis.clone().starting_at(&fine.theta), fine);
+        let finer = with_enough_points(now.clone(), tests, noise_chi2(tests));
+        let of = |(hypothesis, refit): (Hypothesis, Refit)| {
+            Structure::new(hypothesis, refit, self.components.clone(), tests)
+        };
+        let (plain, finer) = (of(now), of(finer));
+        if finer.log_posterior > plain.log_posterior { finer } else { plain }
+    }
+}
+
+/// Points of the FV curve and of the spring table are numbers too.
+fn numbers(hypothesis: &Hypothesis, components: &[Component]) -> f64 {
+    let points = hypothesis
+        .numbers
+        .iter()
+        .filter(|n| matches!(n.free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. })))
+        .count();
+    points as f64 + components.iter().map(|c| c.numbers).sum::<f64>()
+}
