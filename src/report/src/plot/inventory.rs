@@ -48,7 +48,7 @@ fn bands(values: &[f64]) -> Vec<Band> {
 impl Band {
     /// Its values in mm or mm/s: one, or a range.
     fn label(&self, words: &Words) -> String {
-        let text = |si: f64| digits(1e3 * si, 3);
+        let text = |si: f64| digits(1e3 * si, 2);
         if self.high < APART * self.low {
             return words.number(&text((self.low * self.high).sqrt()));
         }
@@ -203,7 +203,7 @@ mod tests {
         let found = bands(&[0.0102, 0.0099, 0.05, 0.001, 0.00101, f64::NAN]);
         let tests: Vec<&[usize]> = found.iter().map(|band| &band.tests[..]).collect();
         assert_eq!(tests, [&[3, 4][..], &[1, 0], &[2]]);
-        assert_eq!(found.iter().map(|band| band.label(&EN)).collect::<Vec<_>>(), ["1.00", "10.0", "50.0"]);
+        assert_eq!(found.iter().map(|band| band.label(&EN)).collect::<Vec<_>>(), ["1.0", "10", "50"]);
         let sweep: Vec<f64> = (0..40).map(|k| 0.001 * libm::pow(1.2, f64::from(k))).collect();
         let found = bands(&sweep);
         assert_eq!(found.len(), BANDS);
