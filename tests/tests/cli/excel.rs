@@ -35,7 +35,6 @@ fn assert_inventory(book: &[(String, Range<Data>)], found: &serde_json::Value) {
     assert!(!items.is_empty());
     let forces = column(sheet(book, "Inventory"), "force, N rms");
     let wanted: Vec<Data> = items.iter().map(|item| Data::Float(number(item, "force_n_rms"))).collect();
-    let wanted: Vec<Data> = items.iter().map(|item| Data::Float(number(item, "force_n_rms"))).collect();
     assert_eq!(forces, wanted);
 }
 
