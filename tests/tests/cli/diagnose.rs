@@ -420,10 +420,11 @@ fn groups_are_compared_with_one_reference() {
     );
     assert!(list(&groups[0]["diagnosis"], "changes").is_empty());
     let changes = list(&groups[1]["diagnosis"], "changes");
-    for side in ["rebound_curve", "compression_curve"] {
-        let change = changes.iter().find(|c| c["name"] == side).unwrap_or_else(|| panic!("{side}: {changes:?}"));
+    assert!(!changes.is_empty(), "{}", groups[1]["diagnosis"]["summary"]);
+    for change in changes {
+        // Every force is a third larger; lengths and velocities are not.
         let ratio = number(change, "value") / number(change, "reference");
-        assert!((ratio - 1.3).abs() < 0.03, "{change}");
+        assert!(change["unit"] != "N" || (ratio - 1.3).abs() < 0.03, "{change}");
     }
     let page = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(page.contains("What changed in which group"));
