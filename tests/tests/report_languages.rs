@@ -22,7 +22,7 @@ use std::sync::OnceLock;
 
 /// Units, symbols, file formats and the words of commands, in which no language differs.
 const SYMBOLS: &str = "mm N Hz ms kg m s J K W N·s/m N/mm mm/s m/s dv dx F v n c h x cm dashpot validate diagnose reference CSV FV SHA SHA-256 \
-                       sha256sum rms damper.toml rig/front rig/front/a.csv Dahl F_s F_v tanh";
+                       sha256sum rms lambda damper.toml rig/front rig/front/a.csv Dahl F_s F_v tanh";
 /// Texts that a language writes as English does.
 const SAME: &[(&str, &[&str])] = &[
     ("de", &["Name", "Parameter", "Amplitude, mm"]),

@@ -430,9 +430,11 @@ impl Composed<'_> {
                     .insert(name, Value { value, low, high, unit, plausible: is_plausible(hypothesis, k, theta) });
             }
             let place = self.best.components.iter().position(|c| c.effect == effect);
-            let without = place
-                .and_then(|place| self.best.without(place, &self.fitted, Effort::COMPARE))
-                .map_or(before, |less| less.evidence.mean());
+            let less = place.and_then(|place| self.best.without(place, &self.fitted, Effort::COMPARE));
+            let without = less.as_ref().map_or(before, |less| less.evidence.mean());
+            let other = less.as_ref().unwrap_or(&self.given);
+            let squares = self.best.evidence.mean_squares.iter().zip(&other.evidence.mean_squares);
+            let better = squares.filter(|(own, other)| own < other).count();
             let card = effects::card(effect);
             let item = items.iter().find(|i| i.effect == effect);
             let family = card.map_or("", |c| c.family);
@@ -456,10 +458,10 @@ impl Composed<'_> {
                     share: explained(without, whole),
                     mean_square_before: without,
                     mean_square_after: whole,
-                    log_odds: 0.0,
+                    log_odds: self.best.log_posterior - other.log_posterior,
                     numbers: component.numbers,
-                    implausibility: 0.0,
-                    tests_better: 0.0,
+                    implausibility: self.best.evidence.implausibility - other.evidence.implausibility,
+                    tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
                 rivals: self.suspects(names, probability),
             }

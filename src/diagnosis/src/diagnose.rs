@@ -116,7 +116,7 @@ fn against_reference<'a>(
     let reference = &against.structure;
     let candidates = changes(&reference.hypothesis);
     let may = |candidate: &Candidate, situation: &Situation| {
-        candidate.form == "changed" && options.candidates.is_none() || is_allowed(candidate, situation, options)
+        candidate.form == "changed" || is_allowed(candidate, situation, options)
     };
     let context = SearchContext {
         records,

@@ -276,8 +276,10 @@ mod tests {
 
     use dashpot_core::parameter::Element;
     use dashpot_core::{Params, element};
+    use dashpot_estimation::hypothesis::Hypothesis;
     use dashpot_estimation::situation::Situation;
     use dashpot_estimation::vocabulary::candidates;
+    use dashpot_estimation::vocabulary::changes::changes;
     use std::collections::BTreeSet;
 
     fn situation(preload: bool, measured: bool) -> Situation {
@@ -310,7 +312,8 @@ mod tests {
 
     #[test]
     fn the_list_of_texts_has_every_form_and_no_other() {
-        let mut forms = BTreeSet::new();
+        let reference = Hypothesis { base: Params::new(), numbers: Vec::new(), heating: None };
+        let mut forms: BTreeSet<&str> = changes(&reference).iter().map(|c| c.form).collect();
         for preload in [false, true] {
             for measured in [false, true] {
                 let all = candidates(&situation(preload, measured));

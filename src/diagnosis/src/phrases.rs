@@ -127,6 +127,7 @@ dashpot_records::phrases! {
 
 /// Forms of effects.
 pub(super) const FORMS: &[&str] = &[
+    "changed",
     "full",
     "slips from the first",
     "bends before it slips",

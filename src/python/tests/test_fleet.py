@@ -146,7 +146,7 @@ def test_a_reference_names_what_changed(campaigns: Path, cluster: list[str], tmp
     )  # fmt: skip
     row = next(r for r in rows(out) if r["serial"] == "d00013")
     assert row["verdict"] is not None and row["summary"]
-    changed = {c["parameter"]: c for c in row["changed"]}
+    changed = {c["name"]: c for c in row["changes"]}
     assert changed["coulomb_force"]["low"] <= 90 <= changed["coulomb_force"]["high"]
     assert changed["coulomb_force"]["reference"] == pytest.approx(30, abs=5)
     report = (tmp_path / "r.html").read_text()
@@ -501,8 +501,8 @@ def test_workers_that_stay_up_see_a_reference_that_was_put_right(tmp_path: Path)
         )
         row = examine(job, "k", plan)
         assert row["status"] == "ok", row["reason"]
-        told: list[dict[str, Any]] = row["changed"]
-        return next((c["reference"] for c in told if c["parameter"] == "coulomb_force"), 0.0)
+        told: list[dict[str, Any]] = row["changes"]
+        return next((c["reference"] for c in told if c["name"] == "coulomb_force"), 0.0)
 
     assert reference_friction() == pytest.approx(90, abs=10)
     shutil.rmtree(tmp_path / "good")

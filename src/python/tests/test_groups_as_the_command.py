@@ -65,7 +65,7 @@ def test_folders_against_a_reference(command: Command, fleet: Path) -> None:
     same(command, found, "fleet", "--group", "folders", "--reference", "good", *FEW)
     assert told == sorted(told) and told[-1] == 1.0
     assert list(found) == ["sn10", "sn11", "sn9"] and found.reference == "good" and len(found) == 3
-    assert "coulomb_force" in {c.parameter for c in found["sn11"].changed} and not found["sn9"].changed
+    assert "coulomb_force" in {c.name for c in found["sn11"].changes} and not found["sn9"].changes
     # What one of them says is what the diagnosis of it alone says.
     alone = dashpot.diagnose(model, dashpot.Campaign.read("fleet/sn11"), dashpot.Campaign.read("good"), **few).to_dict()
     assert {key: alone[key] for key in found["sn11"].to_dict()} == found["sn11"].to_dict()
@@ -119,10 +119,10 @@ def test_what_a_user_sees(fleet: Path) -> None:
     rows = found.to_pandas()
     assert isinstance(rows, pandas.DataFrame) and list(rows["group"]) == ["sn10", "sn11", "sn9"]
     assert {"effect", "confidence", "before_rmse_n", "after_rmse_n", "noise_n", "verdict", "summary"} <= set(rows)
-    changed = found.tables()["groups.diagnosis.changed"]
-    assert set(changed["of"]) == {"sn10", "sn11"} and "coulomb_force" in set(changed[changed["of"] == "sn11"]["parameter"])
+    changed = found.tables()["groups.diagnosis.changes"]
+    assert set(changed["of"]) == {"sn10", "sn11"} and "coulomb_force" in set(changed[changed["of"] == "sn11"]["name"])
     shown = found._repr_html_()
-    assert "Compared with good" in shown and "sn11" in shown and "groups.diagnosis.changed" in shown
+    assert "Compared with good" in shown and "sn11" in shown and "groups.diagnosis.changes" in shown
     assert "sn11" in repr(found.groups[1]) and "3 of Group" in repr(found)
     assert "coulomb_force" in found["sn11"]._repr_html_()
     again = dashpot.GroupsDiagnosis.from_dict(found.to_dict())

@@ -154,11 +154,11 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
     few = {"candidates": ["free_play", "moving_mass", "gas_spring"]}
     alone = dashpot.diagnose(model, campaign, **few)  # type: ignore[arg-type]
     compared = dashpot.diagnose(model, campaign, own, **few)  # type: ignore[arg-type]
-    assert compared.changed and not compared.findings
+    assert compared.changes and not compared.findings
     certificate = validation.limits
     assert dashpot.JudgedValidation.from_dict(validation.to_dict()) == validation
     results: list[Any] = [campaign, campaign[0], model, model.fit, validation, rivalled, validation.matrix, validation.tests[0], certificate, alone, compared]
-    results += [*compared.changed, *compared.curve_moved, *alone.next_tests, *alone.regions, *alone.tree, campaign.sign]
+    results += [*compared.changes, *compared.inventory, *model.fit.inventory, *alone.next_tests, *alone.regions, *alone.tree, campaign.sign]
     for result in results:
         assert result is not None
         tables = result.tables()
@@ -174,8 +174,8 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
     assert list(validation.tables()) == list(dict.fromkeys(validation.tables())) and len(validation.to_pandas()) == len(campaign)
     # What the table of a result shows without a word more.
     found = compared.to_pandas()
-    assert set(found["what"]) == {"changed"} | ({"curve moved"} if compared.curve_moved else set())
-    assert set(found["parameter"]) >= {c.parameter for c in compared.changed}
+    assert set(found["what"]) >= {"changed"}
+    assert set(found["parameter"]) >= {c.name for c in compared.changes}
     matrix = validation.matrix.to_pandas()
     assert len(matrix) >= len(campaign) and set(matrix["by"]) >= {"amplitude", "peak velocity", "both"}
     assert "a25_v260" in leaves(list(certificate.to_pandas()["measured_tests"]))
@@ -187,8 +187,8 @@ def test_an_effect_without_numbers_is_in_the_table() -> None:
     pytest.importorskip("pandas")
     evidence = dict.fromkeys(("share", "mean_square_before", "mean_square_after", "log_odds", "numbers", "implausibility", "tests_better"), 0.5)
     words = dict.fromkeys(("effect", "form", "meaning", "path", "family"), "word")
-    finding: dict[str, Any] = {**words, **dict.fromkeys(("confidence", "family_confidence", "share"), 0.9), "of_the_rig": True, "parameters": {}, "gap_closed": None}
-    empty: dict[str, Any] = dict.fromkeys(("where", "tree", "next_tests", "could_not_test", "shifts", "changed", "curve_moved", "notes", "tests", "rounds"), ())
+    finding: dict[str, Any] = {**words, **dict.fromkeys(("confidence", "family_confidence", "share", "force_n_rms"), 0.9), "of_the_rig": True, "parameters": {}, "gap_closed": None}
+    empty: dict[str, Any] = dict.fromkeys(("where", "tree", "next_tests", "could_not_test", "shifts", "changes", "inventory", "notes", "tests", "rounds"), ())
     off = {"rmse_n": 1.0, "error_percent": 1.0, "held_out_rmse_n": None, "noise_n": 1.0, "held_out_noise_n": None}
     errors = dict.fromkeys(("mean_error_n", "error_percent", "region1_n", "region2_n", "rmse_n"), 1.0)
     whole = dict.fromkeys(("as_it_came", "refitted", "improved"), errors)
@@ -208,7 +208,7 @@ def test_a_diagnosis_against_a_reference_says_what_changed(own: dashpot.Campaign
     worn = dashpot.Campaign.read(folder)
     model = dashpot.fit(own, elements=["series_compliance", "coulomb_friction", "gas_preload"])
     found = dashpot.diagnose(model, worn, own, candidates=["free_play"], max_effects=1)
-    changed = {c.parameter: c for c in found.changed}
+    changed = {c.name: c for c in found.changes}
     assert changed["coulomb_force"].reference == pytest.approx(30, abs=5)
     assert changed["coulomb_force"].value == pytest.approx(80, abs=8)
     assert "coulomb_force" in found._repr_html_()

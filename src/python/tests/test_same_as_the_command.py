@@ -149,7 +149,7 @@ def test_diagnose_against_a_reference(command: Command) -> None:
     command("diagnose", "good.toml", "worn", "--reference", "good", "--json", "changed.json", "--candidates", "free_play")
     good, worn = (dashpot.Campaign.read(command.folder / name) for name in ("good", "worn"))
     found = dashpot.diagnose(dashpot.Model.read(command.folder / "good.toml"), worn, good, candidates="free_play")
-    assert found.changed and any(c.velocity_m_s is None for c in found.changed)
+    assert found.changes and any(c.velocity_m_s is None for c in found.changes)
     assert found.to_dict() == command.json("changed.json")
 
 

@@ -2,13 +2,14 @@
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
+use crate::inventory;
 use crate::made::Made;
 use crate::parameters;
 use crate::whole_records::in_words;
 use crate::words::Words;
 use crate::workbook::Workbook;
 use dashpot_identification::validation::Deviation;
-use dashpot_identification::{Fit, InventoryItem};
+use dashpot_identification::Fit;
 use dashpot_records::Unusable;
 
 /// The tables of a fit, with its error over whole records, what could not be used, and the names of the model and the data.
@@ -28,33 +29,15 @@ pub fn workbook(
     }
 }
 
-/// Estimates, choices, what the records are off by, the tests used, and remarks.
+/// Inventory, estimates, what the records are off by, the tests used, and remarks.
 fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], words: &Words) -> Vec<Section> {
     let count = fit.tests.len().to_string();
     let answer = words.fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);
     let mut sections = vec![Section::new("answer", words.answer, vec![Block::Lead(answer)])];
+    let inventory = inventory::table(&fit.inventory, false, words).map(|table| vec![Block::Table(table)]);
+    sections.extend(inventory.map(|blocks| Section::new("inventory", words.inventory_section, blocks)));
     sections.extend(parameters::section(&parameters::of_fit(fit, words), words));
     let table = |columns, rows| vec![Block::Table(Table { caption: String::new(), columns, rows, sortable: false })];
-    if !fit.inventory.is_empty() {
-        let columns = vec![
-            Column::words(words.col_effect),
-            Column::words(words.col_form),
-            Column::figures(words.col_force_rms),
-            Column::figures(words.col_share_of_force),
-            Column::figures(words.col_probability),
-        ];
-        let row = |i: &InventoryItem| {
-            vec![
-                words.named(i.effect).into(),
-                words.word(i.form).into(),
-                Cell::measured(i.force_n_rms, "N"),
-                Cell::share(i.share),
-                Cell::share(i.probability),
-            ]
-        };
-        let rows = fit.inventory.iter().map(row).collect();
-        sections.push(Section::new("inventory", words.inventory_section, table(columns, rows)));
-    }
     if !fit.measured.is_empty() {
         let columns =
             vec![Column::words(words.col_name), Column::figures(words.col_value), Column::figures(words.col_interval)];

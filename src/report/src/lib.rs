@@ -18,6 +18,7 @@ mod errors;
 pub mod fit;
 pub mod groups;
 mod hysteresis;
+pub mod inventory;
 pub mod made;
 pub mod manoeuvre;
 pub mod numbers;

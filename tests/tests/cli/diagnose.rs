@@ -64,6 +64,28 @@ fn assert_span(value: &Value, key: &str) {
     assert!(ends.len() == 2 && ends[0] <= ends[1], "{key} in {value}");
 }
 
+/// Every effect of both models is there once, with the force that it carries; a replaced one is named by what stands in its place.
+fn assert_inventory(found: &Value) {
+    let items = list(found, "inventory");
+    let mut effects = BTreeSet::new();
+    for item in items {
+        assert!(effects.insert(word(item, "effect")), "{item}");
+        assert!(number(item, "force_n_rms") >= 0.0 && number(item, "share") >= 0.0, "{item}");
+        assert_share(item, "probability");
+        assert!(item["form"].is_string() && item.get("force_by_test_n").is_none(), "{item}");
+        let status = word(item, "status");
+        assert!(["kept", "added", "replaced", "removed"].contains(&status), "{item}");
+        if let Some(replaced) = item["replaces"].as_str() {
+            let is_replaced = |other: &Value| other["effect"] == replaced && other["status"] == "replaced";
+            assert!(status == "added" && items.iter().any(is_replaced), "{item}");
+        }
+    }
+    for finding in list(found, "findings") {
+        let is_added = |item: &Value| item["effect"] == finding["effect"] && item["status"] == "added";
+        assert!(items.iter().any(is_added), "{finding}");
+    }
+}
+
 /// Every field of the contract has its type, unit and range.
 fn assert_contract(found: &Value) {
     let verdict = word(found, "verdict");
@@ -85,6 +107,14 @@ fn assert_contract(found: &Value) {
             assert_effect(rival);
             assert_share(rival, "confidence");
         }
+    }
+    assert_inventory(found);
+    for change in list(found, "changes") {
+        assert!(!word(change, "name").is_empty(), "{change}");
+        let (low, high) = (number(change, "low"), number(change, "high"));
+        assert!(low <= number(change, "value") && number(change, "value") <= high, "{change}");
+        assert!(number(change, "reference").is_finite() && number(change, "force_n_rms") >= 0.0, "{change}");
+        assert_share(change, "probability");
     }
     for place in list(found, "where") {
         assert!(!word(place, "test").is_empty());
@@ -235,11 +265,12 @@ fn the_report_tells_everything_and_asks_nobody() {
         // The report writes effects in words: what stands there as it is are the parts without a name.
         let names: Vec<&str> = list(test, "separates").iter().filter_map(|name| name.as_str()).collect();
         let parts = word(test, "text").split(": ").filter(|part| !names.iter().any(|name| part.contains(name)));
-        let parts: Vec<&str> = parts.collect();
+        // It has one minus sign, that of the figures.
+        let parts: Vec<String> = parts.map(|part| part.replace(" -", " \u{2212}")).collect();
         assert!(!parts.is_empty() && parts.iter().all(|part| report.contains(part)), "{test}");
     }
     // What is printed in short comes first.
-    let brief = ["answer", "findings", "loops", "limits"];
+    let brief = ["answer", "inventory", "findings", "loops", "limits"];
     let whole = ["where", "matrix", "tried", "parameters"].map(|part| (part, " class=\"beyond\""));
     let heads = brief.map(|part| (part, "")).into_iter().chain(whole);
     let places: Vec<usize> = heads
@@ -338,7 +369,7 @@ fn little_data_and_little_leave_give_honest_answers() {
 #[test]
 fn what_people_read_is_short_and_in_their_units() {
     let told = &made().told;
-    for wanted in ["Missing: ", "Where the model disagrees", "N rms", "before", "after", "could not test"] {
+    for wanted in ["This damper shows ", "Where the model disagrees", "N rms", "before", "after", "could not test"] {
         assert!(told.contains(wanted), "{wanted}: {told}");
     }
     assert!(told.contains("\nmodel: better.toml\nreport: d.html\n"));
@@ -387,15 +418,20 @@ fn groups_are_compared_with_one_reference() {
         "the same records: {}",
         groups[0]["diagnosis"]["summary"]
     );
-    assert!(list(&groups[0]["diagnosis"], "changed").is_empty());
+    assert!(list(&groups[0]["diagnosis"], "changes").is_empty());
+    let changes = list(&groups[1]["diagnosis"], "changes");
+    assert!(!changes.is_empty(), "{}", groups[1]["diagnosis"]["summary"]);
+    for change in changes {
+        // Every force is a third larger; lengths and velocities are not.
+        let ratio = number(change, "value") / number(change, "reference");
+        assert!(change["unit"] != "N" || (ratio - 1.3).abs() < 0.03, "{change}");
+    }
     let page = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(page.contains("What changed in which group"));
     // The picture first, then the answers, which wrap; what is long is folded.
     let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text} is not in the report"));
     assert!(place("FV curves of all groups") < place("<td class=\"w\">"));
-    if groups.iter().any(|g| !list(&g["diagnosis"], "changed").is_empty()) {
-        assert!(place("<details><summary>") > place("<td class=\"w\">"));
-    }
+    assert!(place("<details><summary>") > place("<td class=\"w\">"));
     let book = excel::sheets(&dir.join("g.xlsx"));
     let names: Vec<String> = excel::column(excel::sheet(&book, "What changed in which group"), "group")
         .iter()

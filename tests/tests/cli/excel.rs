@@ -29,6 +29,15 @@ fn first(all: &[(String, Range<Data>)]) -> String {
     all[0].1.rows().flatten().map(|cell| cell.to_string() + "\n").collect()
 }
 
+/// The sheet of the inventory has the effects of the JSON with their forces, in full.
+fn assert_inventory(book: &[(String, Range<Data>)], found: &serde_json::Value) {
+    let items = found["inventory"].as_array().expect("an inventory");
+    assert!(!items.is_empty());
+    let forces = column(sheet(book, "Inventory"), "force, N rms");
+    let wanted: Vec<Data> = items.iter().map(|item| Data::Float(number(item, "force_n_rms"))).collect();
+    assert_eq!(forces, wanted);
+}
+
 #[test]
 fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -46,6 +55,8 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
             _ => assert_eq!(estimate["standing"], "not_identified", "{estimate}"),
         }
     }
+
+    assert_inventory(&fitted, &json(&dir.join("f.json")));
 
     let validate = ["validate", "m.toml", "records", "--json", "v.json", "--excel", "v.xlsx"];
     assert!(done(dir, &validate).contains("workbook: v.xlsx"));
@@ -76,6 +87,7 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     let diagnosed = sheets(&dir.join("d.xlsx"));
     let tried = json(&dir.join("d.json"))["rounds"][0].as_array().expect("a round").len();
     assert_eq!(column(sheet(&diagnosed, "Everything that was tried"), "probability, %").len(), tried);
+    assert_inventory(&diagnosed, &json(&dir.join("d.json")));
 }
 
 #[test]

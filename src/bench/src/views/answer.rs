@@ -6,12 +6,13 @@ use crate::session::papers::Paper;
 use crate::session::replacing::Replacement;
 use crate::views::{View, name_of};
 use crate::words::{Language, Words, texts};
-use dashpot_diagnosis::Diagnosis;
+use dashpot_diagnosis::{Diagnosis, InventoryItem};
 use dashpot_identification::validation::{Errors, Validation};
-use dashpot_identification::{Fit, Standing, describe_item};
+use dashpot_identification::{Fit, Standing};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
-use dashpot_report::numbers::{share, with_interval};
+use dashpot_report::inventory::{probability, status_text};
+use dashpot_report::numbers::{error, share, with_interval};
 use dashpot_report::parameters::assumed_of;
 use dashpot_report::quality;
 use eframe::egui::{self, RichText, Ui};
@@ -92,9 +93,7 @@ fn wrapped(ui: &mut Ui, text: RichText) {
 fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     let (w, said) = (texts(language), language.words());
     wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
-    for item in &found.inventory {
-        wrapped(ui, RichText::new(said.say(&describe_item(item))));
-    }
+    inventory(ui, "fit_inventory", &found.inventory, false, language);
     egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
         for e in found.estimates.iter().filter(|e| e.index.is_none()) {
             ui.label(RichText::new(name_of(e.name, said)).small()).on_hover_text(e.name);
@@ -115,6 +114,34 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     for note in &found.notes {
         wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());
     }
+}
+
+/// Each effect with its force and probability and, beside a given model, what became of it.
+fn inventory(ui: &mut Ui, id: &str, items: &[InventoryItem], status: bool, language: Language) {
+    if items.is_empty() {
+        return;
+    }
+    let said = language.words();
+    ui.strong(said.inventory_section);
+    egui::Grid::new(id).num_columns(if status { 4 } else { 3 }).striped(true).show(ui, |ui| {
+        let headings = [said.col_effect, said.col_force_rms, said.col_probability, said.col_status];
+        for heading in headings.into_iter().take(if status { 4 } else { 3 }) {
+            ui.label(RichText::new(heading).small().strong());
+        }
+        ui.end_row();
+        for item in items {
+            let form = said.word(item.form);
+            let hint = if form.is_empty() { item.effect.to_owned() } else { format!("{}: {form}", item.effect) };
+            ui.label(RichText::new(name_of(item.effect, said)).small()).on_hover_text(hint);
+            let force = if item.force_n_rms.is_finite() { said.number(&error(item.force_n_rms)) } else { "–".into() };
+            ui.label(RichText::new(force).small());
+            ui.label(RichText::new(probability(item.probability)).small());
+            if status {
+                ui.label(RichText::new(status_text(item, said)).small());
+            }
+            ui.end_row();
+        }
+    });
 }
 
 fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
@@ -146,6 +173,7 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
 
 fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<Ask>) {
     let (w, said) = (texts(language), language.words());
+    inventory(ui, "inventory", &found.inventory, true, language);
     for finding in &found.findings {
         ui.add_space(4.0);
         let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", said.word(finding.form)) };

@@ -39,8 +39,8 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     let Some(Diagnosed { found, .. }) = harness.state().session.answers.diagnosis.as_ref().map(|a| &a.found) else {
         panic!("{said:?}")
     };
-    let change = found.changed.iter().find(|c| c.parameter == "gas_force");
-    let change = change.unwrap_or_else(|| panic!("{} {:?}", found.summary, found.changed));
+    let change = found.changes.iter().find(|c| c.name == "gas_force");
+    let change = change.unwrap_or_else(|| panic!("{} {:?}", found.summary, found.changes));
     let near = |a: f64, b: f64| (a - b).abs() < 0.02 * gas;
     assert!(near(change.reference, gas) && near(change.value, 0.5 * gas), "{change:?}");
     assert!(change.low <= change.value && change.value <= change.high && change.high < change.reference, "{change:?}");

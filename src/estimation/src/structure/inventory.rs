@@ -32,6 +32,9 @@ pub struct InventoryItem {
     pub force_n_rms: f64,
     /// That force over the root mean square of the measured force.
     pub share: f64,
+    /// The force in each fitted test, N rms, in the order of the tests; empty where the model gives none without the effect.
+    #[serde(skip)]
+    pub force_by_test_n: Vec<f64>,
     /// Probability that the damper has it.
     pub probability: f64,
     /// What became of it.
@@ -57,11 +60,16 @@ fn forces(of: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>
     of.forces_by(&of.model_by(Accuracy::Single, theta)?, tests, theta)
 }
 
-/// Force that a component carries, N rms; infinite where the model makes none without it.
-fn carried(structure: &Structure, component: &Component, tests: &[Test], whole: &[Vec<f64>]) -> f64 {
+/// Mean square of the force that a component carries in each test, N²; `None` where the model gives no force without it.
+fn carried(structure: &Structure, component: &Component, tests: &[Test], whole: &[Vec<f64>]) -> Option<Vec<f64>> {
     let without = component.remove(&structure.hypothesis, &structure.refit.theta);
-    let Some(less) = forces(&without, tests, &without.start()) else { return f64::INFINITY };
-    rms(whole.iter().zip(&less).map(|(a, b)| mean_square(a.iter().zip(b).map(|(a, b)| a - b))))
+    let less = forces(&without, tests, &without.start())?;
+    Some(whole.iter().zip(&less).map(|(a, b)| mean_square(a.iter().zip(b).map(|(a, b)| a - b))).collect())
+}
+
+/// Root of each mean square.
+fn roots(squares: &[f64]) -> Vec<f64> {
+    squares.iter().map(|square| square.sqrt()).collect()
 }
 
 /// How much of the force of one component another carries: what both leave where the model stands, by correlation of their forces.
@@ -98,13 +106,15 @@ pub fn inventory(
         .components
         .iter()
         .map(|component| {
-            let force = carried(best, component, tests, &whole);
+            let squares = carried(best, component, tests, &whole);
+            let force = squares.as_ref().map_or(f64::INFINITY, |squares| rms(squares.iter().copied()));
             let is_new = given.is_none_or(|given| !is_in(given, component.effect));
             InventoryItem {
                 effect: component.effect,
                 form: component.form,
                 force_n_rms: force,
                 share: force / measured.max(1e-9),
+                force_by_test_n: squares.as_deref().map_or_else(Vec::new, roots),
                 probability: probability(component.effect),
                 status: if is_new { Status::Added } else { Status::Kept },
                 replaces: None,
@@ -121,7 +131,9 @@ pub fn inventory(
             .collect();
         for component in gone {
             let force = force_of(given, component, tests);
-            let size = force.as_ref().map_or(0.0, |force| rms(force.iter().map(|f| mean_square(f.iter().copied()))));
+            let squares: Option<Vec<f64>> =
+                force.as_ref().map(|force| force.iter().map(|f| mean_square(f.iter().copied())).collect());
+            let size = squares.as_ref().map_or(0.0, |squares| rms(squares.iter().copied()));
             let place = force.as_ref().and_then(|force| {
                 let likeness = added.iter().map(|(k, other)| (*k, alikeness(force, other)));
                 likeness.filter(|(_, alike)| *alike > REPLACES).max_by(|a, b| a.1.total_cmp(&b.1))
@@ -134,6 +146,7 @@ pub fn inventory(
                 form: component.form,
                 force_n_rms: size,
                 share: size / measured.max(1e-9),
+                force_by_test_n: squares.as_deref().map_or_else(Vec::new, roots),
                 probability: probability(component.effect),
                 status: if place.is_some() { Status::Replaced } else { Status::Removed },
                 replaces: None,

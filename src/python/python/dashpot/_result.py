@@ -121,7 +121,7 @@ class Result:
         """Everything that this holds, as tables. Needs pandas.
 
         The one called ``""`` has a single row, the figures of the whole; every other is called by what it lists, under the keys of
-        :meth:`to_dict`: ``changed``, ``tests.peaks``. Where the lists of many things stand in one table, the column ``of`` says whose a row is.
+        :meth:`to_dict`: ``changes``, ``tests.peaks``. Where the lists of many things stand in one table, the column ``of`` says whose a row is.
         """
         return {name: frame(rows) for name, rows in self._tables().items()}
 

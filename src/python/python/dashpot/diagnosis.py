@@ -10,6 +10,7 @@ from . import _native
 from ._papers import Origin, Papers, figures_alone, page
 from ._result import Result, Row, folded, table
 from ._work import watched
+from .fitted import InventoryItem
 from .reading import Unusable
 from .validation import Deviation
 
@@ -70,6 +71,7 @@ class Finding(Result):
     confidence: float
     family_confidence: float
     share: float
+    force_n_rms: float
     of_the_rig: bool
     parameters: dict[str, Value]
     gap_closed: float | None
@@ -146,42 +148,25 @@ class Shift(Result):
 
 @dataclass(frozen=True, repr=False)
 class Change(Result):
-    """A number of the model that is another on this damper than on the reference."""
+    """A number of the model, or a part of its FV curve, that differs from the reference damper."""
 
-    parameter: str
+    #: A parameter, or ``rebound_curve``, ``compression_curve``, ``rebound_low_speed`` and so on.
+    name: str
     reference: float
     value: float
     low: float
     high: float
     unit: str
-    force_share: float
-    #: Of a point of the FV curve (``fv_force``) its velocity, rebound positive.
+    probability: float
+    #: Force that the change makes, N rms.
+    force_n_rms: float
+    #: Of a part of the FV curve: velocity at which ``reference`` and ``value`` are its forces, rebound positive.
     velocity_m_s: float | None = field(default=None, metadata={"omitted": True})
 
     @property
-    def name(self) -> str:
-        """The parameter, with the velocity of a point of the FV curve."""
-        return self.parameter if self.velocity_m_s is None else f"{self.parameter}, {self.velocity_m_s:.3f} m/s"
-
-
-@dataclass(frozen=True, repr=False)
-class CurveMoved(Result):
-    """How all points of the FV curve moved that the tests reach, where they moved alike."""
-
-    #: ``dry_force`` (N against the motion) or ``share`` (of the force on the reference damper).
-    by: str
-    #: ``rebound``, ``compression`` or ``both``.
-    side: str
-    #: Mean over the points; ``low`` and ``high`` are the least and the most of them.
-    value: float
-    low: float
-    high: float
-    speed_m_s: tuple[float, float]
-
-    @property
-    def unit(self) -> str:
-        """Unit of the value: N, or - of a share."""
-        return "N" if self.by == "dry_force" else "-"
+    def label(self) -> str:
+        """The name, with the velocity of a part of the FV curve."""
+        return self.name if self.velocity_m_s is None else f"{self.name}, {self.velocity_m_s:.3f} m/s"
 
 
 @dataclass(frozen=True, repr=False)
@@ -224,6 +209,8 @@ class Findings(Result):
     verdict: str
     summary: str
     findings: tuple[Finding, ...]
+    inventory: tuple[InventoryItem, ...]
+    changes: tuple[Change, ...]
     suspects: tuple[Rival, ...]
     regions: tuple[Region, ...] = field(metadata={"key": "where"})
     before: Figures
@@ -234,8 +221,6 @@ class Findings(Result):
     next_tests: tuple[NextTest, ...]
     could_not_test: tuple[CouldNotTest, ...]
     shifts: tuple[Shift, ...]
-    changed: tuple[Change, ...]
-    curve_moved: tuple[CurveMoved, ...]
     notes: tuple[str, ...]
     tests: tuple[TestOutcome, ...]
     rounds: tuple[tuple[Tried, ...], ...]
@@ -254,8 +239,7 @@ class Findings(Result):
         return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
 
     def _rows(self) -> list[Row]:
-        """Everything that has a name here: effects with their numbers, suspects, numbers of the model that are others than on the reference, and
-        how the FV curve moved as a whole; the first column says which of these a row is."""
+        """Effects with their numbers, suspects, and changes against the reference; the first column says which of these a row is."""
         rows: list[Row] = []
         for found in self.findings:
             of_it: Row = {"what": "effect", "effect": found.effect, "form": found.form, "confidence": found.confidence, "share": found.share}
@@ -264,12 +248,9 @@ class Findings(Result):
             rows += [{**of_it, **number} for number in numbers or [{}]]
         for suspect in self.suspects:
             rows.append({"what": "suspect", **suspect.to_dict()})
-        for change in self.changed:
-            rows.append({"what": "changed", **change.to_dict()})
-        for moved in self.curve_moved:
-            low, high = moved.speed_m_s
-            said = f"fv_force, {moved.side}, {low:.3f} to {high:.3f} m/s"
-            rows.append({"what": "curve moved", "parameter": said, "value": moved.value, "low": moved.low, "high": moved.high, "unit": moved.unit})
+        for change in self.changes:
+            numbers_of_it = change.to_dict()
+            rows.append({"what": "changed", "parameter": numbers_of_it.pop("name"), **numbers_of_it})
         return rows
 
     def _of_the_records(self) -> list[str]:

@@ -34,22 +34,20 @@ class Estimate(Result):
 
 
 @dataclass(frozen=True, repr=False)
-class Score(Result):
-    """Error of one variant on left-out tests, in units of what noise and floor allow."""
+class InventoryItem(Result):
+    """One effect of a model, with the force it carries and its probability."""
 
-    name: str
-    held_out: float
-    tie_within: float
-
-
-@dataclass(frozen=True, repr=False)
-class Choice(Result):
-    """Which variant of friction, spring or FV points was kept, and why."""
-
-    of: str
-    chosen: str
-    scores: tuple[Score, ...]
-    why: str
+    effect: str
+    form: str
+    force_n_rms: float
+    """Root mean square, over the fitted tests, of the force that its removal changes; everything else is kept."""
+    share: float
+    """That force over the root mean square of the measured force."""
+    probability: float
+    status: str
+    """``kept``, ``added``, ``replaced`` or ``removed``; of a fit, which is given no model, always ``added``."""
+    replaces: str | None = field(default=None, metadata={"omitted": True})
+    """Effect of the given model in whose place it stands."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -64,13 +62,18 @@ class Measured(Result):
     option: str | None = None
 
 
+def _described(item: InventoryItem) -> str:
+    form = f" ({item.form})" if item.form else ""
+    return f"{item.effect}{form}: {item.force_n_rms:.4g} N rms, {item.share:.0%} of the force, probability {item.probability:.0%}"
+
+
 @dataclass(frozen=True, repr=False)
 class FitResult(Result):
     """What a fit found; the JSON of ``dashpot fit`` without the file name."""
 
     tests: tuple[str, ...]
     parameters: tuple[Estimate, ...]
-    choices: tuple[Choice, ...]
+    inventory: tuple[InventoryItem, ...]
     measured: tuple[Measured, ...]
     notes: tuple[str, ...]
     misfit: float
@@ -107,7 +110,7 @@ class FitResult(Result):
         return {**self.__dict__, "_made_from": None}
 
     def __str__(self) -> str:
-        """A table of the parameters with their 95 % intervals, and what was chosen and noticed: what ``print`` shows."""
+        """A table of the parameters with their 95 % intervals, its effects and what was noticed: what ``print`` shows."""
         whole = self.over_whole_records
         lines = [
             "[[Fit]]",
@@ -130,9 +133,9 @@ class FitResult(Result):
         if self.measured:
             lines.append("[[Measurement errors]] (taken out of the records)")
             lines += [f"    {m.name}: {m.value:.4g} {m.unit}  [{m.low:.4g}, {m.high:.4g}]" for m in self.measured]
-        if self.choices:
-            lines.append("[[Choices]]")
-            lines += [f"    {c.of}: {c.chosen}" for c in self.choices]
+        if self.inventory:
+            lines.append("[[Inventory]]")
+            lines += [f"    {_described(item)}" for item in self.inventory]
         said = [*self.notes, *(u.why for u in self.unusable)]
         if said:
             lines.append("[[Notes]]")
@@ -143,7 +146,7 @@ class FitResult(Result):
         return [p.to_dict() for p in self.parameters]
 
     def _repr_html_(self) -> str:
-        said = [f"{c.of}: {c.chosen} — {c.why}" for c in self.choices]
+        said = [_described(item) for item in self.inventory]
         said += [f"{m.name} of the measurement: {m.value:.4g} {m.unit} ({m.low:.4g} to {m.high:.4g})" for m in self.measured]
         said += [*self.notes, *(u.why for u in self.unusable)]
         shown = table(f"Fit to {len(self.tests)} tests", self._rows(), said)

@@ -36,7 +36,7 @@ def fit(
     """Identifies a damper from records; as ``dashpot fit``.
 
     FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the variants of
-    friction and spring are chosen by tests left out of the fit. ``model.fit`` holds the estimates with their 95 % intervals.
+    friction, springs, the series path and measurement errors are chosen by one search over structures. ``model.fit`` holds the estimates with their 95 % intervals.
 
     :param campaign: a :class:`Campaign`, part of one (``campaign[2:]``), or some of its records: ``[r for r in campaign if r.peak_velocity < 0.6]``.
     :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``. The other models of the literature,

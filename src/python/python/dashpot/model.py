@@ -562,7 +562,7 @@ class FittedModel(Model):
 
     @property
     def fit(self) -> FitResult:
-        """What the fit said: estimates with their 95 % intervals, choices, what the records are off by."""
+        """What the fit said: estimates with their 95 % intervals, the inventory of effects, what the records are off by."""
         return self._fit
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -102,15 +102,15 @@ def improvement(found: Diagnosis, test: str, axes: Axes | None = None) -> Axes:
 
 
 def changed(found: Diagnosis, axes: Axes | None = None) -> Axes:
-    """Numbers that are others than on the reference damper, as a share of the reference, with their 95 % intervals."""
+    """Changes against the reference damper, over its values, with their 95 % intervals."""
     drawn = _axes(axes)
-    rows = [c for c in found.changed if c.reference]
+    rows = [c for c in found.changes if c.reference]
     at = np.arange(len(rows))
     share = np.array([[c.value / c.reference, c.low / c.reference, c.high / c.reference] for c in rows]).reshape(-1, 3)
     share = np.column_stack([share[:, 0], share[:, 1:].min(axis=1, initial=np.inf), share[:, 1:].max(axis=1, initial=-np.inf)])
     spread = np.abs(share[:, 1:].T - share[:, 0])
     drawn.errorbar(share[:, 0], at, xerr=spread, fmt="o", capsize=3, color=MODEL)
     drawn.axvline(1.0, color=MEASURED, lw=0.8)
-    drawn.set_yticks(at, [c.name for c in rows])
+    drawn.set_yticks(at, [c.label for c in rows])
     drawn.set(xlabel="value over that of the reference")
     return drawn

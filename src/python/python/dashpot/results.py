@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from ._result import Result
 from .reading import Delay, Noise, Note, SignFinding, Unusable
-from .fitted import Choice, Estimate, FitResult, Measured, Score
+from .fitted import Estimate, FitResult, InventoryItem, Measured
 from .certificate import Certificate, Checked, LimitValue, PeakPoint
 from .host import HostCheck
 from .validation import (
@@ -15,15 +15,15 @@ from .validation import (
     PeakForce, Summary, TestValidation, Validation,
 )
 from .diagnosis import (
-    Branch, Change, CouldNotTest, CurveMoved, Diagnosis, Evidence, Figures, Finding, Findings, NextTest,
+    Branch, Change, CouldNotTest, Diagnosis, Evidence, Figures, Finding, Findings, NextTest,
     OverWholeRecords, Region, Rival, Shift, TestOutcome, Tried, Value,
 )
 from .groups import Group, GroupsDiagnosis
 from .literature import LiteratureModel
 
 __all__ = [
-    "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "Choice", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
-    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "Score", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
+    "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
+    "Evidence", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]

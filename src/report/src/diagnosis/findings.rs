@@ -3,7 +3,8 @@
 use super::{both_curves, capital};
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
-use crate::numbers::{share, with_unit};
+use crate::inventory::probability;
+use crate::numbers::{error, share, with_unit};
 use crate::words::Words;
 use dashpot_diagnosis::{Change, Diagnosis, Finding, Rival, Verdict};
 
@@ -143,13 +144,17 @@ pub fn changed_name(change: &Change, words: &Words) -> String {
 fn changed(found: &Diagnosis, words: &Words) -> Table {
     let row = |c: &Change| {
         let [value, interval] = Cell::with_interval(c.value, c.low, c.high, c.unit, words);
-        vec![changed_name(c, words).into(), Cell::measured(c.reference, c.unit), value, interval]
+        let reference = Cell::measured(c.reference, c.unit);
+        let probability = Cell { text: probability(c.probability), ..Cell::share(c.probability) };
+        vec![changed_name(c, words).into(), reference, value, interval, Cell::number(c.force_n_rms, error), probability]
     };
     let columns = vec![
         Column::words(words.col_parameter),
         Column::figures(words.col_reference),
         Column::figures(words.col_this_damper),
         Column::figures(words.col_interval),
+        Column::figures(words.col_force_rms),
+        Column::figures(words.col_probability),
     ];
     let rows = found.changes.iter().map(row).collect();
     Table { caption: words.changed_caption.to_owned(), columns, rows, sortable: false }

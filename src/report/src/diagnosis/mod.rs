@@ -3,6 +3,7 @@
 //! | file | section |
 //! |---|---|
 //! | [`answer`] | the verdict, the error before and after, test by test |
+//! | [`inventory`](crate::inventory) | every effect of the model with its force |
 //! | [`both_curves`] | FV curves of the damper and of the reference |
 //! | [`findings`] | what was added, with numbers, intervals and rivals |
 //! | [`loops`] | loops of the tests with the largest disagreement |
@@ -11,7 +12,7 @@
 //! | [`matrix`] | errors by amplitude and peak velocity, before and after |
 //! | [`tried`] | everything that was tried, round by round |
 //!
-//! The first four, with the worst test's loops alone, are what is printed in short.
+//! The first five, with the worst test's loops alone, are what is printed in short.
 
 mod answer;
 mod both_curves;
@@ -27,6 +28,7 @@ pub use findings::changed_name;
 
 use super::page::{self, Print};
 use super::{Block, Made, ParameterRow, Section, Workbook, made, parameters, write_figures, write_page};
+use crate::inventory;
 use crate::whole_records;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
@@ -98,6 +100,7 @@ impl DiagnosisReport<'_> {
         let (found, words) = (self.found, self.words);
         let mut sections = vec![answer::section(found, words)];
         sections[0].blocks.push(Block::Paragraph(whole_records::told(&self.over_whole_records, words)));
+        sections.extend(inventory::section(&found.inventory, &found.tests, words));
         sections.extend(findings::section(found, words));
         sections.extend(loops::sections(found, words));
         sections.push(limits::section(found, words));

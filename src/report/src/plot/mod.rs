@@ -10,6 +10,7 @@
 //! | [`overview`] | error of every test; error by amplitude and peak velocity |
 //! | [`peaks`] | peak force over peak velocity with the identified curve and limits |
 //! | [`before_after`] | error and loops of single tests, before and after a diagnosis |
+//! | [`inventory`] | force of every effect by amplitude and peak velocity |
 //! | [`residual`], [`residual_map`] | what a model leaves, over velocity, time since reversal and displacement |
 //!
 //! Measured is blue, the model red, the force–velocity curve green and dashed, a model before its improvement grey and dashed,
@@ -20,6 +21,7 @@
 pub mod axes;
 pub mod before_after;
 pub mod in_space;
+pub mod inventory;
 pub mod of_test;
 pub mod overview;
 pub mod palette;

@@ -213,6 +213,21 @@ impl Svg {
         }
     }
 
+    /// A filled rectangle of a role that says its value where the cursor is on it.
+    pub fn bar(&mut self, role: Role, corner: Point, size: Point, value: &str) {
+        let (class, color) = (role.class(), role.light());
+        let ([x, y], [width, height]) = (corner.map(px), size.map(px));
+        let _ = write!(
+            self.body,
+            "<rect class=\"p {class}\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{color}\""
+        );
+        if value.is_empty() {
+            self.body.push_str("/>");
+        } else {
+            let _ = write!(self.body, "><title>{}</title></rect>", escape(value));
+        }
+    }
+
     /// A filled rectangle of a fixed colour, the same on a dark page (a heat-map cell).
     pub fn cell(&mut self, corner: Point, size: Point, fill: &str) {
         let [x, y] = corner.map(px);

@@ -199,6 +199,37 @@ const NAMES: &[Named] = &[
     ["share_across", "share across", "Anteil in Querphase", "part en quadrature", "正交比例"],
     ["share_growth", "growth of the share", "Zunahme des Anteils", "croissance de la part", "比例的增长"],
     ["cooling_rate", "cooling rate", "Abkühlrate", "vitesse de refroidissement", "冷却速率"],
+    // Parts of the FV curve that change as one.
+    ["rebound_curve", "rebound force", "Kraft der Zugstufe", "effort en détente", "复原力"],
+    ["compression_curve", "compression force", "Kraft der Druckstufe", "effort en compression", "压缩力"],
+    [
+        "rebound_low_speed",
+        "rebound force at low speed",
+        "Zugstufe bei kleiner Geschwindigkeit",
+        "effort en détente à basse vitesse",
+        "低速复原力",
+    ],
+    [
+        "compression_low_speed",
+        "compression force at low speed",
+        "Druckstufe bei kleiner Geschwindigkeit",
+        "effort en compression à basse vitesse",
+        "低速压缩力",
+    ],
+    [
+        "rebound_high_speed",
+        "rebound force at high speed",
+        "Zugstufe bei hoher Geschwindigkeit",
+        "effort en détente à haute vitesse",
+        "高速复原力",
+    ],
+    [
+        "compression_high_speed",
+        "compression force at high speed",
+        "Druckstufe bei hoher Geschwindigkeit",
+        "effort en compression à haute vitesse",
+        "高速压缩力",
+    ],
     // The FV curve.
     ["fv_form", "form of the FV curve", "Form der FV-Kurve", "forme de la courbe FV", "FV 曲线的形式"],
     [

@@ -173,7 +173,7 @@ def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
     said: dict[str, Any] = {
         "verdict": found.verdict,
         "summary": found.summary,
-        "changed": [asdict(change) for change in found.changed],
+        "changes": [asdict(change) for change in found.changes],
     }
     if found.findings:
         first = found.findings[0]

@@ -99,7 +99,7 @@ def report(results: str | os.PathLike[str]) -> str:
     file = pq.ParquetFile(results)
     schema = file.schema_arrow
     said = ["campaign", "serial", "batch", "date", "status", "reason", "positive", "positive_confidence", "judgement", "missed", "verdict", "effect",
-            "effect_confidence", "suspect", "changed"]  # fmt: skip
+            "effect_confidence", "suspect", "changes"]  # fmt: skip
     table = file.read(columns=said).to_pydict()
     count = len(table["campaign"])
     if not count:
@@ -237,16 +237,7 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
 
 def _named(change: dict[str, Any]) -> str:
     velocity = change["velocity_m_s"]
-    return change["parameter"] if velocity is None else f"{change['parameter']} at {velocity:.3f} m/s"
-
-
-def _told(changed: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Those that move the force most first; of a side of the FV curve the point that moved most, as in the answer of a diagnosis."""
-    most: dict[tuple[str, bool | None], dict[str, Any]] = {}
-    for change in sorted(changed, key=lambda c: abs(c["value"] - c["reference"])):
-        velocity = change["velocity_m_s"]
-        most[change["parameter"], None if velocity is None else velocity > 0] = change
-    return sorted(most.values(), key=lambda c: -c["force_share"])
+    return change["name"] if velocity is None else f"{change['name']} at {velocity:.3f} m/s"
 
 
 def _effect(table: dict[str, list[Any]], k: int) -> str:
@@ -256,7 +247,7 @@ def _effect(table: dict[str, list[Any]], k: int) -> str:
     if table["suspect"][k]:
         return f"suspect: {table['suspect'][k]}"
     # The same effects as the reference: then it is numbers that differ, those first that move the force most.
-    changed = _told(table["changed"][k] or ())
+    changed = sorted(table["changes"][k] or (), key=lambda c: -c["force_n_rms"])
     if changed:
         return "changed: " + ", ".join(
             f"{_named(c)} {_number(c['reference'])} to {_number(c['value'])} {c['unit']}" for c in changed[:3]

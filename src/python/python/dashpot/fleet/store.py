@@ -33,13 +33,14 @@ _NUMBER = pa.struct(
 )
 _CHANGE = pa.struct(
     [
-        ("parameter", pa.string()),
+        ("name", pa.string()),
         ("reference", pa.float64()),
         ("value", pa.float64()),
         ("low", pa.float64()),
         ("high", pa.float64()),
         ("unit", pa.string()),
-        ("force_share", pa.float64()),
+        ("probability", pa.float64()),
+        ("force_n_rms", pa.float64()),
         ("velocity_m_s", pa.float64()),
     ]
 )
@@ -74,7 +75,7 @@ SCHEMA = pa.schema(
         ("suspect", pa.string()),
         ("suspect_confidence", pa.float64()),
         ("summary", pa.string()),
-        ("changed", pa.list_(_CHANGE)),
+        ("changes", pa.list_(_CHANGE)),
         *((force_column(v), pa.float64()) for v in VELOCITIES),
         ("elements", pa.list_(pa.string())),
         ("parameters", pa.list_(_NUMBER)),

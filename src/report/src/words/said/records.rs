@@ -1338,6 +1338,7 @@ pub const ALL: &[Said] = &[
         "不完整的循环或停机过程",
     ],
     ["rest", "Ruhe", "repos", "静止"],
+    ["nothing", "nichts", "rien", "无"],
     // Channels.
     ["time", "Zeit", "temps", "时间"],
     ["displacement", "Weg", "déplacement", "位移"],
