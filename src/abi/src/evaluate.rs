@@ -14,40 +14,17 @@
 //! (Euler, Runge-Kutta) needs microseconds, and above that may give a wrong force with status 0. dashpot_step() is stable at
 //! every step.
 
-use core::mem::{align_of, offset_of, size_of};
-
 use dashpot_core::evaluate::partials;
 use dashpot_core::{Output, Partials, State};
 
 use crate::family as over_setting;
 use crate::input::{self, dashpot_input};
 use crate::model::{dashpot_model, prepared_aligned};
+use crate::partials::dashpot_partials;
 use crate::pointer::{aligned, present};
 use crate::state::{checked, computed, dashpot_output, dashpot_state};
 use crate::status::status;
-use crate::step::range_warning;
-
-/// All partial derivatives at one instant. States in the order above; inputs: displacement, velocity.
-#[repr(C)]
-pub struct dashpot_partials {
-    /// dF/d(input).
-    pub force_by_input: [f64; 2],
-    /// dF/d(state).
-    pub force_by_state: [f64; 10],
-    /// d(rate of state i)/d(input).
-    pub rate_by_input: [[f64; 2]; 10],
-    /// d(rate of state i)/d(state j).
-    pub rate_by_state: [[f64; 10]; 10],
-}
-
-const _: () = {
-    assert!(size_of::<dashpot_partials>() == size_of::<Partials>());
-    assert!(align_of::<dashpot_partials>() == align_of::<Partials>());
-    assert!(offset_of!(dashpot_partials, force_by_input) == offset_of!(Partials, force_by_input));
-    assert!(offset_of!(dashpot_partials, force_by_state) == offset_of!(Partials, force_by_state));
-    assert!(offset_of!(dashpot_partials, rate_by_input) == offset_of!(Partials, rate_by_input));
-    assert!(offset_of!(dashpot_partials, rate_by_state) == offset_of!(Partials, rate_by_state));
-};
+use crate::stepping::range_warning;
 
 /// Force and state rates at *state and *input: the answer to *output, d(state)/dt to *rate.
 #[unsafe(no_mangle)]

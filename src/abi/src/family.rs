@@ -3,14 +3,13 @@
 use dashpot_core::family::Family;
 use dashpot_core::{Input, Output, Partials, State};
 
-use crate::evaluate::dashpot_partials;
 use crate::input::{self, dashpot_input, sane, sane_setting};
 use crate::model::{dashpot_model, family, prepared};
+use crate::partials::{dashpot_by_setting, dashpot_partials};
 use crate::pointer::{exclusive, present};
-use crate::setting::dashpot_by_setting;
 use crate::state::{checked, commands, computed, dashpot_output, dashpot_state, finite};
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_OUTSIDE_SETTING, Refused};
-use crate::step::{checked_step, move_on, range_warning, warnings};
+use crate::stepping::{checked_step, move_on, range_warning, warnings};
 
 /// The warning for a setting.
 fn setting_warning(family: &Family, setting: Option<f64>) -> i32 {

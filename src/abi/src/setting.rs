@@ -20,19 +20,20 @@
 //! An instant (see Evaluation) knows no past: a host that integrates the states delays the command itself where there is a dead time.
 
 use core::ffi::c_char;
-use core::mem::{align_of, offset_of, size_of};
+use core::mem::size_of;
 
-use dashpot_core::family::BySetting;
 use dashpot_core::parameter::List;
 
 use crate::family as over_setting;
 use crate::input::{self, dashpot_input};
 use crate::model::{dashpot_model, family, prepared};
 use crate::params::{axis, axis_mut, dashpot_params, parameter};
+use crate::partials::dashpot_by_setting;
 use crate::pointer::{aligned, array, exclusive, present, usable};
 use crate::state::{checked, commands, computed, dashpot_state};
 use crate::status::{DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
-use crate::step::{checked_step, dashpot_force};
+use crate::step::dashpot_force;
+use crate::stepping::checked_step;
 use crate::text;
 
 /// Most settings of a grid.
@@ -54,21 +55,6 @@ pub struct dashpot_setting {
     /// Unit, zero-terminated, such as A; empty where none is given.
     pub unit: [c_char; 32],
 }
-
-/// Derivatives of force and rates over the commanded setting, at constant states.
-#[repr(C)]
-pub struct dashpot_by_setting {
-    /// dF/d(setting). 0 where the actuator has a lag: the force then follows its state.
-    pub force: f64,
-    /// d(rate of state i)/d(setting), in the order of dashpot_partials.
-    pub rate: [f64; 10],
-}
-
-const _: () = {
-    assert!(size_of::<dashpot_by_setting>() == size_of::<BySetting>());
-    assert!(align_of::<dashpot_by_setting>() == align_of::<BySetting>());
-    assert!(offset_of!(dashpot_by_setting, rate) == offset_of!(BySetting, rate));
-};
 
 /// Sets the grid of the setting: count increasing numbers; 0: the damper depends on no setting any more. Values over another grid are dropped.
 #[unsafe(no_mangle)]

@@ -7,60 +7,16 @@
 //! dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held, a contact
 //! that is bent at rest (presliding friction) as the way there left it. The state stays as it is.
 
-use dashpot_core::step::{LONG_STEP, force_in_place, step_in_place};
-use dashpot_core::{Input, Model, Output, State};
+use dashpot_core::Input;
+use dashpot_core::step::force_in_place;
 
 use crate::family as over_setting;
 use crate::input::{self, dashpot_input, sane};
 use crate::model::{dashpot_model, prepared, prepared_aligned, ready};
 use crate::pointer::{aligned, present};
-use crate::state::{computed, dashpot_output, dashpot_state, finite};
-use crate::status::{
-    DASHPOT_BAD_INPUT, DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK,
-    DASHPOT_OUTSIDE_RANGE, Refused, status,
-};
-
-/// Longer steps are a mistake in the unit, s.
-const LONGEST_STEP: f64 = 100.0;
-/// Shorter steps cannot be told from 0, s.
-const SHORTEST_STEP: f64 = 1e-15;
-
-// Written out: `contains` costs seven instructions more in every step.
-#[allow(clippy::manual_range_contains)]
-#[inline(always)]
-pub(crate) fn checked_step(dt: f64) -> Result<f64, Refused> {
-    if dt >= SHORTEST_STEP && dt <= LONGEST_STEP || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
-}
-
-/// The warnings for a step.
-#[inline(always)]
-pub(crate) fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
-    if dt > LONG_STEP {
-        return long(model, velocity);
-    }
-    range_warning(model, velocity)
-}
-
-/// The warnings for a step that is too long, out of the way of the others.
-#[cold]
-#[inline(never)]
-fn long(model: &Model, velocity: f64) -> i32 {
-    range_warning(model, velocity) | DASHPOT_LONG_STEP
-}
-
-/// The warning for a velocity.
-#[inline(always)]
-pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
-    let (low, high) = model.elements().paths.fv_curve.range();
-    if velocity >= low && velocity <= high { DASHPOT_OK } else { outside(model, velocity) }
-}
-
-/// Out of the way of steps without a warning.
-#[cold]
-#[inline(never)]
-fn outside(model: &Model, velocity: f64) -> i32 {
-    if model.covers(velocity) { DASHPOT_OK } else { DASHPOT_OUTSIDE_RANGE }
-}
+use crate::state::{dashpot_output, dashpot_state, finite};
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Refused, status};
+use crate::stepping::{checked_step, move_on, warnings};
 
 /// The shortest way: velocity (m/s) in, force (N) out; of a damper that depends on a setting at its start setting (else dashpot_force_setting()). Moves *state on by dt (s); the displacement is integrated from
 /// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
@@ -126,41 +82,6 @@ pub unsafe extern "C" fn dashpot_step(
         unsafe { move_on(model, from, &input, dt, to, output)? };
         Ok(warnings(model, input.velocity, dt))
     })())
-}
-
-/// One checked step.
-///
-/// # Safety
-/// Valid, aligned pointers; `from` and `to` may be the same.
-#[inline(always)]
-pub(crate) unsafe fn move_on(
-    model: &Model,
-    from: *const dashpot_state,
-    input: &Input,
-    dt: f64,
-    to: *mut dashpot_state,
-    output: *mut dashpot_output,
-) -> Result<(), Refused> {
-    let to = to.cast::<State>();
-    // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
-    let output = unsafe { &mut *output.cast::<Output>() };
-    // Through a value where they are two: nothing is said about states that overlap by half, and a refused step leaves them.
-    let mut apart;
-    let state = if from.cast() == to.cast_const() {
-        // SAFETY: valid and aligned by the caller's promise; one reference, since `from` is the same.
-        unsafe { &mut *to }
-    } else {
-        // SAFETY: valid and aligned by the caller's promise.
-        apart = unsafe { *from.cast::<State>() };
-        &mut apart
-    };
-    computed(step_in_place(model, state, input, dt, output))?;
-    if !core::ptr::eq(state, to) {
-        let reached = *state;
-        // SAFETY: valid and aligned by the caller's promise; no reference to it is left.
-        unsafe { *to = reached };
-    }
-    Ok(())
 }
 
 /// One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the

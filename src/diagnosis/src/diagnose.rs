@@ -8,7 +8,7 @@ use super::prepared::{Prepared, prepare};
 use super::{opposite, phrases, warmer};
 use dashpot_core::Params;
 use dashpot_estimation::refit::{Effort, refit};
-use dashpot_estimation::samples::{Test, Thin};
+use dashpot_estimation::samples::Test;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::search::StructureSearch;
@@ -77,11 +77,10 @@ fn alone<'a>(
 ) -> Result<Composed<'a>, DiagnosisError> {
     progress(0.05, phrases::REFITTING);
     let Prepared { fitted, left, heating, situation } = prepared;
-    let thin = Thin::new(&fitted).tests;
     let may = |candidate: &Candidate, situation: &Situation| is_allowed(candidate, situation, options);
     let context = SearchContext {
         records,
-        tests: &thin,
+        tests: &fitted,
         is_allowed: &may,
         changes: &[],
         most: options.max_effects,
@@ -91,13 +90,16 @@ fn alone<'a>(
     let mut all = vec![given.clone()];
     // Asked about some effects alone, or for none, the given model is the only one to compare with.
     if options.candidates.is_none() && options.max_effects > 0 {
-        all.extend(starts::plain(&thin, &heating, &|_| true));
+        all.extend(starts::plain(&fitted, &heating, &|_| true));
     }
     let search = StructureSearch::run(&context, all).ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);
     let start = search.starts.iter().find(|s| s.components == given.1).unwrap_or(&search.best);
     let given = refined(start, &fitted).ok_or(DiagnosisError::NotFinite)?;
-    let best = refined(&search.best, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let mut best = refined(&search.best, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    if given.log_posterior >= best.log_posterior {
+        best = given.clone();
+    }
     Ok(Composed { beside: [None, None], records, fitted, left, search, given, best, situation, against: None })
 }
 
@@ -112,7 +114,6 @@ fn against_reference<'a>(
     progress(0.02, phrases::FITTING_REFERENCE);
     let against = prepared.against(records, &options.reference, params)?;
     let Prepared { fitted, left, situation, .. } = prepared;
-    let thin = Thin::new(&fitted).tests;
     let reference = &against.structure;
     let candidates = changes(&reference.hypothesis);
     let may = |candidate: &Candidate, situation: &Situation| {
@@ -120,7 +121,7 @@ fn against_reference<'a>(
     };
     let context = SearchContext {
         records,
-        tests: &thin,
+        tests: &fitted,
         is_allowed: &may,
         changes: &candidates,
         most: options.max_effects,

@@ -15,7 +15,7 @@ use dashpot_estimation::heating::Heating;
 use dashpot_estimation::hypothesis::{Free, Hypothesis, Number as FreeNumber, number as free_number};
 use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::refit::{self, Refit, refit};
-use dashpot_estimation::samples::{self, Test, Thin, segments};
+use dashpot_estimation::samples::{self, Test, segments};
 use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
@@ -399,13 +399,12 @@ fn fit_thesis(
     };
     progress(Stage { done: 0.1, text: phrases::FIRST_FIT });
     let heating = Arc::new(Heating::new(records, tests));
-    let thin = Thin::new(tests).tests;
     let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
-    let context =
-        SearchContext { records, tests: &thin, is_allowed: &may, changes: &[], most: usize::MAX, progress: &|_| () };
+    let context = SearchContext { records, tests, is_allowed: &may, changes: &[], most: usize::MAX, progress: &|_| () };
     progress(Stage { done: 0.3, text: phrases::CHOOSING_STRUCTURE });
     let not_finite = || FitError::NotFinite { test: tests.first().map_or(String::new(), |t| t.segment.name.clone()) };
-    let search = StructureSearch::run(&context, starts::plain(&thin, &heating, &allowed)).ok_or_else(not_finite)?;
+    let plain = starts::plain(tests, &heating, &allowed);
+    let search = StructureSearch::run(&context, plain).ok_or_else(not_finite)?;
     progress(Stage { done: 0.85, text: phrases::REFINING });
     let best = refined(&search.best, tests).ok_or_else(not_finite)?;
     let probabilities = search.probabilities(TEMPERATURE);

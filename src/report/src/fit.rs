@@ -8,8 +8,8 @@ use crate::parameters;
 use crate::whole_records::in_words;
 use crate::words::Words;
 use crate::workbook::Workbook;
-use dashpot_identification::validation::Deviation;
 use dashpot_identification::Fit;
+use dashpot_identification::validation::Deviation;
 use dashpot_records::Unusable;
 
 /// The tables of a fit, with its error over whole records, what could not be used, and the names of the model and the data.

@@ -8,11 +8,9 @@ mod cycle;
 mod lead_in;
 mod noise;
 pub mod road;
-mod thin;
 mod whole;
 
 pub use lead_in::as_long_as_remembered;
-pub use thin::Thin;
 pub use whole::segments;
 
 use crate::segment::Segment;

@@ -55,8 +55,10 @@ const CONTESTED: f64 = 12.0;
 const ROUNDS: usize = 8;
 
 impl StructureSearch {
-    /// Searches from several starts: hypotheses with their components.
+    /// Searches from starts made of the records alone, and then from the given model, the first of `starts`, where that is more probable than
+    /// what was found: so the answer depends on the given model only where it helps.
     pub fn run(context: &SearchContext, starts: Vec<(Hypothesis, Vec<Component>)>) -> Option<StructureSearch> {
+        let others = starts.len() - 1;
         let tests = context.tests;
         let refitted: Vec<Structure> = starts
             .into_par_iter()
@@ -65,7 +67,9 @@ impl StructureSearch {
                 Some(Structure::new(hypothesis, end, components, tests))
             })
             .collect();
-        let first = refitted.iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?.clone();
+        let from_records = &refitted[refitted.len() - others.min(refitted.len())..];
+        let among = if from_records.is_empty() { &refitted[..] } else { from_records };
+        let first = among.iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?.clone();
         let best = first.refined(tests, Effort::JUDGE);
         let mut search = StructureSearch {
             best,
@@ -80,6 +84,12 @@ impl StructureSearch {
             record(&mut search.table, structure);
         }
         search.climb(context);
+        // The given model as it came, and with what it lacks of the best so far.
+        let given = search.starts.first().filter(|_| others > 0).map(|given| given.refined(tests, Effort::JUDGE));
+        if let Some(given) = given.filter(|given| given.log_posterior > search.best.log_posterior + RISE) {
+            search.best = given;
+            search.climb(context);
+        }
         Some(search)
     }
 

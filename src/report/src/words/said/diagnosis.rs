@@ -133,6 +133,12 @@ pub const ALL: &[Said] = &[
     ["{numbers}{more}", "{numbers}{more}", "{numbers}{more}", "{numbers}{more}"],
     ["; nothing else changed", "; sonst hat sich nichts geändert", " ; rien d’autre n’a changé", "；其余没有变化"],
     [
+        "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} m/s)",
+        "Dämpfkraft {percent} % in Zug- und Druckstufe ({reference} → {value} N bei {velocity} m/s)",
+        "effort d’amortissement {percent} % en détente et en compression ({reference} → {value} N à {velocity} m/s)",
+        "复原与压缩阻尼力 {percent} %（{velocity} m/s 处 {reference} → {value} N）",
+    ],
+    [
         "rebound force {percent} % at all speeds ({reference} -> {value} N at {velocity} m/s)",
         "Kraft der Zugstufe {percent} % bei allen Geschwindigkeiten ({reference} → {value} N bei {velocity} m/s)",
         "effort en détente {percent} % à toutes les vitesses ({reference} → {value} N à {velocity} m/s)",

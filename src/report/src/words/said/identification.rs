@@ -24,6 +24,24 @@ pub const ALL: &[Said] = &[
     ],
     // What the data does not determine.
     [
+        "{name} could not be identified from this data ({why}); its element is off",
+        "{name} ließ sich aus diesen Daten nicht identifizieren ({why}); das Element ist aus",
+        "{name} n’a pu être identifié de ces données ({why}) ; son élément est désactivé",
+        "{name} 无法由这些数据辨识（{why}）；其元件未启用",
+    ],
+    [
+        "it needs slow tests at two or more side forces, with a side-force channel",
+        "dazu braucht es langsame Versuche bei zwei oder mehr Seitenkräften, mit einem Kanal der Seitenkraft",
+        "il faut des essais lents à deux efforts latéraux ou plus, avec une voie d’effort latéral",
+        "需要在两种或更多侧向力下的慢速试验，并有侧向力通道",
+    ],
+    [
+        "a free FV curve takes a v² term up",
+        "eine freie FV-Kurve nimmt einen v²-Anteil auf",
+        "une courbe FV libre absorbe un terme en v²",
+        "自由的 FV 曲线会吸收 v² 项",
+    ],
+    [
         "{name} could not be identified from this data; it is held at {value} {unit}",
         "{name} ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf {value} {unit} gehalten",
         "{name} n’a pu être identifié de ces données ; sa valeur est tenue à {value} {unit}",
