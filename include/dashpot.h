@@ -570,18 +570,6 @@ int32_t dashpot_step_batch(uint32_t count,
 // (Euler, Runge-Kutta) needs microseconds, and above that may give a wrong force with status 0. dashpot_step() is stable at
 // every step.
 
-// All partial derivatives at one instant. States in the order above; inputs: displacement, velocity.
-typedef struct dashpot_partials {
-  // dF/d(input).
-  double force_by_input[2];
-  // dF/d(state).
-  double force_by_state[10];
-  // d(rate of state i)/d(input).
-  double rate_by_input[10][2];
-  // d(rate of state i)/d(state j).
-  double rate_by_state[10][10];
-} dashpot_partials;
-
 // Force and state rates at *state and *input: the answer to *output, d(state)/dt to *rate.
 int32_t dashpot_evaluate(const dashpot_model *model,
                          const dashpot_state *state,
@@ -637,14 +625,6 @@ typedef struct dashpot_setting {
   // Unit, zero-terminated, such as A; empty where none is given.
   char unit[32];
 } dashpot_setting;
-
-// Derivatives of force and rates over the commanded setting, at constant states.
-typedef struct dashpot_by_setting {
-  // dF/d(setting). 0 where the actuator has a lag: the force then follows its state.
-  double force;
-  // d(rate of state i)/d(setting), in the order of dashpot_partials.
-  double rate[10];
-} dashpot_by_setting;
 
 // Sets the grid of the setting: count increasing numbers; 0: the damper depends on no setting any more. Values over another grid are dropped.
 int32_t dashpot_params_set_grid(dashpot_params *params,

@@ -2,7 +2,7 @@
 //! host may leave them: for tools that watch every access (Miri, AddressSanitizer). `tests/tests/unsafe_code.rs` runs it under both where
 //! they are. Without them it still holds that nothing is refused that the header allows.
 
-use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian, dashpot_partials};
+use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{DASHPOT_KNOWS_DISPLACEMENT, dashpot_input};
 use dashpot_abi::model::{
     dashpot_model, dashpot_model_init, dashpot_model_state_name, dashpot_model_states, dashpot_state_name,
@@ -12,6 +12,7 @@ use dashpot_abi::params::{
     dashpot_params_get, dashpot_params_get_list, dashpot_params_is_on, dashpot_params_read, dashpot_params_set,
     dashpot_params_set_list,
 };
+use dashpot_abi::partials::dashpot_partials;
 use dashpot_abi::state::{dashpot_output, dashpot_state, dashpot_state_init, dashpot_state_init_motion};
 use dashpot_abi::status::{
     DASHPOT_FILE_REPEATED, DASHPOT_MISALIGNED, DASHPOT_NEEDS_SERIES, DASHPOT_NULL, DASHPOT_TOO_MANY_STATES,

@@ -1,6 +1,6 @@
 //! A case: a parameter set and a motion, and how it is run through the C interface.
 
-use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian, dashpot_partials};
+use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{
     DASHPOT_KNOWS_DISPLACEMENT, DASHPOT_KNOWS_SIDE_FORCE, DASHPOT_KNOWS_TEMPERATURE, dashpot_input,
 };
@@ -8,6 +8,7 @@ use dashpot_abi::model::{dashpot_model, dashpot_model_init};
 use dashpot_abi::params::{
     dashpot_params, dashpot_params_default, dashpot_params_enable, dashpot_params_set, dashpot_params_set_list,
 };
+use dashpot_abi::partials::dashpot_partials;
 use dashpot_abi::state::{dashpot_output, dashpot_state, dashpot_state_init};
 use dashpot_abi::step::dashpot_step;
 use dashpot_abi::version::DASHPOT_ABI_VERSION;

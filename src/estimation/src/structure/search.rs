@@ -83,6 +83,15 @@ impl StructureSearch {
         for structure in &search.starts {
             record(&mut search.table, structure);
         }
+        if context.most == 0 {
+            // Nothing may be added: the given model stays, and what could have been is tried once.
+            search.best = search.starts.first()?.clone();
+            if let Some(Expansion { trials, visible }) = expand(context, &search.best, &|_| true, Budget::WIDE) {
+                search.note(&trials);
+                (search.last, search.visible) = (trials, visible);
+            }
+            return Some(search);
+        }
         search.climb(context);
         // The given model as it came, and with what it lacks of the best so far.
         let given = search.starts.first().filter(|_| others > 0).map(|given| given.refined(tests, Effort::JUDGE));
