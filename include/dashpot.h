@@ -553,6 +553,33 @@ int32_t dashpot_step_batch(uint32_t count,
 
 
 // ==============================================================================================================
+// Partial derivatives
+// ==============================================================================================================
+
+// What dashpot_jacobian() and dashpot_jacobian_setting() fill in, further down.
+
+// All partial derivatives at one instant. States in the order that dashpot_evaluate() has; inputs: displacement, velocity.
+typedef struct dashpot_partials {
+  // dF/d(input).
+  double force_by_input[2];
+  // dF/d(state).
+  double force_by_state[10];
+  // d(rate of state i)/d(input).
+  double rate_by_input[10][2];
+  // d(rate of state i)/d(state j).
+  double rate_by_state[10][10];
+} dashpot_partials;
+
+// Derivatives of force and rates over the commanded setting, at constant states.
+typedef struct dashpot_by_setting {
+  // dF/d(setting). 0 where the actuator has a lag: the force then follows its state.
+  double force;
+  // d(rate of state i)/d(setting), in the order of dashpot_partials.
+  double rate[10];
+} dashpot_by_setting;
+
+
+// ==============================================================================================================
 // Evaluation
 // ==============================================================================================================
 

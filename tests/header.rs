@@ -11,8 +11,8 @@ use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
 use dashpot_core::parameter::{GROUPS, names};
 
 /// The sections in order, by source file.
-const SECTIONS: [&str; 10] =
-    ["lib", "version", "status", "params", "model", "input", "state", "step", "evaluate", "setting"];
+const SECTIONS: [&str; 11] =
+    ["lib", "version", "status", "params", "model", "input", "state", "step", "partials", "evaluate", "setting"];
 /// Behind the parameter table.
 const TABLE: &str = "table";
 

@@ -1,11 +1,13 @@
-//! Partial derivatives as C sees them.
+//! Partial derivatives
+//!
+//! What dashpot_jacobian() and dashpot_jacobian_setting() fill in, further down.
 
 use core::mem::{align_of, offset_of, size_of};
 
 use dashpot_core::Partials;
 use dashpot_core::family::BySetting;
 
-/// All partial derivatives at one instant. States in the order above; inputs: displacement, velocity.
+/// All partial derivatives at one instant. States in the order that dashpot_evaluate() has; inputs: displacement, velocity.
 #[repr(C)]
 pub struct dashpot_partials {
     /// dF/d(input).

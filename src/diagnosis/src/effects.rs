@@ -279,7 +279,7 @@ mod tests {
     use dashpot_estimation::hypothesis::Hypothesis;
     use dashpot_estimation::situation::Situation;
     use dashpot_estimation::vocabulary::candidates;
-    use dashpot_estimation::vocabulary::changes::changes;
+    use dashpot_estimation::vocabulary::changes;
     use std::collections::BTreeSet;
 
     fn situation(preload: bool, measured: bool) -> Situation {
