@@ -131,7 +131,13 @@ impl StructureSearch {
             }
             self.last = trials.clone();
             let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form)).count();
-            let may = |t: &&Trial| t.unnamed.is_none() && (rare < context.most || !is_rare(t.form.0, t.form.1));
+            // An error without a name competes: what it explains better gets no known name.
+            let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
+            let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
+            let may = |t: &&Trial| {
+                t.unnamed.is_none()
+                    && (!is_rare(t.form.0, t.form.1) || rare < context.most && t.structure.log_posterior > unnamed)
+            };
             let added = trials.iter().find(may);
             if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - 3.0) {
                 let next = trial.structure.refined(context.tests, Effort::JUDGE);
@@ -155,10 +161,10 @@ impl StructureSearch {
     /// Enters trials into the table.
     fn note(&mut self, trials: &[Trial]) {
         for trial in trials {
-            match trial.unnamed {
-                Some(unnamed) => self.unnamed.push((unnamed, trial.structure.log_posterior)),
-                None => record(&mut self.table, &trial.structure),
+            if let Some(unnamed) = trial.unnamed {
+                self.unnamed.push((unnamed, trial.structure.log_posterior));
             }
+            record(&mut self.table, &trial.structure);
         }
     }
 
