@@ -1,6 +1,7 @@
 // A rig run from a C++ host; see rig.c for what goes in and out.
 #include "dashpot.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -60,9 +61,9 @@ double number(std::uint64_t bits) {
   return value;
 }
 
-template <typename Doubles> void print(const Doubles &doubles) {
-  std::vector<std::uint64_t> bits(sizeof doubles / sizeof(double));
-  std::memcpy(bits.data(), &doubles, sizeof doubles);
+template <typename Doubles> void print(const Doubles &doubles, std::size_t bytes = sizeof(Doubles)) {
+  std::vector<std::uint64_t> bits(bytes / sizeof(double));
+  std::memcpy(bits.data(), &doubles, bytes);
   for (std::uint64_t one : bits) std::cout << ' ' << std::hex << std::setw(16) << std::setfill('0') << one;
 }
 
@@ -94,7 +95,8 @@ int main(int argc, char **argv) {
       std::cout << std::dec << status;
       print(force);
     }
-    print(damper.state());
+    // What lies behind is no damper's without a setting.
+    print(damper.state(), offsetof(dashpot_state, commands));
     std::cout << '\n';
   }
 }
