@@ -292,7 +292,7 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     of_text(&text, path)
 }
 
-/// As [`read`], of a damper that may depend on a setting.
+/// Reads a model file whose damper may depend on a setting.
 ///
 /// # Errors
 /// As [`read`].
@@ -310,7 +310,7 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
     parsed(text, path, |params, _| model_file::read(text.as_bytes(), params))
 }
 
-/// As [`read_family`], of a text that is at hand.
+/// Parses the text of a model file whose damper may depend on a setting.
 ///
 /// # Errors
 /// As [`read`].

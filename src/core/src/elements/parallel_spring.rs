@@ -120,7 +120,7 @@ impl<T: Tables> Force for ParallelSpring<T> {
 }
 
 impl<T: Tables> ParallelSpring<T> {
-    /// The same spring, whose table somebody else keeps.
+    /// Borrows the table of this spring.
     pub(crate) fn with_table<U: Tables>(&self, lookup: U::Spring) -> ParallelSpring<U> {
         ParallelSpring { k: self.k, has_higher: self.has_higher, lookup, has_lookup: self.has_lookup }
     }

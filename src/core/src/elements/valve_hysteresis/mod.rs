@@ -178,7 +178,7 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// The same valve, with a passage whose conductance is kept there.
+    /// Borrows the conductance of the passage.
     pub(crate) fn with_conductance<U: Tables>(&self, conductance: U::Conductance) -> ValveHysteresis<U> {
         ValveHysteresis {
             form: self.form,
