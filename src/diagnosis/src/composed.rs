@@ -10,7 +10,7 @@ use super::prepared::Against;
 use super::wording::{percent, physical};
 use super::{improved, next_test, phrases, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
-use dashpot_estimation::gap::{errors, gap_closed, rms, rms_of_tests};
+use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
@@ -74,11 +74,6 @@ struct Judged {
 }
 
 impl Composed<'_> {
-    /// Probability that the damper has an effect.
-    fn probability(&self, probabilities: &BTreeMap<&'static str, f64>, effect: &str) -> f64 {
-        confidence(probabilities.get(effect).copied().unwrap_or(0.0), self.against.is_some())
-    }
-
     /// Effects of the best structure that the given model lacks and that are probable enough to be named.
     fn named<'c>(&'c self, probability: &dyn Fn(&str) -> f64) -> Vec<&'c Component> {
         let is_new = |c: &&Component| !is_change(c) && self.given.components.iter().all(|own| own.effect != c.effect);
@@ -104,10 +99,9 @@ impl Composed<'_> {
     pub fn diagnosis(mut self) -> Diagnosis {
         let probabilities = self.search.probabilities(TEMPERATURE);
         let is_against = self.against.is_some();
-        let table = probabilities.clone();
-        let probability = move |effect: &str| confidence(table.get(effect).copied().unwrap_or(0.0), is_against);
+        let probability = |effect: &str| confidence(probabilities.get(effect).copied().unwrap_or(0.0), is_against);
         self.settle(&probability);
-        let probability = |effect: &str| self.probability(&probabilities, effect);
+        let tree = tree::tree(&self.search, TEMPERATURE);
         let of = |structure: &Structure, tests: &[Test]| {
             errors(self.accuracy(), &structure.hypothesis, &structure.refit.theta, self.records, tests)
                 .unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
@@ -163,10 +157,11 @@ impl Composed<'_> {
             .then(|| phrases::OR_WARM_GAS.into());
         let (before, after) = (self.given.evidence.mean(), self.best.evidence.mean());
         let deviations = self.deviations();
+        let findings = self.findings(&names, &inventory, (&tree, &judged.suspects), &probability, &deviations);
         let mut diagnosis = Diagnosis {
             verdict: judged.verdict,
             summary,
-            findings: self.findings(&names, &inventory, &probability, &deviations),
+            findings,
             inventory,
             changes: changed,
             suspects: judged.suspects.clone(),
@@ -175,7 +170,7 @@ impl Composed<'_> {
             after: figures(&fitted_after, &left_after),
             gap_closed: gap.filter(|_| self.best.key() != self.given.key()),
             unexplained_share: 1.0 - explained(before, after).clamp(0.0, 1.0),
-            tree: tree::tree(&self.search, TEMPERATURE),
+            tree,
             next_tests: self.next_tests(&judged, &names, &probability),
             could_not_test,
             shifts: self.shifts(),
@@ -407,12 +402,12 @@ impl Composed<'_> {
         &self,
         names: &[&Component],
         items: &[InventoryItem],
+        (tree, suspects): (&[tree::Branch], &[Rival]),
         probability: &dyn Fn(&str) -> f64,
         deviations: &[f64],
     ) -> Vec<Finding> {
         let (hypothesis, theta) = (&self.best.hypothesis, &self.best.refit.theta);
         let (whole, before) = (self.best.evidence.mean(), self.given.evidence.mean());
-        let family_tree = tree::tree(&self.search, TEMPERATURE);
         let one = |component: &&Component| {
             let effect = component.effect;
             let mut parameters = BTreeMap::new();
@@ -438,7 +433,7 @@ impl Composed<'_> {
             let card = effects::card(effect);
             let item = items.iter().find(|i| i.effect == effect);
             let family = card.map_or("", |c| c.family);
-            let of_family = family_tree.iter().flat_map(|path| &path.branches).filter(|branch| branch.name == family);
+            let of_family = tree.iter().flat_map(|path| &path.branches).filter(|branch| branch.name == family);
             let family_confidence =
                 of_family.map(|branch| confidence(branch.probability, self.against.is_some())).sum::<f64>();
             Finding {
@@ -453,7 +448,7 @@ impl Composed<'_> {
                 force_n_rms: item.map_or(0.0, |i| i.force_n_rms),
                 of_the_rig: component.is_of_measurement(),
                 parameters,
-                gap_closed: None,
+                gap_closed: less.as_ref().and_then(|less| self.gap_without(less)),
                 evidence: Evidence {
                     share: explained(without, whole),
                     mean_square_before: without,
@@ -463,10 +458,22 @@ impl Composed<'_> {
                     implausibility: self.best.evidence.implausibility - other.evidence.implausibility,
                     tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
-                rivals: self.suspects(names, probability),
+                rivals: suspects.to_vec(),
             }
         };
         names.iter().map(one).collect()
+    }
+
+    /// Fraction of the gap that opens again without one effect, on left-out tests where there are any.
+    fn gap_without(&self, less: &Structure) -> Option<f64> {
+        let tests = if self.left.is_empty() { &self.fitted } else { &self.left };
+        let noise = noise_alone(tests);
+        let of = |structure: &Structure| {
+            let theta = &structure.refit.theta;
+            errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
+        };
+        let (before, with, less) = (of(&self.given)?, of(&self.best)?, of(less)?);
+        (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
     }
 
     /// How exactly errors are found: as the model's own steps give them, or as what the reference leaves was found.

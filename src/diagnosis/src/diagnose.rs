@@ -7,7 +7,7 @@ use super::outcome::Diagnosis;
 use super::prepared::{Prepared, prepare};
 use super::{opposite, phrases, warmer};
 use dashpot_core::Params;
-use dashpot_estimation::refit::{Effort, refit};
+use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
@@ -28,12 +28,6 @@ fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -
     !is_of_fit
         && options.candidates.as_ref().is_none_or(|list| list.iter().any(|name| name == effect))
         && effects::can_be_shown(effect, situation)
-}
-
-/// A structure refitted to all samples.
-fn refined(structure: &Structure, tests: &[Test]) -> Option<Structure> {
-    let end = refit(&structure.hypothesis, tests, &structure.refit.theta, None, Effort::FINE)?;
-    Some(Structure::new(structure.hypothesis.clone(), end, structure.components.clone(), tests))
 }
 
 /// Diagnoses a model against records; `held_out` marks those that neither refit nor search may see.
@@ -67,6 +61,12 @@ pub fn diagnose(
     Ok(diagnosis)
 }
 
+/// The given model and the most probable structure, refitted to the end.
+fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Structure)> {
+    let given = search.given.as_ref()?.refitted(tests, Effort::FINE)?;
+    Some((given, search.best.refitted(tests, Effort::FINE)?))
+}
+
 /// The most probable structure of these records, beside the given model.
 fn alone<'a>(
     records: &'a [&'a Record],
@@ -86,17 +86,13 @@ fn alone<'a>(
         most: options.max_effects,
         progress: &|done| progress(0.1 + 0.8 * done, phrases::EACH_EFFECT),
     };
-    let given = starts::given(params, &heating);
-    let mut all = vec![given.clone()];
     // Asked about some effects alone, or for none, the given model is the only one to compare with.
-    if options.candidates.is_none() && options.max_effects > 0 {
-        all.extend(starts::plain(&fitted, &heating, &|_| true));
-    }
-    let search = StructureSearch::run(&context, all).ok_or(DiagnosisError::NotFinite)?;
+    let is_open = options.candidates.is_none() && options.max_effects > 0;
+    let plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
+    let search = StructureSearch::run(&context, Some(starts::given(params, &heating)), plain);
+    let search = search.ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);
-    let start = search.starts.iter().find(|s| s.components == given.1).unwrap_or(&search.best);
-    let given = refined(start, &fitted).ok_or(DiagnosisError::NotFinite)?;
-    let mut best = refined(&search.best, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let (given, mut best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
     if given.log_posterior >= best.log_posterior {
         best = given.clone();
     }
@@ -131,9 +127,9 @@ fn against_reference<'a>(
     same.base = reference.hypothesis.params(&reference.refit.theta);
     same.numbers.clear();
     same.heating = Some(prepared.heating.clone());
-    let search = StructureSearch::run(&context, vec![(same, Vec::new())]).ok_or(DiagnosisError::NotFinite)?;
-    let given = refined(&search.starts[0], &fitted).ok_or(DiagnosisError::NotFinite)?;
-    let best = refined(&search.best, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let search = StructureSearch::run(&context, Some((same, Vec::new())), Vec::new());
+    let search = search.ok_or(DiagnosisError::NotFinite)?;
+    let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
     let against = Some(against);
     Ok(Composed { beside: [None, None], records, fitted, left, search, given, best, situation, against })
 }

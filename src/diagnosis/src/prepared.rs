@@ -6,12 +6,12 @@ use dashpot_core::Params;
 use dashpot_core::parameter::Element;
 use dashpot_estimation::gap::errors;
 use dashpot_estimation::heating::Heating;
-use dashpot_estimation::refit::{Effort, refit};
+use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::Structure;
-use dashpot_estimation::structure::starts;
+use dashpot_estimation::structure::starts::{self, Start};
 use dashpot_records::Record;
 use std::sync::Arc;
 
@@ -62,7 +62,7 @@ impl Prepared {
             return Err(DiagnosisError::NothingToCompare { turned });
         }
         // The given model, and what a plain model would be: a reference without friction in its model could not say that friction changed.
-        let no_heat = |(mut hypothesis, components): (dashpot_estimation::hypothesis::Hypothesis, _)| {
+        let no_heat = |(mut hypothesis, components): Start| {
             hypothesis.heating = None;
             (hypothesis, components)
         };
@@ -74,10 +74,7 @@ impl Prepared {
         if lacks_friction {
             all.extend(starts::plain(&own.fitted, &own.heating, &|_| true).into_iter().map(no_heat));
         }
-        let fit = |(hypothesis, components): (dashpot_estimation::hypothesis::Hypothesis, Vec<_>)| {
-            let end = refit(&hypothesis, &own.fitted, &hypothesis.start(), None, Effort::FINE)?;
-            Some(Structure::new(hypothesis, end, components, &own.fitted))
-        };
+        let fit = |(hypothesis, components): Start| Structure::fit(hypothesis, components, &own.fitted, Effort::FINE);
         let structure = all
             .into_iter()
             .filter_map(fit)

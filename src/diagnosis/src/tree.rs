@@ -1,7 +1,6 @@
 //! All probabilities: path, family, effect, form.
 
 use super::effects::CARDS;
-use dashpot_estimation::structure::evidence::log_sum_exp;
 use dashpot_estimation::structure::search::StructureSearch;
 use serde::Serialize;
 
@@ -23,18 +22,6 @@ fn sorted(mut branches: Vec<Branch>) -> Vec<Branch> {
     branches
 }
 
-/// Probability of structures that satisfy a condition on their forms.
-fn probability(
-    search: &StructureSearch,
-    temperature: f64,
-    is_in: &dyn Fn(&(&'static str, &'static str)) -> bool,
-) -> f64 {
-    let all: Vec<f64> = search.table.values().map(|row| row.log_posterior / temperature).collect();
-    let own = search.table.iter().filter(|(key, _)| key.iter().any(is_in));
-    let own: Vec<f64> = own.map(|(_, row)| row.log_posterior / temperature).collect();
-    if own.is_empty() { 0.0 } else { libm::exp(log_sum_exp(&own) - log_sum_exp(&all)) }
-}
-
 /// The tree of a search.
 pub fn tree(search: &StructureSearch, temperature: f64) -> Vec<Branch> {
     let distinct = |names: Vec<&'static str>| {
@@ -54,13 +41,13 @@ pub fn tree(search: &StructureSearch, temperature: f64) -> Vec<Branch> {
         let branch = |form: &'static str| Branch {
             name: form.to_owned(),
             level: "form",
-            probability: probability(search, temperature, &|own| *own == (effect, form)),
+            probability: search.probability_of(temperature, &|own| *own == (effect, form)),
             branches: Vec::new(),
         };
         sorted(names.into_iter().map(branch).collect())
     };
     let effect = |name: &'static str| {
-        let probability = probability(search, temperature, &|own| own.0 == name);
+        let probability = search.probability_of(temperature, &|own| own.0 == name);
         (probability > 0.0).then(|| Branch {
             name: name.to_owned(),
             level: "effect",
@@ -68,7 +55,7 @@ pub fn tree(search: &StructureSearch, temperature: f64) -> Vec<Branch> {
             branches: forms(name),
         })
     };
-    let of = |names: &[&'static str]| probability(search, temperature, &|own| names.contains(&own.0));
+    let of = |names: &[&'static str]| search.probability_of(temperature, &|own| names.contains(&own.0));
     let family = |family: &'static str| {
         let names: Vec<&'static str> = CARDS.iter().filter(|c| c.family == family).map(|c| c.name).collect();
         let branches = sorted(names.iter().filter_map(|name| effect(name)).collect());

@@ -44,11 +44,6 @@ pub fn noise_alone(tests: &[Test]) -> f64 {
     rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// Mean square of errors beyond noise, in units of the noise.
-pub fn beyond_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
-    (in_noise(tests, errors) / noise_alone(tests)).powi(2) - 1.0
-}
-
 /// Share of the gap between model and noise that is closed.
 pub fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
     let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));

@@ -5,7 +5,7 @@
 //! without limit, as under Student's distribution (four degrees of freedom), because there are strange dampers.
 
 use crate::scale::Scale;
-use crate::unknowns::{Unknown, Unknowns};
+use crate::unknowns::Unknown;
 pub use crate::usual::Usual;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
@@ -131,17 +131,6 @@ const FREEDOM: f64 = 4.0;
 /// Fall of the logarithm of the odds by a number so many standard deviations off.
 pub fn price(off: f64) -> f64 {
     0.5 * (FREEDOM + 1.0) * libm::log1p(off * off / FREEDOM)
-}
-
-/// What the model's numbers in a fit cost it, in units of the logarithm of the odds.
-pub fn unusual(unknowns: &Unknowns, theta: &[f64]) -> f64 {
-    let params = unknowns.params(theta);
-    let scale = Scale::of(&unknowns.base);
-    let off = |unknown: &Unknown| {
-        let (Unknown::Log(number) | Unknown::Linear(number)) = *unknown else { return None };
-        of(number, scale).map(|usual| usual.off(params.number(number)))
-    };
-    unknowns.list.iter().filter_map(off).map(price).sum()
 }
 
 /// Mean and standard deviation of a free number of the model where a search moves it.

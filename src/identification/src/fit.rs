@@ -404,9 +404,9 @@ fn fit_thesis(
     progress(Stage { done: 0.3, text: phrases::CHOOSING_STRUCTURE });
     let not_finite = || FitError::NotFinite { test: tests.first().map_or(String::new(), |t| t.segment.name.clone()) };
     let plain = starts::plain(tests, &heating, &allowed);
-    let search = StructureSearch::run(&context, plain).ok_or_else(not_finite)?;
+    let search = StructureSearch::run(&context, None, plain).ok_or_else(not_finite)?;
     progress(Stage { done: 0.85, text: phrases::REFINING });
-    let best = refined(&search.best, tests).ok_or_else(not_finite)?;
+    let best = search.best.refitted(tests, refit::Effort::FINE).ok_or_else(not_finite)?;
     let probabilities = search.probabilities(TEMPERATURE);
     let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
     let inventory = inventory(&best, None, tests, &probability);
@@ -423,12 +423,6 @@ fn fit_thesis(
         found.leave_out(number!("viscous_coefficient"), phrases::TAKEN_UP);
     }
     Ok(found)
-}
-
-/// A structure refitted to all samples.
-fn refined(structure: &Structure, tests: &[Test]) -> Option<Structure> {
-    let end = refit(&structure.hypothesis, tests, &structure.refit.theta, None, refit::Effort::FINE)?;
-    Some(Structure::new(structure.hypothesis.clone(), end, structure.components.clone(), tests))
 }
 
 /// Intervals, and what the records leave open.

@@ -58,6 +58,17 @@ impl Structure {
         Structure { hypothesis, refit, components, evidence, log_posterior }
     }
 
+    /// Fits a hypothesis with its components from where it starts; `None` where it makes no finite force.
+    pub fn fit(
+        hypothesis: Hypothesis,
+        components: Vec<Component>,
+        tests: &[Test],
+        effort: Effort,
+    ) -> Option<Structure> {
+        let end = refit(&hypothesis, tests, &hypothesis.start(), None, effort)?;
+        Some(Structure::new(hypothesis, end, components, tests))
+    }
+
     /// Free numbers, weakly informed ones counted half.
     pub fn numbers(&self) -> f64 {
         numbers(&self.hypothesis, &self.components)
@@ -75,8 +86,12 @@ impl Structure {
         let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
         let mut components = self.components.clone();
         components.remove(place);
-        let refit = refit(&hypothesis, tests, &hypothesis.start(), None, effort)?;
-        Some(Structure::new(hypothesis, refit, components, tests))
+        Structure::fit(hypothesis, components, tests, effort)
+    }
+
+    /// Refitted from where it stands; `None` where it makes no finite force.
+    pub fn refitted(&self, tests: &[Test], effort: Effort) -> Option<Structure> {
+        Structure::fit(self.hypothesis.clone(), self.components.clone(), tests, effort)
     }
 
     /// Refitted from where it stands, with more points on the FV curve where those are worth it.

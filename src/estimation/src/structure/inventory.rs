@@ -2,6 +2,7 @@
 
 use super::component::Component;
 use super::context::Structure;
+use crate::gap::{rms, rms_of_tests};
 use crate::hypothesis::Hypothesis;
 use crate::samples::Test;
 use crate::sensitivity::Accuracy;
@@ -44,35 +45,12 @@ pub struct InventoryItem {
     pub replaces: Option<&'static str>,
 }
 
-/// Root mean square over tests of each test's root mean square.
-fn rms(of_tests: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = of_tests.fold((0.0, 0), |(sum, count), square| (sum + square, count + 1));
-    (sum / f64::from(count.max(1))).sqrt()
-}
-
-fn mean_square(values: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = values.fold((0.0, 0usize), |(sum, count), v| (sum + v * v, count + 1));
-    sum / count.max(1) as f64
-}
-
 /// Forces of a hypothesis at `theta`, the cheap integration being exact enough for an account.
 fn forces(of: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
     of.forces_by(&of.model_by(Accuracy::Single, theta)?, tests, theta)
 }
 
-/// Mean square of the force that a component carries in each test, N²; `None` where the model gives no force without it.
-fn carried(structure: &Structure, component: &Component, tests: &[Test], whole: &[Vec<f64>]) -> Option<Vec<f64>> {
-    let without = component.remove(&structure.hypothesis, &structure.refit.theta);
-    let less = forces(&without, tests, &without.start())?;
-    Some(whole.iter().zip(&less).map(|(a, b)| mean_square(a.iter().zip(b).map(|(a, b)| a - b))).collect())
-}
-
-/// Root of each mean square.
-fn roots(squares: &[f64]) -> Vec<f64> {
-    squares.iter().map(|square| square.sqrt()).collect()
-}
-
-/// How much of the force of one component another carries: what both leave where the model stands, by correlation of their forces.
+/// Correlation of the forces of two components over all tests.
 fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     let dot = |x: &[Vec<f64>], y: &[Vec<f64>]| -> f64 {
         x.iter().zip(y).map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>() / x.len().max(1) as f64).sum()
@@ -80,8 +58,8 @@ fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     dot(a, b) / (dot(a, a) * dot(b, b)).sqrt().max(1e-300)
 }
 
-fn force_of(structure: &Structure, component: &Component, tests: &[Test]) -> Option<Vec<Vec<f64>>> {
-    let whole = forces(&structure.hypothesis, tests, &structure.refit.theta)?;
+/// Force that a component carries in each test, N: what its removal changes; `None` where the model gives no force without it.
+fn force_of(structure: &Structure, component: &Component, tests: &[Test], whole: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let without = component.remove(&structure.hypothesis, &structure.refit.theta);
     let less = forces(&without, tests, &without.start())?;
     Some(whole.iter().zip(&less).map(|(a, b)| a.iter().zip(b).map(|(a, b)| a - b).collect()).collect())
@@ -97,60 +75,49 @@ pub fn inventory(
     tests: &[Test],
     probability: &dyn Fn(&str) -> f64,
 ) -> Vec<InventoryItem> {
-    let measured = rms(tests.iter().map(|t| mean_square(t.forces().iter().copied())));
-    let Some(whole) = forces(&best.hypothesis, tests, &best.refit.theta) else { return Vec::new() };
+    let measured = rms_of_tests(&tests.iter().map(|t| t.forces().to_vec()).collect::<Vec<_>>());
+    let whole_of = |structure: &Structure| forces(&structure.hypothesis, tests, &structure.refit.theta);
+    let Some(whole) = whole_of(best) else { return Vec::new() };
     let is_in = |structure: &Structure, effect: &str| structure.components.iter().any(|c| c.effect == effect);
-    let gone: Vec<&Component> =
-        given.iter().flat_map(|given| &given.components).filter(|component| !is_in(best, component.effect)).collect();
+    // Without an effect that the model cannot do without there is no force, and none to give.
+    let item = |component: &Component, force: Option<&[Vec<f64>]>, without: f64, status: Status| {
+        let size = force.map_or(without, rms_of_tests);
+        InventoryItem {
+            effect: component.effect,
+            form: component.form,
+            force_n_rms: size,
+            share: size / measured.max(1e-9),
+            force_by_test_n: force.map_or_else(Vec::new, |force| force.iter().map(|f| rms(f)).collect()),
+            probability: probability(component.effect),
+            status,
+            replaces: None,
+        }
+    };
+    let of_best: Vec<Option<Vec<Vec<f64>>>> =
+        best.components.iter().map(|component| force_of(best, component, tests, &whole)).collect();
     let mut all: Vec<InventoryItem> = best
         .components
         .iter()
-        .map(|component| {
-            let squares = carried(best, component, tests, &whole);
-            let force = squares.as_ref().map_or(f64::INFINITY, |squares| rms(squares.iter().copied()));
+        .zip(&of_best)
+        .map(|(component, force)| {
             let is_new = given.is_none_or(|given| !is_in(given, component.effect));
-            InventoryItem {
-                effect: component.effect,
-                form: component.form,
-                force_n_rms: force,
-                share: force / measured.max(1e-9),
-                force_by_test_n: squares.as_deref().map_or_else(Vec::new, roots),
-                probability: probability(component.effect),
-                status: if is_new { Status::Added } else { Status::Kept },
-                replaces: None,
-            }
+            item(component, force.as_deref(), f64::INFINITY, if is_new { Status::Added } else { Status::Kept })
         })
         .collect();
     if let Some(given) = given {
-        let added: Vec<(usize, Vec<Vec<f64>>)> = best
-            .components
-            .iter()
-            .enumerate()
-            .filter(|(k, _)| all[*k].status == Status::Added)
-            .filter_map(|(k, component)| Some((k, force_of(best, component, tests)?)))
-            .collect();
-        for component in gone {
-            let force = force_of(given, component, tests);
-            let squares: Option<Vec<f64>> =
-                force.as_ref().map(|force| force.iter().map(|f| mean_square(f.iter().copied())).collect());
-            let size = squares.as_ref().map_or(0.0, |squares| rms(squares.iter().copied()));
+        let whole = whole_of(given);
+        for component in given.components.iter().filter(|component| !is_in(best, component.effect)) {
+            let force = whole.as_ref().and_then(|whole| force_of(given, component, tests, whole));
             let place = force.as_ref().and_then(|force| {
-                let likeness = added.iter().map(|(k, other)| (*k, alikeness(force, other)));
+                let added = of_best.iter().enumerate().filter(|(k, _)| all[*k].status == Status::Added);
+                let likeness = added.filter_map(|(k, other)| Some((k, alikeness(force, other.as_ref()?))));
                 likeness.filter(|(_, alike)| *alike > REPLACES).max_by(|a, b| a.1.total_cmp(&b.1))
             });
             if let Some((k, _)) = place {
                 all[k].replaces = Some(component.effect);
             }
-            all.push(InventoryItem {
-                effect: component.effect,
-                form: component.form,
-                force_n_rms: size,
-                share: size / measured.max(1e-9),
-                force_by_test_n: squares.as_deref().map_or_else(Vec::new, roots),
-                probability: probability(component.effect),
-                status: if place.is_some() { Status::Replaced } else { Status::Removed },
-                replaces: None,
-            });
+            let status = if place.is_some() { Status::Replaced } else { Status::Removed };
+            all.push(item(component, force.as_deref(), 0.0, status));
         }
     }
     all.sort_by(|a, b| b.force_n_rms.total_cmp(&a.force_n_rms));

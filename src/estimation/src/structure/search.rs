@@ -4,14 +4,13 @@
 //! its log posterior; the search ends where no move from the best raises it. Probabilities of effects are sums over that table.
 
 use super::budget::Budget;
-use super::component::Component;
 use super::context::{Form, SearchContext, Structure};
 use super::evidence::log_sum_exp;
 use super::expansion::{Expansion, Trial, expand};
 use super::prior_odds::is_rare;
+use super::starts::Start;
 use crate::cancel;
-use crate::hypothesis::Hypothesis;
-use crate::refit::{Effort, refit};
+use crate::refit::Effort;
 use crate::vocabulary::{Candidate, Unnamed};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -39,8 +38,8 @@ pub struct StructureSearch {
     pub rivals: Vec<Trial>,
     /// Effects that leave no trace, with the squared norm of their response in σ².
     pub visible: Vec<(&'static str, f64)>,
-    /// The starts, refitted, in the order given.
-    pub starts: Vec<Structure>,
+    /// The given model, refitted; `None` without one, or where it makes no finite force.
+    pub given: Option<Structure>,
 }
 
 /// Rise of the log posterior below which a move is not made.
@@ -51,26 +50,22 @@ const PROMISING: f64 = 25.0;
 const FORMS: usize = 2;
 /// Log posterior that a removal may cost for the effect's rivals to be tried in its place.
 const CONTESTED: f64 = 12.0;
+/// How far, in units of the log posterior, a structure with one more effect, or with another in its place, may lie behind the best to be
+/// refined: more points on the FV curve and a removal gain about so much.
+const ADDED: f64 = 3.0;
+const SWAPPED: f64 = 2.0;
 /// Rounds of add, remove and swap.
 const ROUNDS: usize = 8;
 
 impl StructureSearch {
-    /// Searches from starts made of the records alone, and then from the given model, the first of `starts`, where that is more probable than
-    /// what was found: so the answer depends on the given model only where it helps.
-    pub fn run(context: &SearchContext, starts: Vec<(Hypothesis, Vec<Component>)>) -> Option<StructureSearch> {
-        let others = starts.len() - 1;
+    /// Searches from starts made of the records alone, and then from the given model where that is more probable than what was found: so the
+    /// answer depends on the given model only where it helps. `None` where no start makes a finite force.
+    pub fn run(context: &SearchContext, given: Option<Start>, from_records: Vec<Start>) -> Option<StructureSearch> {
         let tests = context.tests;
-        let refitted: Vec<Structure> = starts
-            .into_par_iter()
-            .filter_map(|(hypothesis, components)| {
-                let end = refit(&hypothesis, tests, &hypothesis.start(), None, Effort::JUDGE)?;
-                Some(Structure::new(hypothesis, end, components, tests))
-            })
-            .collect();
-        let from_records = &refitted[refitted.len() - others.min(refitted.len())..];
-        let among = if from_records.is_empty() { &refitted[..] } else { from_records };
-        let first = among.iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?.clone();
-        let best = first.refined(tests, Effort::JUDGE);
+        let fit = |(hypothesis, components): Start| Structure::fit(hypothesis, components, tests, Effort::JUDGE);
+        let given = given.and_then(fit);
+        let starts: Vec<Structure> = from_records.into_par_iter().filter_map(fit).collect();
+        let best = most_probable(starts.iter()).or(given.as_ref())?.refined(tests, Effort::JUDGE);
         let mut search = StructureSearch {
             best,
             table: BTreeMap::new(),
@@ -78,14 +73,14 @@ impl StructureSearch {
             last: Vec::new(),
             rivals: Vec::new(),
             visible: Vec::new(),
-            starts: refitted,
+            given,
         };
-        for structure in &search.starts {
+        for structure in starts.iter().chain(&search.given) {
             record(&mut search.table, structure);
         }
         if context.most == 0 {
             // Nothing may be added: the given model stays, and what could have been is tried once.
-            search.best = search.starts.first()?.clone();
+            search.best = search.given.clone()?;
             if let Some(Expansion { trials, visible }) = expand(context, &search.best, &|_| true, Budget::WIDE) {
                 search.note(&trials);
                 (search.last, search.visible) = (trials, visible);
@@ -93,8 +88,8 @@ impl StructureSearch {
             return Some(search);
         }
         search.climb(context);
-        // The given model as it came, and with what it lacks of the best so far.
-        let given = search.starts.first().filter(|_| others > 0).map(|given| given.refined(tests, Effort::JUDGE));
+        let given =
+            search.given.as_ref().filter(|_| !starts.is_empty()).map(|given| given.refined(tests, Effort::JUDGE));
         if let Some(given) = given.filter(|given| given.log_posterior > search.best.log_posterior + RISE) {
             search.best = given;
             search.climb(context);
@@ -139,7 +134,7 @@ impl StructureSearch {
                     && (!is_rare(t.form.0, t.form.1) || rare < context.most && t.structure.log_posterior > unnamed)
             };
             let added = trials.iter().find(may);
-            if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - 3.0) {
+            if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - ADDED) {
                 let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
                 let next = self
@@ -177,7 +172,7 @@ impl StructureSearch {
         for structure in &less {
             record(&mut self.table, structure);
         }
-        less.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
+        most_probable(less.iter()).cloned()
     }
 
     /// Removes effects as long as that raises the posterior.
@@ -210,7 +205,8 @@ impl StructureSearch {
             self.note(&trials);
             self.rivals.extend(trials.iter().filter(|t| t.form.0 != own).take(2).cloned());
             let Some(trial) = trials.first() else { continue };
-            if trial.structure.log_posterior > self.best.log_posterior - 2.0 && trial.structure.key() != self.best.key()
+            if trial.structure.log_posterior > self.best.log_posterior - SWAPPED
+                && trial.structure.key() != self.best.key()
             {
                 let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
@@ -223,20 +219,26 @@ impl StructureSearch {
         false
     }
 
-    /// Probability of every effect: sums over the table, where posteriors are divided by `temperature`.
-    pub fn probabilities(&self, temperature: f64) -> BTreeMap<&'static str, f64> {
-        let logs: Vec<(&Vec<Form>, f64)> =
-            self.table.iter().map(|(key, row)| (key, row.log_posterior / temperature)).collect();
-        let whole = log_sum_exp(&logs.iter().map(|l| l.1).collect::<Vec<_>>());
-        let mut all = BTreeMap::new();
-        for (key, log) in logs {
-            let effects: BTreeSet<&'static str> = key.iter().map(|form| form.0).collect();
-            for effect in effects {
-                *all.entry(effect).or_insert(0.0) += libm::exp(log - whole);
-            }
-        }
-        all
+    /// Probability that the damper has one of the forms that satisfy a condition: the sum over the structures of the table that hold one, where
+    /// log posteriors are divided by `temperature`.
+    pub fn probability_of(&self, temperature: f64, is_in: &dyn Fn(&Form) -> bool) -> f64 {
+        let of = |row: &Visited| row.log_posterior / temperature;
+        let all: Vec<f64> = self.table.values().map(of).collect();
+        let own: Vec<f64> =
+            self.table.iter().filter(|(key, _)| key.iter().any(is_in)).map(|(_, row)| of(row)).collect();
+        if own.is_empty() { 0.0 } else { libm::exp(log_sum_exp(&own) - log_sum_exp(&all)) }
     }
+
+    /// Probability of every effect of the table.
+    pub fn probabilities(&self, temperature: f64) -> BTreeMap<&'static str, f64> {
+        let effects: BTreeSet<&'static str> = self.table.keys().flatten().map(|form| form.0).collect();
+        effects.into_iter().map(|effect| (effect, self.probability_of(temperature, &|form| form.0 == effect))).collect()
+    }
+}
+
+/// The structure with the largest log posterior.
+fn most_probable<'s>(among: impl Iterator<Item = &'s Structure>) -> Option<&'s Structure> {
+    among.max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
 }
 
 fn record(table: &mut BTreeMap<Vec<Form>, Visited>, structure: &Structure) {

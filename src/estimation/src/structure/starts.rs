@@ -15,18 +15,17 @@ use std::sync::Arc;
 const STIFFNESSES: [f64; 3] = [6e5, 2.5e6, 1e7];
 
 /// A model with its free numbers and components.
-pub fn given(params: &Params, heating: &Arc<Heating>) -> (Hypothesis, Vec<Component>) {
+pub type Start = (Hypothesis, Vec<Component>);
+
+/// The start that a given model makes.
+pub fn given(params: &Params, heating: &Arc<Heating>) -> Start {
     let hypothesis = Hypothesis { base: *params, numbers: base_numbers(params), heating: Some(heating.clone()) };
     let components = Component::of_model(&hypothesis);
     (hypothesis, components)
 }
 
 /// Models made from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and without one.
-pub fn plain(
-    tests: &[Test],
-    heating: &Arc<Heating>,
-    may: &dyn Fn(Element) -> bool,
-) -> Vec<(Hypothesis, Vec<Component>)> {
+pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<Start> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     let first = guess(&segments);
     let scale = size(&segments).force();

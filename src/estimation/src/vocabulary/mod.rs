@@ -169,11 +169,6 @@ impl Candidate {
         self.fresh.iter_mut().for_each(|fresh| fresh.grow(scale));
     }
 
-    /// How many numbers it adds; those that stay near what is usual count half.
-    pub fn numbers(&self) -> f64 {
-        self.fresh.iter().map(|f| if f.deviation.is_some() { 0.5 } else { 1.0 }).sum()
-    }
-
     /// Whether it is of the rig, not of the damper.
     pub fn is_artefact(&self) -> bool {
         self.elements.is_empty()
