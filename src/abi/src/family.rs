@@ -3,7 +3,7 @@
 use dashpot_core::family::Family;
 use dashpot_core::{Input, Output, Partials, State};
 
-use crate::input::{self, dashpot_input, sane, sane_setting};
+use crate::input::{self, checked_setting, dashpot_input, sane};
 use crate::model::{dashpot_model, family, prepared};
 use crate::partials::{dashpot_by_setting, dashpot_partials};
 use crate::pointer::{exclusive, present};
@@ -37,7 +37,7 @@ pub(crate) unsafe fn force(
     if !sane(velocity) {
         return Err(Refused(DASHPOT_BAD_INPUT));
     }
-    let setting = setting.map(sane_setting).transpose()?;
+    let setting = setting.map(checked_setting).transpose()?;
     let dt = checked_step(dt)?;
     // SAFETY: as the model.
     let force = unsafe { exclusive(force)? };

@@ -78,7 +78,10 @@ pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
 /// The setting that the host handed in with an input that [`checked`] accepted.
 ///
 /// # Safety
-/// As [`taken`].
+/// Setting that the host gives, checked; `None` where it gives none.
+///
+/// # Safety
+/// A valid, aligned input.
 #[inline(always)]
 pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>, Refused> {
     // SAFETY: the caller's promise.
@@ -86,12 +89,12 @@ pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>,
     if input.known & DASHPOT_KNOWS_SETTING == 0 {
         return Ok(None);
     }
-    sane_setting(input.setting).map(Some)
+    checked_setting(input.setting).map(Some)
 }
 
 /// Refuses a setting that is no number. One outside the grid is clamped.
 #[inline(always)]
-pub(crate) fn sane_setting(setting: f64) -> Result<f64, Refused> {
+pub(crate) fn checked_setting(setting: f64) -> Result<f64, Refused> {
     if setting.is_finite() { Ok(setting) } else { Err(Refused(DASHPOT_BAD_INPUT)) }
 }
 

@@ -40,8 +40,8 @@ struct PreparedFamily {
 // SAFETY: the compiler looks whether zeros are a model when it makes the constant of them, and refuses where they are none.
 const BLANK: Model = unsafe { MaybeUninit::zeroed().assume_init() };
 
-/// As [`BLANK`], of a family.
-// SAFETY: as there.
+/// A family without a damper.
+// SAFETY: any bytes are numbers of a family, zeros too.
 const BLANK_FAMILY: Family = unsafe { MaybeUninit::zeroed().assume_init() };
 
 const MAGIC: u64 = magic("model", size_of::<Model>());
@@ -81,7 +81,10 @@ pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result
 /// The family in a block that was initialised with one: asked where it is no ordinary model.
 ///
 /// # Safety
-/// As [`prepared`].
+/// The family of a model that depends on a setting.
+///
+/// # Safety
+/// Null, misaligned, or a block of the caller.
 #[cold]
 pub(crate) unsafe fn family<'a>(model: *const dashpot_model) -> Result<&'a Family, Refused> {
     usable(model)?;

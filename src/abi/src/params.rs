@@ -66,7 +66,10 @@ const _: () = {
 /// The block, after a look at its size and version.
 ///
 /// # Safety
-/// As [`shared`].
+/// The filled block behind parameters whose size is that of this interface.
+///
+/// # Safety
+/// Null, misaligned, or a block of the caller.
 unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Refused> {
     // SAFETY: the caller's promise is that of `shared`.
     let head = unsafe { shared(params) }?;
@@ -101,10 +104,10 @@ pub(crate) unsafe fn axis<'a>(params: *const dashpot_params) -> Result<&'a Axis,
     Ok(unsafe { &(*params.cast::<Filled>()).axis })
 }
 
-/// As [`axis`], to be changed.
+/// The axis of parameters, to be changed.
 ///
 /// # Safety
-/// As [`exclusive`].
+/// Null, misaligned, or a block of the caller that nobody else uses.
 pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Axis, Refused> {
     // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
     unsafe { values(params) }?;
@@ -115,7 +118,10 @@ pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut
 /// Index among the numbers of the setting that the C string spells.
 ///
 /// # Safety
-/// As [`one_of`].
+/// Index of the entry of the axis with this name.
+///
+/// # Safety
+/// Null or a zero-terminated text.
 unsafe fn entry(name: *const c_char) -> Result<usize, Refused> {
     // SAFETY: the caller's promise is that of `one_of`.
     let entry = unsafe { one_of(name, ENTRIES.iter(), |entry| entry.name) }?;

@@ -110,7 +110,10 @@ pub trait Prepare: Describe + Sized {
     /// Whether it can be made ready; large elements have one of their own, which takes no room for it.
     ///
     /// # Errors
-    /// As [`Prepare::prepare`].
+    /// Whether the element can be prepared from these parameters.
+    ///
+    /// # Errors
+    /// The parameter at fault.
     fn check(parameters: &View<Self>) -> Result<(), Fault> {
         Self::prepare(parameters).map(|_| ())
     }

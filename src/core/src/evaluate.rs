@@ -63,7 +63,7 @@ pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     force_of(model, state, input)
 }
 
-/// As [`force`], of a model whose tables may be borrowed.
+/// Force at an instant, of a model whose tables may be borrowed.
 pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Output {
     if !model.has_laid_out(state) {
         return force_of(model, &model.converted(state), input);
@@ -137,7 +137,7 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
     evaluate_of(model, state, input)
 }
 
-/// As [`evaluate`], of a model whose tables may be borrowed.
+/// Force and state rates at an instant, of a model whose tables may be borrowed.
 pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Input) -> (Output, State) {
     if !model.has_laid_out(state) {
         return evaluate_of(model, &model.converted(state), input);
@@ -167,7 +167,7 @@ pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
     partials_of(model, state, input)
 }
 
-/// As [`partials`], of a model whose tables may be borrowed.
+/// Partial derivatives at an instant, of a model whose tables may be borrowed.
 pub(crate) fn partials_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Partials {
     if !model.has_laid_out(state) {
         return partials_of(model, &model.converted(state), input);

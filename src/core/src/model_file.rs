@@ -147,10 +147,10 @@ pub fn read_family(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<
     read_checked(text, params, axis)
 }
 
-/// As [`read_family`], of a text that [`check_family`] accepted: it takes no room beside that of the caller, which it leaves in parts where it was not.
+/// Reads a text that [`check_family`] accepted without room beside that of the caller.
 ///
 /// # Errors
-/// As [`read_family`].
+/// Those of [`read_family`]; the sets of the caller may then be filled in part.
 pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
     axis.clear();
     let (grid, count, line) = grid_of(text)?;

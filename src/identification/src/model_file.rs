@@ -295,7 +295,7 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
 /// Reads a model file whose damper may depend on a setting.
 ///
 /// # Errors
-/// As [`read`].
+/// Those of [`read`].
 pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
     let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
@@ -482,7 +482,7 @@ pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> S
     flat_over(params, &Axis::NONE, kept, comment)
 }
 
-/// As [`flat`], of a damper that may depend on a setting.
+/// The model file of a damper that may depend on a setting, without what a fit says of it.
 pub fn flat_family(damper: &Definition, comment: impl Fn(&Row) -> String) -> String {
     flat_over(&damper.params, &damper.axis, &[], comment)
 }

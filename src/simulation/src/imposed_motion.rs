@@ -199,7 +199,7 @@ impl ImposedMotion {
     /// The same of a damper that depends on a setting: `setting` is that which is commanded in the step that ends at a time, s.
     ///
     /// # Errors
-    /// As [`ImposedMotion::drive`].
+    /// Those of [`ImposedMotion::drive`].
     pub fn drive_family(&self, family: &Family, setting: &dyn Fn(f64) -> f64) -> Result<Vec<Answer>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
         let start = Some(setting(self.time.first().copied().unwrap_or(0.0)));

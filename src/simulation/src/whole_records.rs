@@ -48,7 +48,7 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
 /// The same of a fit, over the records that it was made of, without what it found them to be off by.
 ///
 /// # Errors
-/// As [`deviation`].
+/// Those of [`deviation`].
 pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     without(&fit.measured, &fit.params, records)
 }

@@ -4,7 +4,7 @@ use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::papers::Paper;
 use crate::session::replacing::Replacement;
-use crate::views::{View, name_of};
+use crate::views::{View, translate_name};
 use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::{Diagnosis, InventoryItem};
 use dashpot_identification::validation::{Errors, Validation};
@@ -96,7 +96,7 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     inventory(ui, "fit_inventory", &found.inventory, false, language);
     egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
         for e in found.estimates.iter().filter(|e| e.index.is_none()) {
-            ui.label(RichText::new(name_of(e.name, said)).small()).on_hover_text(e.name);
+            ui.label(RichText::new(translate_name(e.name, said)).small()).on_hover_text(e.name);
             match (&e.standing, e.low, e.high) {
                 (Standing::NotIdentified, ..) => {
                     let assumed = assumed_of(e, &found.params, said).unwrap_or_default();
@@ -132,7 +132,7 @@ fn inventory(ui: &mut Ui, id: &str, items: &[InventoryItem], status: bool, langu
         for item in items {
             let form = said.word(item.form);
             let hint = if form.is_empty() { item.effect.to_owned() } else { format!("{}: {form}", item.effect) };
-            ui.label(RichText::new(name_of(item.effect, said)).small()).on_hover_text(hint);
+            ui.label(RichText::new(translate_name(item.effect, said)).small()).on_hover_text(hint);
             let force = if item.force_n_rms.is_finite() { said.number(&error(item.force_n_rms)) } else { "–".into() };
             ui.label(RichText::new(force).small());
             ui.label(RichText::new(probability(item.probability)).small());

@@ -117,7 +117,7 @@ impl View {
 }
 
 /// The name of an element or a parameter as the reports have it, without the identifier, which stands under the pointer.
-pub fn name_of(identifier: &str, said: &dashpot_report::words::Words) -> String {
+pub fn translate_name(identifier: &str, said: &dashpot_report::words::Words) -> String {
     said.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
 }
 

@@ -3,7 +3,7 @@
 use crate::dialogs::Ask;
 use crate::session::outputs::table;
 use crate::session::{Session, model};
-use crate::units::{Shown, Units};
+use crate::units::Shown;
 use crate::views::grid;
 use crate::views::lines::{Line as Drawn, Whose, named};
 use crate::views::{View, hue};

@@ -5,7 +5,7 @@ use crate::session::model::Reach;
 use crate::session::study::{Question, Study};
 use crate::units::{Units, read};
 use crate::views::grid;
-use crate::views::{Corner, View, hue, name_of, named_list};
+use crate::views::{Corner, View, hue, named_list, translate_name};
 use crate::words::Words;
 use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use dashpot_estimation::scale::Scale;
@@ -46,10 +46,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         form.range = None;
     }
     let (said, units) = (w.of.words(), view.units);
-    let shown_name = form.number.map_or_else(String::new, |number| name_of(number.name(), said));
+    let shown_name = form.number.map_or_else(String::new, |number| translate_name(number.name(), said));
     let list = ComboBox::from_id_salt("parameter").selected_text(shown_name).width(220.0).show_ui(ui, |ui| {
         for number in &numbers {
-            let label = ui.selectable_label(form.number == Some(*number), name_of(number.name(), said));
+            let label = ui.selectable_label(form.number == Some(*number), translate_name(number.name(), said));
             if label.on_hover_text(number.name()).clicked() {
                 form.number = Some(*number);
                 form.range = None;
@@ -112,7 +112,7 @@ fn table(ui: &mut Ui, study: &Study, units: Units, w: &Words) {
     let force = units.force();
     let unit = units.shown(study.question.number.parameter().unit);
     egui::Grid::new("study").num_columns(3).striped(true).show(ui, |ui| {
-        ui.strong(format!("{} [{}]", name_of(study.question.number.name(), w.of.words()), unit.symbol));
+        ui.strong(format!("{} [{}]", translate_name(study.question.number.name(), w.of.words()), unit.symbol));
         ui.strong(format!("{} [J]", w.area));
         ui.strong(format!("{} [{}]", w.gap, force.symbol));
         ui.end_row();
@@ -135,12 +135,12 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
     ui.add(egui::Label::new(RichText::new(w.effect_hint).weak()).wrap());
     let mut chosen = view.effect.map(|(element, _)| element);
     let list = ComboBox::from_id_salt("effect")
-        .selected_text(chosen.map_or(w.none.to_owned(), |element| name_of(element.name(), w.of.words())))
+        .selected_text(chosen.map_or(w.none.to_owned(), |element| translate_name(element.name(), w.of.words())))
         .width(220.0)
         .show_ui(ui, |ui| {
             ui.selectable_value(&mut chosen, None, w.none);
             for element in Element::all().filter(|element| !model.params().is_on(*element)) {
-                ui.selectable_value(&mut chosen, Some(element), name_of(element.name(), w.of.words()))
+                ui.selectable_value(&mut chosen, Some(element), translate_name(element.name(), w.of.words()))
                     .on_hover_text(w.meaning(element.group().meaning));
             }
         });
@@ -168,7 +168,7 @@ pub fn plot(ui: &mut Ui, session: &Session, units: Units, w: &'static Words) {
     let (speed, newtons) = (units.velocity(), units.force());
     ui.strong(format!(
         "{} · {}",
-        name_of(study.question.number.name(), w.of.words()),
+        translate_name(study.question.number.name(), w.of.words()),
         loaded.campaign.records[study.question.test].name
     ));
     let velocity = &seen.cycle_motion.velocity;

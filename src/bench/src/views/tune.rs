@@ -4,7 +4,7 @@ use crate::session::Session;
 use crate::session::model::{Reach, Tuned, usual_band};
 use crate::session::replacing::Replacement;
 use crate::units::{Units, read};
-use crate::views::{View, name_of, named_list};
+use crate::views::{View, named_list, translate_name};
 use crate::words::Words;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Element, Row, Shape};
@@ -90,7 +90,7 @@ fn element(ui: &mut Ui, session: &mut Session, view: &View, element: Element, on
     let mut switched = on;
     CollapsingState::load_with_default_open(ui.ctx(), id, on)
         .show_header(ui, |ui| {
-            let label = name_of(group.name, w.of.words());
+            let label = translate_name(group.name, w.of.words());
             ui.checkbox(&mut switched, if on { RichText::new(label).strong() } else { RichText::new(label) })
                 .on_hover_text(format!("{}\n{}", group.name, w.meaning(group.meaning)));
         })
@@ -135,8 +135,10 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
     let reach = Reach::of(row, scale, identified, now, interval);
     let unit = units.shown(p.unit);
     let (identifier, name) = match p.shape {
-        Shape::List(_) => (format!("{}[{entry}]", p.name), format!("{} {}", name_of(p.name, w.of.words()), entry + 1)),
-        _ => (p.name.to_owned(), name_of(p.name, w.of.words())),
+        Shape::List(_) => {
+            (format!("{}[{entry}]", p.name), format!("{} {}", translate_name(p.name, w.of.words()), entry + 1))
+        }
+        _ => (p.name.to_owned(), translate_name(p.name, w.of.words())),
     };
     let loose = model.is_loose(p.name, matches!(p.shape, Shape::List(_)).then_some(entry));
     let title = if loose {
@@ -223,7 +225,7 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
     let now = model.params().get(row).first().copied().unwrap_or(0.0) as usize;
     let mut chosen = now;
     ui.horizontal(|ui| {
-        let name = name_of(row.parameter.name, w.of.words());
+        let name = translate_name(row.parameter.name, w.of.words());
         let hint = format!("{}\n{}", row.parameter.name, w.meaning(row.parameter.meaning));
         ui.label(RichText::new(&name).small()).on_hover_text(hint);
         let shown = words.get(now).copied().unwrap_or("");
@@ -253,7 +255,7 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) 
     }
     // Places of a curve's points are dragged with its forces, or typed.
     let places = [list!("fv_velocity"), list!("spring_displacement")].iter().any(|places| places.row() == row);
-    egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", name_of(p.name, w.of.words()))).small())
+    egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", translate_name(p.name, w.of.words()))).small())
         .id_salt(p.name)
         .default_open(false)
         .show(ui, |ui| {

@@ -8,7 +8,7 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     told(path, model_file::read(path)?)
 }
 
-/// As [`read`], of a damper that may depend on a setting.
+/// Reads a model file whose damper may depend on a setting, and prints its notes.
 pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     told(path, model_file::read_family(path)?)
 }

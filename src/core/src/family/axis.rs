@@ -187,7 +187,7 @@ impl Axis {
         core::str::from_utf8(self.name_bytes()).unwrap_or("")
     }
 
-    /// As [`Axis::name`], in bytes: the standard library's reader of texts has panics that do not go away.
+    /// Name in bytes: the standard library's reader of texts has panics that do not go away.
     pub fn name_bytes(&self) -> &[u8] {
         text(&self.name)
     }
@@ -199,7 +199,7 @@ impl Axis {
         core::str::from_utf8(self.unit_bytes()).unwrap_or("")
     }
 
-    /// As [`Axis::unit`], in bytes.
+    /// Unit in bytes.
     pub fn unit_bytes(&self) -> &[u8] {
         text(&self.unit)
     }
@@ -390,7 +390,7 @@ impl Axis {
         at
     }
 
-    /// As [`Axis::at`], into a set that holds what does not depend on the setting.
+    /// Puts the numbers at a setting into a set that holds those that do not depend on it.
     pub fn put(&self, params: &mut Params, setting: f64) {
         let grid = self.grid();
         if grid.len() < 2 {

@@ -51,7 +51,7 @@ macro_rules! kept {
 }
 pub(crate) use kept;
 
-/// As [`kept`], of an element with a large table, which has methods of its own for both.
+/// Lends or prepares an element with a large table, which has methods of its own for both.
 macro_rules! lent_or_renewed {
     ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {

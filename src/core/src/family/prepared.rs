@@ -229,13 +229,13 @@ impl Family {
     /// Prepares a family where it is kept.
     ///
     /// # Errors
-    /// As [`Family::check`]; nothing is changed then.
+    /// Those of [`Family::check`]; nothing is changed then.
     pub fn set(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
         Family::check(params, axis)?;
         self.set_checked(params, axis)
     }
 
-    /// As [`Family::set`], of what [`Family::check`] accepted.
+    /// Prepares a family from what [`Family::check`] accepted.
     ///
     /// # Errors
     /// None then.
@@ -538,13 +538,13 @@ impl Family {
         self.step_at(self.command(setting), state, to, dt, output, slopes)
     }
 
-    /// As [`Family::step_in_place`] at the setting where the valve stands, from a state of this family.
+    /// Steps at the setting where the valve stands, from a state of this family.
     #[inline(never)]
     fn step_at(&self, at: f64, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
         self.ask(at, |model| step_borrowed(model, state, to, dt, output, slopes))
     }
 
-    /// As [`Family::step_in_place`], of a valve that does not stand where it is commanded, or from a state of other elements.
+    /// Steps while the valve moves to its command, or from a state of other elements.
     #[inline(never)]
     #[allow(clippy::too_many_arguments)]
     fn step_behind_actuator(

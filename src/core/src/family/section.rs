@@ -190,7 +190,7 @@ impl ForceLaw for Section<'_> {
         self.at(0.0).value
     }
 
-    /// As [`Curve::solve`].
+    /// Solves `a u + f(u) = r`: the velocity and the value of the curve there.
     #[inline(always)]
     fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let p = self.piece(self.locate(r, |u, f| a * u + f));

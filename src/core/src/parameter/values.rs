@@ -32,7 +32,7 @@ impl Params {
         params
     }
 
-    /// As [`Params::new`], where the set is kept.
+    /// Sets every number to its default, in place.
     pub(crate) fn set_defaults(&mut self) {
         self.elements = DEFAULT_ON;
         for row in table() {

@@ -320,7 +320,7 @@ fn usual(damper: &Definition) -> [f64; 11] {
     if damper.axis.is_some() { usual_of_family(damper) } else { usual_of(&damper.params) }
 }
 
-/// As [`usual`], of a damper that depends on a setting: at its start, while the setting goes to both ends of its grid.
+/// Usual sizes of the outputs of a damper over a setting: at its start, and at both ends of its grid.
 fn usual_of_family(damper: &Definition) -> [f64; 11] {
     let mut family = Box::new(Family::OFF);
     if family.set(&damper.params, &damper.axis).is_err() {
