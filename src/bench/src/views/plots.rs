@@ -517,6 +517,7 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::units::Units;
     use crate::words::{Language, texts};
 
     #[test]
