@@ -84,13 +84,14 @@ impl ValveHysteresis {
     /// The same, with its passage borrowed.
     #[inline(always)]
     pub(crate) fn lent(&self) -> ValveHysteresis<Lent<'_>> {
-        self.with_conductance(Passage(Some(self.conductance())))
+        self.with_conductance(Passage::Table(self.conductance()))
     }
 
     /// From other numbers: what the passage conducts is read off the FV curve.
     #[inline(always)]
     pub(crate) fn renewed<'a>(&self, numbers: &View<ValveHysteresis>) -> ValveHysteresis<Lent<'a>> {
-        ValveHysteresis::of(numbers, Passage(None))
+        let valve: ValveHysteresis<Lent<'_>> = ValveHysteresis::of(numbers, Passage::From(0.0));
+        valve.with_conductance(Passage::From(valve.tabulated_from()))
     }
 }
 
@@ -98,6 +99,6 @@ impl ValveHysteresis<Lent<'_>> {
     /// Reads what the passage conducts off the FV curve: that depends on the setting.
     #[inline(always)]
     pub(crate) fn measure(&mut self) {
-        *self = self.with_conductance(Passage(None));
+        *self = self.with_conductance(Passage::From(self.tabulated_from()));
     }
 }

@@ -1,7 +1,7 @@
 //! The tables of a damper at one setting, borrowed from the family.
 
 use crate::curve::{Above, Curve, MAX_POINTS, Value};
-use crate::elements::valve_hysteresis::{Conductance, exact};
+use crate::elements::valve_hysteresis::{Conductance, tabulated};
 use crate::math::{larger, smaller};
 use core::fmt::Debug;
 
@@ -219,16 +219,21 @@ impl ForceLaw for Section<'_> {
     }
 }
 
-/// Conductance of a late valve: the family's table, or read off the FV curve at the setting where that or the valve depends on it.
+/// Conductance of a late valve.
 #[derive(Clone, Copy, Debug)]
-pub struct Passage<'a>(pub(crate) Option<&'a Conductance>);
+pub enum Passage<'a> {
+    /// The table of the family.
+    Table(&'a Conductance),
+    /// Computed node by node from the FV curve at the setting, where that or the valve depends on it: its table would begin at this force, N.
+    From(f64),
+}
 
 impl Conduction for Passage<'_> {
     #[inline(always)]
     fn conducted(&self, curve: &impl ForceLaw, h: f64, stroke: f64) -> Conducted {
-        match self.0 {
-            Some(table) => table.conducted(curve, h, stroke),
-            None => exact(curve, h, stroke),
+        match self {
+            Passage::Table(table) => table.conducted(curve, h, stroke),
+            Passage::From(opens) => tabulated(curve, *opens, h, stroke),
         }
     }
 }

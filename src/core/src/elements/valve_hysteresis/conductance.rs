@@ -38,6 +38,61 @@ pub(crate) fn exact(curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
     At { g, by_h: (2.0 * w * stroke / (LEVEL + slope) - g) / h }
 }
 
+/// Derivative of a node, limited to what lets a cubic stay between its ends: three times the slope of the chords beside it (Fritsch &
+/// Carlson, SIAM J. Numer. Anal. 17, 1980). `None` beside the first and the last node.
+fn limited(derivative: f64, limits: [Option<f64>; 2]) -> f64 {
+    limits.into_iter().flatten().fold(derivative, |derivative, limit| {
+        if derivative * limit <= 0.0 { 0.0 } else { derivative.abs().min(limit.abs()).copysign(derivative) }
+    })
+}
+
+/// Three times the slope of the chord from a node to the next.
+fn limit(first: u64, node: usize, from: &At, to: &At) -> f64 {
+    3.0 * (to.g - from.g) / (force_of(first, node + 1) - force_of(first, node))
+}
+
+/// Force of a node of the table that begins at the place `first`.
+fn force_of(first: u64, node: usize) -> f64 {
+    f64::from_bits((first + node as u64) << BEHIND)
+}
+
+/// The interval of the table that holds the force h, and its position there, 0..1; `None` beyond the table.
+#[inline(always)]
+fn interval_of(first: u64, h: f64) -> Option<(usize, f64)> {
+    const ONE: u64 = 1.0_f64.to_bits();
+    let bits = h.to_bits();
+    let interval = (bits >> BEHIND).wrapping_sub(first) as usize;
+    // The bits behind the place are how far h is on the way to the next.
+    let s = f64::from_bits(ONE | (bits & ((1 << BEHIND) - 1)) << (52 - BEHIND)) - 1.0;
+    (interval < PLACES).then_some((interval, s))
+}
+
+/// The cubic between two nodes of which h lies at the position s.
+#[inline(always)]
+fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
+    let octave = f64::from_bits(h.to_bits() & !((1 << 52) - 1));
+    let width = octave * (1.0 / PER_OCTAVE as f64);
+    let (rise, m0, m1) = (to.g - from.g, from.by_h * width, to.by_h * width);
+    let (c2, c3) = (3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise);
+    At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
+}
+
+/// What the table from the force `opens` on would hold at h, computed without it: for an FV curve that changes from step to step.
+pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) -> At {
+    let first = opens.to_bits() >> BEHIND;
+    let Some((interval, s)) = interval_of(first, h) else { return exact(curve, h, stroke) };
+    let node = |node: usize| exact(curve, force_of(first, node), stroke);
+    let before = interval.checked_sub(1).map(node);
+    let (mut from, mut to) = (node(interval), node(interval + 1));
+    let after = (interval + 2 <= PLACES).then(|| node(interval + 2));
+    let own = limit(first, interval, &from, &to);
+    let earlier = before.map(|before| limit(first, interval - 1, &before, &from));
+    let later = after.map(|after| limit(first, interval + 1, &to, &after));
+    from.by_h = limited(from.by_h, [Some(own), earlier]);
+    to.by_h = limited(to.by_h, [later, Some(own)]);
+    cubic(&from, &to, h, s)
+}
+
 impl Conductance {
     /// Room for a table: nothing may be asked of it before [`Conductance::set`]. All zeros, so that it takes no room in the program.
     pub const UNSET: Conductance = Conductance { first: 0, strokes: [[At { g: 0.0, by_h: 0.0 }; PLACES + 1]; 2] };
@@ -46,30 +101,18 @@ impl Conductance {
     pub fn set(&mut self, curve: &impl ForceLaw, opens: f64) {
         let table = self;
         table.first = opens.to_bits() >> BEHIND;
-        for (stroke, places) in [-1.0, 1.0].into_iter().zip(&mut table.strokes) {
-            for (at, bits) in places.iter_mut().zip(table.first..) {
-                *at = exact(curve, f64::from_bits(bits << BEHIND), stroke);
+        for (stroke, nodes) in [-1.0, 1.0].into_iter().zip(&mut table.strokes) {
+            for (node, at) in nodes.iter_mut().enumerate() {
+                *at = exact(curve, force_of(table.first, node), stroke);
             }
-            // Slopes of at most three times what lies beside them keep a cubic between its ends (Fritsch & Carlson, SIAM J.
-            // Numer. Anal. 17, 1980).
-            let mut before = f64::INFINITY;
-            for (k, bits) in (0..PLACES).zip(table.first..) {
-                let (low, high) = (f64::from_bits(bits << BEHIND), f64::from_bits((bits + 1) << BEHIND));
-                let [Some(from), Some(to)] = [k, k + 1].map(|k| places.get(k).copied()) else { break };
-                let chord = 3.0 * (to.g - from.g) / (high - low);
-                let within = |slope: f64, chord: f64| {
-                    if slope * chord <= 0.0 { 0.0 } else { slope.abs().min(chord.abs()).copysign(slope) }
-                };
-                if let Some(at) = places.get_mut(k) {
-                    let slope = within(at.by_h, chord);
-                    at.by_h = if before.is_finite() { within(slope, before) } else { slope };
+            let mut before = None;
+            for node in 0..=PLACES {
+                let Some(at) = nodes.get(node).copied() else { break };
+                let after = nodes.get(node + 1).map(|next| limit(table.first, node, &at, next));
+                if let Some(own) = nodes.get_mut(node) {
+                    own.by_h = limited(at.by_h, [after, before]);
                 }
-                before = chord;
-            }
-            if let Some(last) = places.last_mut()
-                && last.by_h * before <= 0.0
-            {
-                last.by_h = 0.0;
+                before = after;
             }
         }
     }
@@ -86,20 +129,12 @@ impl Conductance {
 impl Conduction for Conductance {
     #[inline(always)]
     fn conducted(&self, curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
-        let bits = h.to_bits();
-        let place = (bits >> BEHIND).wrapping_sub(self.first) as usize;
-        let places = &self.strokes[usize::from(stroke > 0.0)];
-        let (Some(from), Some(to)) = (places.get(place), places.get(place + 1)) else {
+        let nodes = &self.strokes[usize::from(stroke > 0.0)];
+        let Some((interval, s)) = interval_of(self.first, h) else { return exact(curve, h, stroke) };
+        let (Some(from), Some(to)) = (nodes.get(interval), nodes.get(interval + 1)) else {
             return exact(curve, h, stroke);
         };
-        // The bits behind the place are how far h is on the way to the next.
-        const ONE: u64 = 1.0_f64.to_bits();
-        let s = f64::from_bits(ONE | (bits & ((1 << BEHIND) - 1)) << (52 - BEHIND)) - 1.0;
-        let octave = f64::from_bits(bits & !((1 << 52) - 1));
-        let width = octave * (1.0 / PER_OCTAVE as f64);
-        let (rise, m0, m1) = (to.g - from.g, from.by_h * width, to.by_h * width);
-        let (c2, c3) = (3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise);
-        At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
+        cubic(from, to, h, s)
     }
 }
 
@@ -135,6 +170,21 @@ mod tests {
                 // Beside a level part the table rounds the corner.
                 let close = if slope > 1500.0 { 3e-3 } else { 0.4 };
                 assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
+            }
+        }
+    }
+
+    #[test]
+    fn without_a_table_it_is_the_same_to_the_bit() {
+        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+            let curve = curve(interpolation);
+            let table = Conductance::new(&curve, 7.0);
+            for stroke in [-1.0, 1.0] {
+                for k in 0..4400 {
+                    let h = 7.001 * 1.002_f64.powi(k);
+                    let (of_table, computed) = (table.conducted(&curve, h, stroke), tabulated(&curve, 7.0, h, stroke));
+                    assert_eq!((of_table.g, of_table.by_h), (computed.g, computed.by_h), "{h}");
+                }
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 use crate::tables::{Conduction, ForceLaw, Owned, Tables};
 use conductance::by_raised;
-pub(crate) use conductance::{Conductance, exact};
+pub(crate) use conductance::{Conductance, tabulated};
 use core::cell::Cell;
 
 /// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
@@ -176,6 +176,11 @@ impl<T: Tables> ValveHysteresis<T> {
             per_time: 1.0 / p.number(own!("valve_time")),
             conductance,
         }
+    }
+
+    /// Force from which on the conductance is tabulated, N.
+    pub(crate) fn tabulated_from(&self) -> f64 {
+        self.middle
     }
 
     /// Borrows the conductance of the passage.
