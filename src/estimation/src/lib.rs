@@ -14,6 +14,7 @@
 //! | [`heating`] | how warm the damper is in each test |
 //! | [`least_squares`], [`refit`] | bounded, robust least squares |
 //! | [`solve`] | bounded, robust least squares for any residuals |
+//! | [`family`] | a damper at several settings as one problem |
 //! | [`deviations`] | how far the records leave numbers open |
 //! | [`spring_end`] | what the end of a lookup spring has beyond its middle: a stop that it has taken up |
 //! | [`campaign_clock`] | whether the records were measured on one clock |
@@ -26,6 +27,7 @@ pub mod cancel;
 pub mod curve_part;
 pub mod curve_weights;
 pub mod deviations;
+pub mod family;
 pub mod first_guess;
 pub mod gap;
 pub mod gram;

@@ -4,7 +4,7 @@
 //! differ by two or three numbers from one whose Jacobian is known. The likely ones are then refitted with a Jacobian of
 //! their own in every step.
 
-use super::hypothesis::{Hypothesis, Residual};
+use super::hypothesis::{Hypothesis, Number, Residual};
 use super::samples::Test;
 use crate::sensitivity::Accuracy;
 use crate::solve::{Bounds, Loss, Options, Prior, Residuals, Rows, Slopes, solve_knowing};
@@ -110,6 +110,19 @@ impl Residuals for Problem<'_> {
 /// Damping of the first step: a start is near where the refit before it ended.
 const DAMPING: f64 = 1e-3;
 
+/// Options of the least squares for some free numbers.
+pub fn options(numbers: &[Number], effort: Effort) -> Options {
+    Options {
+        steps: effort.steps,
+        tolerance: effort.tolerance,
+        loss: LOSS,
+        priors: numbers.iter().map(|n| n.prior.map(|(mean, spread)| Prior { mean, spread })).collect(),
+        slopes: if effort.renews { Slopes::Fresh } else { Slopes::Kept },
+        damping: DAMPING,
+        quiet: 1,
+    }
+}
+
 /// Refits an explanation from `start`; with the Jacobian there if it is known. `None` where it makes no finite force.
 pub fn refit(
     hypothesis: &Hypothesis,
@@ -137,15 +150,7 @@ pub fn refit_by(
     }
     let problem = Problem { hypothesis, tests, derivatives: effort.derivatives, residual_at };
     let (low, high) = hypothesis.numbers.iter().map(|n| n.bounds).unzip();
-    let options = Options {
-        steps: effort.steps,
-        tolerance: effort.tolerance,
-        loss: LOSS,
-        priors: hypothesis.numbers.iter().map(|n| n.prior.map(|(mean, spread)| Prior { mean, spread })).collect(),
-        slopes: if effort.renews { Slopes::Fresh } else { Slopes::Kept },
-        damping: DAMPING,
-        quiet: 1,
-    };
+    let options = options(&hypothesis.numbers, effort);
     let mut found = solve_knowing(&problem, start, jacobian.map(|j| vec![j]), &Bounds { low, high }, &options);
     let Rows { residual, jacobian } = found.rows.pop()?;
     found.cost.is_finite().then(|| Refit::at(hypothesis, found.x, -residual, jacobian))

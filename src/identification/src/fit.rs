@@ -210,14 +210,8 @@ fn with_open_measurement(structure: &Structure, tests: &[Test], given: &Off) -> 
     refit(&freed, tests, &start, None, refit::Effort::JUDGE).map_or_else(Vec::new, |end| estimates(&freed, &end, tests))
 }
 
-/// Fits a model to records.
-///
-/// # Errors
-/// No tests, an unknown element name, tests that move in one direction only, or forces that are not finite.
-pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) -> Result<Fit, FitError> {
-    if records.is_empty() {
-        return Err(FitError::NoTests);
-    }
+/// Checks the elements that a fit may use.
+pub(crate) fn check_elements(options: &FitOptions) -> Result<(), FitError> {
     if let Some(names) = &options.elements
         && let Some(name) = names.iter().find(|n| Element::find(n).is_err())
     {
@@ -232,8 +226,11 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     if let Some(name) = options.elements.iter().flatten().find(|n| !can.iter().any(|element| element.name() == **n)) {
         return Err(FitError::NotFitted { name: name.clone() });
     }
-    progress(Stage { done: 0.0, text: phrases::PREPARING });
-    let segments = segments(records);
+    Ok(())
+}
+
+/// Checks that tests move in both directions and have finite forces.
+pub(crate) fn check_motion(segments: &[Segment]) -> Result<(), FitError> {
     let any = |test: fn(f64) -> bool| segments.iter().any(|s| s.input.iter().any(|i| test(i.velocity)));
     if !any(|v| v > 0.0) {
         return Err(FitError::OneSided("rebound"));
@@ -244,6 +241,21 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     if let Some(s) = segments.iter().find(|s| !s.force.iter().all(|f| f.is_finite())) {
         return Err(FitError::NotFinite { test: s.name.clone() });
     }
+    Ok(())
+}
+
+/// Fits a model to records.
+///
+/// # Errors
+/// No tests, an unknown element name, tests that move in one direction only, or forces that are not finite.
+pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) -> Result<Fit, FitError> {
+    if records.is_empty() {
+        return Err(FitError::NoTests);
+    }
+    check_elements(options)?;
+    progress(Stage { done: 0.0, text: phrases::PREPARING });
+    let segments = segments(records);
+    check_motion(&segments)?;
     let about = About::of(records);
     let tests = samples::tests(records);
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
@@ -299,17 +311,17 @@ fn fv_unknowns(from: &Params) -> (Params, Vec<Unknown>) {
 }
 
 /// What the records say beside motion and force.
-struct About {
+pub(crate) struct About {
     /// Whether their clocks run through the campaign.
     clock_runs_on: bool,
     /// What the user gave of the measurement.
-    given: Off,
+    pub(crate) given: Off,
     /// Temperature in the middle of those that were measured, °C; nothing where none was, or where it hardly varies.
     temperature: Option<f64>,
 }
 
 impl About {
-    fn of(records: &[&Record]) -> About {
+    pub(crate) fn of(records: &[&Record]) -> About {
         let temperature = temperatures(records).map(|(low, high)| 0.5 * (low + high));
         About { clock_runs_on: clock_runs_on(records), given: Off::given(records), temperature }
     }
@@ -387,6 +399,24 @@ fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> b
 /// form error is correlated between tests.
 pub const TEMPERATURE: f64 = 2.0;
 
+/// Searches for the effects of an ordinary damper, from starts made of its records alone.
+pub(crate) fn search_structure(
+    records: &[&Record],
+    tests: &[Test],
+    options: &FitOptions,
+    about: &About,
+) -> Result<StructureSearch, FitError> {
+    let allowed = |element: Element| {
+        options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element.name()))
+    };
+    let heating = Arc::new(Heating::new(records, tests));
+    let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
+    let context = SearchContext { records, tests, is_allowed: &may, changes: &[], most: usize::MAX, progress: &|_| () };
+    let plain = starts::plain(tests, &heating, &allowed);
+    let test = || tests.first().map_or(String::new(), |t| t.segment.name.clone());
+    StructureSearch::run(&context, None, plain).ok_or_else(|| FitError::NotFinite { test: test() })
+}
+
 fn fit_thesis(
     records: &[&Record],
     tests: &[Test],
@@ -397,14 +427,9 @@ fn fit_thesis(
     let allowed = |element: Element| {
         options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element.name()))
     };
-    progress(Stage { done: 0.1, text: phrases::FIRST_FIT });
-    let heating = Arc::new(Heating::new(records, tests));
-    let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
-    let context = SearchContext { records, tests, is_allowed: &may, changes: &[], most: usize::MAX, progress: &|_| () };
     progress(Stage { done: 0.3, text: phrases::CHOOSING_STRUCTURE });
+    let search = search_structure(records, tests, options, about)?;
     let not_finite = || FitError::NotFinite { test: tests.first().map_or(String::new(), |t| t.segment.name.clone()) };
-    let plain = starts::plain(tests, &heating, &allowed);
-    let search = StructureSearch::run(&context, None, plain).ok_or_else(not_finite)?;
     progress(Stage { done: 0.85, text: phrases::REFINING });
     let best = search.best.refitted(tests, refit::Effort::FINE).ok_or_else(not_finite)?;
     let probabilities = search.probabilities(TEMPERATURE);
@@ -448,7 +473,7 @@ fn finish(structure: &Structure, tests: &[Test], given: &Off) -> Found {
 }
 
 /// What is said of a number of the model.
-fn of_number(template: Template, estimate: &Estimate) -> Sentence {
+pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
     // Digits that count: four behind the point would make 0.15 mm of m 0.2 mm, and a creep of nm nothing.
     let value = in_words(estimate.value);
     Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
@@ -531,7 +556,7 @@ fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
 }
 
 /// What the campaign cannot show.
-fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
+pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     let mut notes = Vec::new();
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
         notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", format!("{:.0}", 1e3 * SLOW)));

@@ -11,6 +11,7 @@ use dashpot_estimation::samples::Test;
 use dashpot_estimation::scale::Scale;
 use dashpot_estimation::unknowns::{Unknown, anchor};
 use dashpot_records::Sentence;
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
@@ -59,111 +60,139 @@ pub enum Standing {
 
 /// Estimates of all numbers of the model at a refit.
 pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Estimate> {
-    let theta = &refit.theta;
-    let params = hypothesis.params(theta);
-    let Some((cov, determined)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
-    let top = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.top));
-    let stroke = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.amplitude));
-    let speed = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.peak_velocity));
-    let sources = sources(hypothesis, refit, tests);
-    let scale = Scale::of(&hypothesis.base);
-    let model = |number: &dashpot_estimation::hypothesis::Number| match &number.free {
-        Free::Model(unknown) => Some(*unknown),
-        _ => None,
-    };
-    let unknowns: Vec<Option<Unknown>> = hypothesis.numbers.iter().map(model).collect();
-    let mut list = Vec::new();
-    for (i, unknown) in unknowns.iter().enumerate().filter_map(|(i, unknown)| Some((i, unknown.as_ref()?))) {
-        let sd = cov[(i, i)].max(0.0).sqrt();
-        let (low, high) = hypothesis.numbers[i].bounds;
-        let at_bound = theta[i] <= low + 1e-9 * (1.0 + low.abs()) || theta[i] >= high - 1e-9 * (1.0 + high.abs());
-        match unknown {
-            Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => {
-                let value = params.number(*number);
-                let (a, b) = match unknown {
-                    Unknown::Log(_) => (value * libm::exp(-Z * sd), value * libm::exp(Z * sd)),
-                    Unknown::Above(_, below) => {
-                        // level (1 + share): both are uncertain.
-                        let level = params.number(*below);
-                        let k = unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
-                        let factor = 1.0 + theta[i];
-                        let more =
-                            k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
-                        let sd = (level * level * cov[(i, i)] + more).max(0.0).sqrt();
-                        (value - Z * sd, value + Z * sd)
-                    }
-                    _ => (value - Z * sd, value + Z * sd),
-                };
-                let half = 0.5 * (b - a);
-                // A parameter may be known to be nearly nothing: judge it by the force it makes, too.
-                let force = half * per_unit(*number, stroke, speed);
-                let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
-                let (bound_low, bound_high) = scale.reach(*number);
-                list.push(Estimate {
-                    name: number.name(),
-                    index: None,
-                    value,
-                    low: identified.then(|| a.max(bound_low)),
-                    high: identified.then(|| b.min(bound_high)),
-                    unit: number.parameter().unit,
-                    from: sources[i].clone(),
-                    standing: match (identified, at_bound) {
-                        (false, _) => Standing::NotIdentified,
-                        (true, true) if value != 0.0 => Standing::AtBound,
-                        _ => Standing::Identified,
-                    },
-                });
-            }
-            Unknown::Rise { curve, point } => {
-                let u = params.list(curve.abscissae());
-                let zero = anchor(u);
-                // The force at a point is the sum of the rises up to it.
-                let path: Vec<usize> = unknowns
-                    .iter()
-                    .enumerate()
-                    .filter(|(_, other)| match other {
-                        Some(Unknown::Rise { curve: c, point: p }) if c == curve => {
-                            if *point > zero {
-                                *p > zero && p <= point
-                            } else {
-                                *p < zero && p >= point
-                            }
-                        }
-                        _ => false,
-                    })
-                    .map(|(k, _)| k)
-                    .collect();
-                let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
-                let half = Z * variance.max(0.0).sqrt();
-                let value = params.list(curve.forces())[*point];
-                let identified = half <= RELATIVE * value.abs() || half <= SHARE * top;
-                list.push(Estimate {
-                    name: curve.forces().name(),
-                    index: Some(*point),
-                    value,
-                    low: Some(value - half),
-                    high: Some(value + half),
-                    unit: "N",
-                    from: sources[i].clone(),
-                    standing: if identified { Standing::Identified } else { Standing::NotIdentified },
-                });
-            }
-            Unknown::Entry(coefficients, k) => {
-                let value = params.list(*coefficients)[*k];
-                list.push(Estimate {
-                    name: coefficients.name(),
-                    index: Some(*k),
-                    value,
-                    low: Some(value - Z * sd),
-                    high: Some(value + Z * sd),
-                    unit: coefficients.parameter().unit,
-                    from: sources[i].clone(),
-                    standing: Standing::Identified,
-                });
-            }
+    let Some((covariance, determined)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
+    let known = Known { covariance, determined, sources: sources(hypothesis, refit, tests) };
+    known.estimates(hypothesis, &refit.theta, tests)
+}
+
+/// What the records say of free numbers.
+pub struct Known {
+    /// Their covariance.
+    pub covariance: DMatrix<f64>,
+    /// How well each is determined apart from all others and from its prior, 0 to 1.
+    pub determined: Vec<f64>,
+    /// Which tests each was identified from.
+    pub sources: Vec<Sentence>,
+}
+
+impl Known {
+    /// What is known of some of these numbers: those at these indices, in their order.
+    pub fn of(&self, indices: &[usize]) -> Known {
+        Known {
+            covariance: DMatrix::from_fn(indices.len(), indices.len(), |i, j| {
+                self.covariance[(indices[i], indices[j])]
+            }),
+            determined: indices.iter().map(|i| self.determined[*i]).collect(),
+            sources: indices.iter().map(|i| self.sources[*i].clone()).collect(),
         }
     }
-    list
+
+    /// Estimates of all numbers of a hypothesis at `theta`.
+    pub fn estimates(&self, hypothesis: &Hypothesis, theta: &[f64], tests: &[Test]) -> Vec<Estimate> {
+        let Known { covariance: cov, determined, sources } = self;
+        let params = hypothesis.params(theta);
+        let top = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.top));
+        let stroke = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.amplitude));
+        let speed = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.peak_velocity));
+        let scale = Scale::of(&hypothesis.base);
+        let model = |number: &dashpot_estimation::hypothesis::Number| match &number.free {
+            Free::Model(unknown) => Some(*unknown),
+            _ => None,
+        };
+        let unknowns: Vec<Option<Unknown>> = hypothesis.numbers.iter().map(model).collect();
+        let mut list = Vec::new();
+        for (i, unknown) in unknowns.iter().enumerate().filter_map(|(i, unknown)| Some((i, unknown.as_ref()?))) {
+            let sd = cov[(i, i)].max(0.0).sqrt();
+            let (low, high) = hypothesis.numbers[i].bounds;
+            let at_bound = theta[i] <= low + 1e-9 * (1.0 + low.abs()) || theta[i] >= high - 1e-9 * (1.0 + high.abs());
+            match unknown {
+                Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => {
+                    let value = params.number(*number);
+                    let (a, b) = match unknown {
+                        Unknown::Log(_) => (value * libm::exp(-Z * sd), value * libm::exp(Z * sd)),
+                        Unknown::Above(_, below) => {
+                            // level (1 + share): both are uncertain.
+                            let level = params.number(*below);
+                            let k = unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
+                            let factor = 1.0 + theta[i];
+                            let more =
+                                k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
+                            let sd = (level * level * cov[(i, i)] + more).max(0.0).sqrt();
+                            (value - Z * sd, value + Z * sd)
+                        }
+                        _ => (value - Z * sd, value + Z * sd),
+                    };
+                    let half = 0.5 * (b - a);
+                    // A parameter may be known to be nearly nothing: judge it by the force it makes, too.
+                    let force = half * per_unit(*number, stroke, speed);
+                    let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
+                    let (bound_low, bound_high) = scale.reach(*number);
+                    list.push(Estimate {
+                        name: number.name(),
+                        index: None,
+                        value,
+                        low: identified.then(|| a.max(bound_low)),
+                        high: identified.then(|| b.min(bound_high)),
+                        unit: number.parameter().unit,
+                        from: sources[i].clone(),
+                        standing: match (identified, at_bound) {
+                            (false, _) => Standing::NotIdentified,
+                            (true, true) if value != 0.0 => Standing::AtBound,
+                            _ => Standing::Identified,
+                        },
+                    });
+                }
+                Unknown::Rise { curve, point } => {
+                    let u = params.list(curve.abscissae());
+                    let zero = anchor(u);
+                    // The force at a point is the sum of the rises up to it.
+                    let path: Vec<usize> = unknowns
+                        .iter()
+                        .enumerate()
+                        .filter(|(_, other)| match other {
+                            Some(Unknown::Rise { curve: c, point: p }) if c == curve => {
+                                if *point > zero {
+                                    *p > zero && p <= point
+                                } else {
+                                    *p < zero && p >= point
+                                }
+                            }
+                            _ => false,
+                        })
+                        .map(|(k, _)| k)
+                        .collect();
+                    let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
+                    let half = Z * variance.max(0.0).sqrt();
+                    let value = params.list(curve.forces())[*point];
+                    let identified = half <= RELATIVE * value.abs() || half <= SHARE * top;
+                    list.push(Estimate {
+                        name: curve.forces().name(),
+                        index: Some(*point),
+                        value,
+                        low: Some(value - half),
+                        high: Some(value + half),
+                        unit: "N",
+                        from: sources[i].clone(),
+                        standing: if identified { Standing::Identified } else { Standing::NotIdentified },
+                    });
+                }
+                Unknown::Entry(coefficients, k) => {
+                    let value = params.list(*coefficients)[*k];
+                    list.push(Estimate {
+                        name: coefficients.name(),
+                        index: Some(*k),
+                        value,
+                        low: Some(value - Z * sd),
+                        high: Some(value + Z * sd),
+                        unit: coefficients.parameter().unit,
+                        from: sources[i].clone(),
+                        standing: Standing::Identified,
+                    });
+                }
+            }
+        }
+        list
+    }
 }
 
 /// Force that a unit of a number makes at most; without end where that is not known.
@@ -184,7 +213,7 @@ fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
 }
 
 /// For every number, which kind of test carries its information.
-fn sources(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Sentence> {
+pub fn sources(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Sentence> {
     let mut information = vec![[0.0; 3]; hypothesis.numbers.len()];
     let mut first = 0;
     for test in tests {

@@ -5,6 +5,7 @@
 //! fit did not see.
 
 mod as_the_fit_saw;
+pub mod family;
 mod fit;
 mod intervals;
 mod inventory_text;

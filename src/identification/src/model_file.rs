@@ -56,6 +56,9 @@ pub struct Identification {
     /// 95 % intervals by parameter; curves have one pair per point, and points without one have NaN.
     #[serde(default)]
     pub intervals: BTreeMap<String, Interval>,
+    /// 95 % intervals of what depends on the setting, one entry for each value of it.
+    #[serde(default)]
+    pub intervals_over_setting: BTreeMap<String, IntervalOverSetting>,
     /// Which tests a parameter was identified from.
     #[serde(default)]
     pub sources: BTreeMap<String, String>,
@@ -91,6 +94,16 @@ pub enum Interval {
     Number([f64; 2]),
     /// Of a list: low and high of each entry.
     List(Vec<[f64; 2]>),
+}
+
+/// 95 % intervals over the values of a setting.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(untagged)]
+pub enum IntervalOverSetting {
+    /// Of a number: low and high at each value.
+    Number(Vec<[f64; 2]>),
+    /// Of a list: low and high of each entry at each value.
+    List(Vec<Vec<[f64; 2]>>),
 }
 
 /// The plain FV curve with a constant gas force.
@@ -228,8 +241,9 @@ impl ModelFile {
             let room = 1e-9 * value.abs();
             ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(value)
         };
-        parameter::table().filter_map(|row| Some((self.identification.intervals.get(row.parameter.name)?, row))).any(
-            |(interval, row)| {
+        let shared = parameter::table()
+            .filter_map(|row| Some((self.identification.intervals.get(row.parameter.name)?, row)))
+            .any(|(interval, row)| {
                 let values = self.params.get(&row);
                 row.element().is_some_and(|element| !self.params.is_on(element))
                     || match interval {
@@ -238,8 +252,22 @@ impl ModelFile {
                             values.len() != all.len() || !values.iter().zip(all).all(|(value, ends)| lies(value, ends))
                         }
                     }
-            },
-        )
+            });
+        let lie = |values: Option<&[f64]>, all: &[[f64; 2]]| {
+            values.is_some_and(|values| {
+                values.len() == all.len() && values.iter().zip(all).all(|(value, ends)| lies(value, ends))
+            })
+        };
+        shared
+            || self.identification.intervals_over_setting.iter().any(|(name, interval)| {
+                let number = parameter::Number::find(name).ok();
+                match interval {
+                    IntervalOverSetting::Number(all) => !lie(number.and_then(|number| self.axis.values(number)), all),
+                    IntervalOverSetting::List(all) => {
+                        all.iter().enumerate().any(|(index, all)| !lie(self.axis.forces(index), all))
+                    }
+                }
+            })
     }
 
     /// The plain FV curve that the fit left beside the model; the model's own curve and gas force where it left none.
@@ -434,11 +462,11 @@ fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> String {
         .map_or(String::new(), |best| format!("; did you mean {best}?"))
 }
 
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-fn text(value: &str) -> String {
+pub(crate) fn text(value: &str) -> String {
     // A TOML basic string.
     let mut out = String::from("\"");
     for c in value.chars() {

@@ -51,6 +51,19 @@ dashpot_records::phrases! {
     PIECEWISE: "piecewise-linear curve";
     WITH_LAG: "polynomial with lag";
     DONE: "done";
+    // A damper over a setting.
+    FAMILY_EACH: "each setting by itself";
+    FAMILY_JOINT: "all settings together: what they share and what depends on them";
+    FAMILY_LEFT_OUT: "each setting predicted by the others";
+    FAMILY_STORES: "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host";
+    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of the tests (1.6A, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them";
+    FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
+    FAMILY_WITHOUT: "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, or give it in campaign.toml under settings";
+    FAMILY_ONE: "all tests have the same {name}, {value}: fit them without --setting";
+    FAMILY_TOO_MANY: "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out";
+    FAMILY_AT: "at {name} = {value}: {why}";
+    FAMILY_KERNEL: "the settings make no model: {parameter} {why}";
+    FAMILY_NOT_FINITE: "no finite force could be computed for all settings together; fit each by itself to find the test at fault";
     // Why there is no fit.
     NO_TESTS: "there is no test to fit: give a folder or files with at least one record";
     UNKNOWN_ELEMENT: "there is no element called {name}; the elements are {known}";

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::channel::Channel;
 use super::date_order::DateOrder;
+use super::setting_value::GivenSettings;
 use super::unit::Unit;
 
 /// The direction in which displacement, velocity and force of a file are counted positive.
@@ -75,6 +76,8 @@ pub struct Options {
     pub gains: BTreeMap<Channel, f64>,
     /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
     pub rig_mass_kg: f64,
+    /// What the damper was set to, where neither a channel nor the names of the tests say it (`campaign.toml`).
+    pub settings: GivenSettings,
     /// Files and tests to leave out, by name; `*` stands for anything (`--exclude`).
     pub exclude: Vec<String>,
     /// Read the records in the subfolders of a folder as tests of the same campaign (`--subfolders`).
@@ -101,6 +104,7 @@ impl Default for Options {
             gain: 1.0,
             gains: BTreeMap::new(),
             rig_mass_kg: 0.0,
+            settings: GivenSettings::default(),
             exclude: Vec::new(),
             subfolders: false,
             strict: false,
@@ -154,6 +158,7 @@ impl Options {
                 self.rig_mass_kg
             ));
         }
+        self.settings.check()?;
         if let Some(channel) = [Channel::Time, Channel::Force].iter().find(|c| self.ignore.contains(c)) {
             return Err(format!("{channel} cannot be left out of records; take it off ignore"));
         }
@@ -197,6 +202,7 @@ impl Options {
             all.gains.entry(*channel).or_insert(*gain);
         });
         all.rig_mass_kg = number(self.rig_mass_kg, profile.rig_mass_kg, 0.0);
+        all.settings = self.settings.over(&profile.settings);
         all
     }
 }

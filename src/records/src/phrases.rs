@@ -117,7 +117,7 @@ crate::phrases! {
     WEAK: "the evidence is weak; say which it is with --positive rebound or --positive compression";
     TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
     OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}";
-    SEVERAL_SETTINGS: "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit each setting by itself, the others left out with --exclude, or compare them with dashpot diagnose --group";
+    SEVERAL_SETTINGS: "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit them as one damper over {name} with dashpot fit --setting {option}, or each by itself, the others left out with --exclude; dashpot diagnose --group compares them";
     SETTING_AT: "{value}: {names}";
     CURRENT_VARIES: "the current of the damper's valve changes from {low} to {high} A within the test, and a model holds one setting";
     SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";

@@ -9,6 +9,7 @@ use super::channel::Channel;
 use super::date_order::DateOrder;
 use super::error::RecordError;
 use super::options::{Options, Positive};
+use super::setting_value::GivenSettings;
 use super::source;
 
 /// Name of the file.
@@ -63,6 +64,12 @@ pub struct Profile {
     /// Displacement at the first sample, m, where only velocity was recorded.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub initial_position_m: f64,
+    /// Name of what the damper was set to, such as current, clicks or pressure.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub setting: Option<String>,
+    /// Its unit, such as A.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub setting_unit: String,
     /// Heading, or number from 1, of a channel's column.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub columns: BTreeMap<String, String>,
@@ -72,6 +79,9 @@ pub struct Profile {
     /// Unit of a channel.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub units: BTreeMap<String, String>,
+    /// Values of the setting by the names of tests; * stands for anything.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub settings: BTreeMap<String, f64>,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
@@ -145,6 +155,9 @@ impl Profile {
             initial_position_m: options.initial_position,
             columns: options.columns.iter().map(|(c, h)| (c.to_string(), h.clone())).collect(),
             units: options.units.iter().map(|(c, u)| (c.to_string(), u.to_string())).collect(),
+            setting: options.settings.name.clone(),
+            setting_unit: options.settings.unit.clone(),
+            settings: options.settings.values.clone(),
         }
     }
 
@@ -165,6 +178,11 @@ impl Profile {
             sample_rate_hz: self.sample_rate_hz,
             dates: self.dates.as_deref().map(str::parse::<DateOrder>).transpose()?,
             initial_position: self.initial_position_m,
+            settings: GivenSettings {
+                name: self.setting.clone(),
+                unit: self.setting_unit.clone(),
+                values: self.settings.clone(),
+            },
             ..Options::default()
         };
         for text in &self.flip {
@@ -229,6 +247,8 @@ mod tests {
         options.units.insert(Channel::Force, "kN".parse().unwrap());
         options.ignore.insert(Channel::Velocity);
         options.exclude = vec!["warm*".into()];
+        options.settings.name = Some("current".into());
+        options.settings.values.insert("*1.6A*".into(), 1.6);
         let profile = Profile::from_options(&options);
         let back = of(&profile.text()).unwrap().unwrap();
         assert_eq!(back, profile);
@@ -250,6 +270,8 @@ mod tests {
             ("format = \"dashpot campaign profile 1\"\ncolumns = { pressure = \"p\" }\n", "pressure"),
             ("format = \"dashpot campaign profile 1\"\npositive = \"up\"\n", "up"),
             ("format = \"dashpot campaign profile 1\"\ndates = \"iso\"\n", "iso"),
+            ("format = \"dashpot campaign profile 1\"\n[settings]\n\"a*\" = 1.0\n", "setting = \"current\""),
+            ("format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"a*\" = inf\n", "a*"),
             ("format = [\n", "campaign.toml"),
         ] {
             let message = of(text).unwrap_err();

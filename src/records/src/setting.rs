@@ -6,19 +6,25 @@ use super::other_settings::together;
 use super::phrases;
 use super::record::{Note, Record};
 use super::sentence::Sentence;
-use super::setting_value::{SAME, Setting};
+use super::setting_value::{GivenSettings, NAMES, SAME, Setting};
 
-/// Takes settings from names where all tests state one and no channel does. A letter behind a number may as well number the tests, so
-/// names of which each states another value, and no two the same, count only where they have decimals or the unit of clicks.
-pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
+/// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
+/// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
+/// of more than a letter.
+pub(crate) fn settle(records: &mut [Record], given: &GivenSettings, notes: &mut Vec<Note>) {
+    for record in records.iter_mut() {
+        if let Some(setting) = given.of_test(&record.name) {
+            record.setting = Some(setting);
+        }
+    }
     if records.iter().all(|record| record.setting.is_none()) {
-        let named: Option<Vec<Setting>> = records.iter().map(|record| Setting::of_name(&record.name)).collect();
-        let names_tests = |all: &[Setting]| {
-            let whole = all.iter().all(|s| s.name == "current" && s.value.fract() == 0.0);
-            whole && all.iter().enumerate().all(|(i, a)| all[..i].iter().all(|b| !a.is_same(b)))
+        let named: Option<Vec<(Setting, bool)>> = records.iter().map(|record| Setting::of_name(&record.name)).collect();
+        let names_tests = |all: &[(Setting, bool)]| {
+            let unsure = all.iter().all(|(_, is_sure)| !is_sure);
+            unsure && all.iter().enumerate().all(|(i, (a, _))| all[..i].iter().all(|(b, _)| !a.is_same(b)))
         };
         if let Some(named) = named.filter(|all| !all.is_empty() && !names_tests(all)) {
-            records.iter_mut().zip(named).for_each(|(record, setting)| record.setting = Some(setting));
+            records.iter_mut().zip(named).for_each(|(record, (setting, _))| record.setting = Some(setting));
         }
     }
     tell(records, notes);
@@ -39,10 +45,13 @@ fn tell(records: &[Record], notes: &mut Vec<Note>) {
             .with("value", format!("{} {}", setting.value, setting.unit).trim_end())
             .with_said("names", together(&names, tests))
     });
-    let text = Sentence::from(phrases::SEVERAL_SETTINGS)
-        .with("count", settings.len())
-        .with_word("name", if first.name == "current" { "current" } else { "clicks" })
-        .with_list("settings", listed.collect(), phrases::SEMICOLON);
+    let text = Sentence::from(phrases::SEVERAL_SETTINGS).with("count", settings.len()).with("option", &first.name);
+    let text = match NAMES.contains(&first.name.as_str()) {
+        true => text.with_word("name", &first.name),
+        // A name that the user gave is the same in every language.
+        false => text.with("name", &first.name),
+    };
+    let text = text.with_list("settings", listed.collect(), phrases::SEMICOLON);
     notes.push(Note { kind: "settings", text });
 }
 
@@ -59,7 +68,7 @@ mod tests {
         let settled = |names: &[&str]| {
             let mut records: Vec<Record> = names.iter().map(|name| record(name)).collect();
             let mut notes = Vec::new();
-            settle(&mut records, &mut notes);
+            settle(&mut records, &GivenSettings::default(), &mut notes);
             (records, notes)
         };
         let (records, notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);

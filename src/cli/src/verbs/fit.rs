@@ -30,7 +30,7 @@ use std::path::{Path, PathBuf};
 /// that drifts through the campaign are looked for too; they are told, and not put into the model.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json --excel fit.xlsx"
+    after_help = "Examples:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json --excel fit.xlsx\n  dashpot fit semi_active/ --setting current -o family.toml --subfolders"
 )]
 pub struct Args {
     #[command(flatten)]
@@ -51,6 +51,10 @@ pub struct Args {
     /// Elements that the fit may use, separated by commas; all of the model's if not given
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     elements: Option<Vec<String>>,
+    /// Fit one damper over what the tests were set to: current, clicks, voltage, pressure, or the name in campaign.toml. What
+    /// depends on it is part of the fit; each value of it is also predicted by the others
+    #[arg(long, value_name = "NAME")]
+    setting: Option<String>,
     /// Tests to leave out, by name; * stands for anything
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     hold_out: Vec<String>,
@@ -122,7 +126,7 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
 }
 
 /// Five significant digits.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     if value == 0.0 || !(1e-3..1e6).contains(&value.abs()) {
         return if value == 0.0 { "0".to_owned() } else { format!("{value:.4e}") };
     }
@@ -131,7 +135,7 @@ fn short(value: f64) -> String {
 }
 
 /// What the reader found in the records.
-fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
+pub(super) fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
     say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
     for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
         say(&format!("note: {}", note.text))?;
@@ -202,6 +206,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.elements.is_some() && args.model != Kind::Model(Family::Thesis) {
         bail!("--elements chooses the elements of --model thesis; the other models have no choice of elements");
     }
+    if args.setting.is_some() && args.model != Kind::Model(Family::Thesis) {
+        bail!("--setting fits --model thesis over the setting; leave one of the two out");
+    }
+    if args.setting.is_some() && excel.is_some() {
+        bail!("--excel has the tables of a damper without a setting; those of a family are in --json");
+    }
     let campaign = args.data.load()?;
     let options = FitOptions {
         family: match args.model {
@@ -212,6 +222,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         late: campaign.delay.map(|delay| delay.seconds),
     };
     let records = kept(&campaign, &args.hold_out)?;
+    if let Some(setting) = &args.setting {
+        return super::family::run((&campaign, &records), setting, &options, (&args.output, json));
+    }
     let found = identify(&records, &options, &args.output)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     tell_of_records(&campaign, &say)?;

@@ -7,6 +7,7 @@ mod data;
 pub mod demo;
 pub mod diagnose;
 pub mod export;
+mod family;
 pub mod fit;
 mod groups;
 mod host_step;

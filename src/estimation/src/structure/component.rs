@@ -74,7 +74,8 @@ pub fn element_of(free: &Free) -> Option<Element> {
     element.filter(|element| *element != element!("fv_curve"))
 }
 
-fn weight(free: &Free) -> f64 {
+/// How many numbers a free number counts: a weakly informed one counts half.
+pub fn weight(free: &Free) -> f64 {
     match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number)) if WEAK.contains(number) => 0.5,
         Free::Model(Unknown::Above(..)) | Free::Cooling | Free::HeatCapacity => 0.5,

@@ -171,6 +171,74 @@ pub const ALL: &[Said] = &[
     ["piecewise-linear curve", "stückweise lineare Kurve", "courbe linéaire par morceaux", "分段线性曲线"],
     ["polynomial with lag", "Polynom mit Verzögerung", "polynôme avec retard", "带滞后的多项式"],
     ["done", "fertig", "terminé", "完成"],
+    // A damper over a setting.
+    ["each setting by itself", "jede Einstellung für sich", "chaque réglage à part", "逐个设置"],
+    [
+        "all settings together: what they share and what depends on them",
+        "alle Einstellungen zusammen: was ihnen gemeinsam ist und was von ihnen abhängt",
+        "tous les réglages ensemble : ce qui leur est commun et ce qui en dépend",
+        "所有设置一起：哪些共有，哪些随设置变化",
+    ],
+    [
+        "each setting predicted by the others",
+        "jede Einstellung aus den anderen vorhergesagt",
+        "chaque réglage prédit par les autres",
+        "由其他设置预测每个设置",
+    ],
+    [
+        "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host",
+        "{names} hängt von {setting} ab und speichert Energie oder wirkt in Ruhe: eine Änderung der Einstellung kann am Fahrzeug Arbeit leisten",
+        "{names} dépend de {setting} et accumule de l’énergie ou agit au repos : un changement de réglage peut fournir un travail au véhicule",
+        "{names} 随 {setting} 变化，且储存能量或在静止时起作用：改变设置可能对宿主做功",
+    ],
+    [
+        "no test says its {name}. Write it into the names of the tests (1.6A, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them",
+        "kein Versuch nennt {name}. In die Namen der Versuche schreiben (1.6A, 12clicks, 150psi), als Kanal aufzeichnen, oder setting und [settings] in campaign.toml daneben eintragen",
+        "aucun essai n’indique {name}. L’écrire dans les noms des essais (1.6A, 12clicks, 150psi), l’enregistrer comme voie, ou écrire setting et [settings] dans campaign.toml à côté",
+        "没有试验说明 {name}。请写入试验名称（1.6A、12clicks、150psi），作为通道记录，或在旁边的 campaign.toml 中写入 setting 和 [settings]",
+    ],
+    [
+        "no test says its {name}; the tests have a setting called {known}: give --setting with that name",
+        "kein Versuch nennt {name}; die Versuche haben eine Einstellung namens {known}: --setting mit diesem Namen angeben",
+        "aucun essai n’indique {name} ; les essais ont un réglage nommé {known} : donner --setting avec ce nom",
+        "没有试验说明 {name}；试验的设置名为 {known}：请用该名称给出 --setting",
+    ],
+    [
+        "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, or give it in campaign.toml under settings",
+        "{count} Versuche nennen {name} nicht: {tests}. Mit --exclude weglassen, oder in campaign.toml unter settings angeben",
+        "{count} essais n’indiquent pas {name} : {tests}. Les écarter avec --exclude, ou le donner dans campaign.toml sous settings",
+        "{count} 个试验没有说明 {name}：{tests}。请用 --exclude 排除，或在 campaign.toml 的 settings 中给出",
+    ],
+    [
+        "all tests have the same {name}, {value}: fit them without --setting",
+        "alle Versuche haben {name} = {value}: ohne --setting anpassen",
+        "tous les essais ont {name} = {value} : les ajuster sans --setting",
+        "所有试验的 {name} 都是 {value}：请不带 --setting 拟合",
+    ],
+    [
+        "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out",
+        "die Versuche haben {count} Werte von {name}, und ein Modell fasst {most}: einige mit --exclude oder --hold-out weglassen",
+        "les essais ont {count} valeurs de {name}, et un modèle en contient {most} : en écarter avec --exclude ou --hold-out",
+        "试验有 {count} 个 {name} 值，而模型最多容纳 {most} 个：请用 --exclude 或 --hold-out 排除一些",
+    ],
+    [
+        "at {name} = {value}: {why}",
+        "bei {name} = {value}: {why}",
+        "à {name} = {value} : {why}",
+        "{name} = {value} 时：{why}",
+    ],
+    [
+        "the settings make no model: {parameter} {why}",
+        "die Einstellungen ergeben kein Modell: {parameter} {why}",
+        "les réglages ne font pas un modèle : {parameter} {why}",
+        "这些设置不能构成模型：{parameter} {why}",
+    ],
+    [
+        "no finite force could be computed for all settings together; fit each by itself to find the test at fault",
+        "für alle Einstellungen zusammen ließ sich keine endliche Kraft berechnen; jede für sich anpassen, um den Versuch zu finden",
+        "aucun effort fini n’a pu être calculé pour tous les réglages ensemble ; ajuster chacun à part pour trouver l’essai en cause",
+        "无法为所有设置一起计算出有限的力；请逐个拟合以找出有问题的试验",
+    ],
     // Why there is no fit.
     [
         "there is no test to fit: give a folder or files with at least one record",

@@ -694,10 +694,10 @@ pub const ALL: &[Said] = &[
     ["behind", "hinter", "après", "滞后于"],
     ["ahead of", "vor", "avant", "超前于"],
     [
-        "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit each setting by itself, the others left out with --exclude, or compare them with dashpot diagnose --group",
-        "die Versuche wurden bei {count} Einstellungen ({name}) gemessen, und ein Modell enthält nur eine davon: {settings}. Jede Einstellung für sich anpassen, die anderen mit --exclude weglassen, oder mit dashpot diagnose --group vergleichen",
-        "les essais ont été mesurés à {count} réglages ({name}), et un modèle n’en contient qu’un : {settings}. Ajuster chaque réglage à part, en écartant les autres avec --exclude, ou les comparer avec dashpot diagnose --group",
-        "试验在 {count} 种设置（{name}）下测量，而一个模型只能表示其中一种：{settings}。请分别拟合每种设置，用 --exclude 排除其他设置，或用 dashpot diagnose --group 进行比较",
+        "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit them as one damper over {name} with dashpot fit --setting {option}, or each by itself, the others left out with --exclude; dashpot diagnose --group compares them",
+        "die Versuche wurden bei {count} Einstellungen ({name}) gemessen, und ein Modell enthält nur eine davon: {settings}. Sie mit dashpot fit --setting {option} als einen Dämpfer über {name} anpassen, oder jede für sich, die anderen mit --exclude weggelassen; dashpot diagnose --group vergleicht sie",
+        "les essais ont été mesurés à {count} réglages ({name}), et un modèle n’en contient qu’un : {settings}. Les ajuster comme un seul amortisseur ({name}) avec dashpot fit --setting {option}, ou chacun à part, les autres écartés avec --exclude ; dashpot diagnose --group les compare",
+        "试验在 {count} 种设置（{name}）下测量，而一个模型只能表示其中一种：{settings}。请用 dashpot fit --setting {option} 将其作为随{name}变化的同一减振器拟合，或分别拟合每种设置并用 --exclude 排除其他设置；dashpot diagnose --group 可进行比较",
     ],
     ["{value}: {names}", "{value}: {names}", "{value} : {names}", "{value}：{names}"],
     [
@@ -1348,6 +1348,8 @@ pub const ALL: &[Said] = &[
     ["temperature", "Temperatur", "température", "温度"],
     ["current", "Strom", "courant", "电流"],
     ["clicks", "Klicks", "crans", "档位"],
+    ["voltage", "Spannung", "tension", "电压"],
+    ["pressure", "Druck", "pression", "压力"],
     // Files that are not read, and what to do.
     ["an imc FAMOS file", "eine Datei von imc FAMOS", "un fichier imc FAMOS", " imc FAMOS 文件"],
     [

@@ -1,0 +1,142 @@
+//! `dashpot fit --setting`: one damper over a setting.
+
+use super::data::name_of;
+use super::fit::{short, tell_of_records};
+use crate::progress::Progress;
+use dashpot_identification::family::{
+    FamilyEstimate, FamilyFit, SettingAxis, SettingDependence, SettingError, SettingReport, fit_family, model_file,
+};
+use dashpot_identification::{FitOptions, InventoryItem, Measured, Standing, describe_item};
+use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
+use serde::Serialize;
+use std::path::Path;
+
+#[derive(Serialize)]
+struct SettingJson<'a> {
+    name: &'a str,
+    unit: &'a str,
+    grid: &'a [f64],
+}
+
+#[derive(Serialize)]
+struct Json<'a> {
+    model: &'a Path,
+    setting: SettingJson<'a>,
+    tests: &'a [String],
+    /// A number that depends on the setting stands once for each of its values.
+    parameters: &'a [FamilyEstimate],
+    depends_on_setting: &'a [SettingDependence],
+    inventory: &'a [InventoryItem],
+    measured: &'a [Measured],
+    /// Errors at each value of the setting, also of the family without it.
+    settings: &'a [SettingReport],
+    notes: &'a [Sentence],
+    misfit: f64,
+    sign: &'a SignFinding,
+    unusable: &'a [Unusable],
+}
+
+/// Fits the family, writes its model file and reports.
+pub fn run(
+    (campaign, records): (&Campaign, &[&Record]),
+    setting: &str,
+    options: &FitOptions,
+    (output, json): (&Path, Option<&Path>),
+) -> anyhow::Result<()> {
+    let progress = Progress::new("fitting");
+    let found = fit_family(records, setting, options, |stage| progress.say(stage.done, stage.text.english()))?;
+    drop(progress);
+    dashpot_output::write(output, model_file::write(&found))?;
+    let is_on_stdout = [Some(output), json].into_iter().flatten().any(dashpot_output::is_stdout);
+    let say = |text: &str| dashpot_output::say(if is_on_stdout { Some(Path::new("-")) } else { None }, text);
+    tell_of_records(campaign, &say)?;
+    for line in lines(&found) {
+        say(&line)?;
+    }
+    for note in &found.notes {
+        say(&format!("note: {note}"))?;
+    }
+    say(&format!("{} tests fitted; model in {}", found.tests.len(), name_of(output)))?;
+    if let Some(path) = json {
+        dashpot_output::json(
+            path,
+            &Json {
+                model: output,
+                setting: SettingJson {
+                    name: &found.setting.name,
+                    unit: &found.setting.unit,
+                    grid: found.settings_grid(),
+                },
+                tests: &found.tests,
+                parameters: &found.estimates,
+                depends_on_setting: &found.dependences,
+                inventory: &found.inventory,
+                measured: &found.measured,
+                settings: &found.settings,
+                notes: &found.notes,
+                misfit: found.misfit,
+                sign: &campaign.sign,
+                unusable: &campaign.unusable,
+            },
+        )?;
+    }
+    Ok(())
+}
+
+/// A value of the setting with its unit.
+fn at(axis: &SettingAxis, value: f64) -> String {
+    format!("{value} {}", axis.unit).trim_end().to_owned()
+}
+
+/// The family as text.
+fn lines(found: &FamilyFit) -> Vec<String> {
+    let axis = &found.setting;
+    let mut out: Vec<String> = found.inventory.iter().map(|item| format!("  {}", describe_item(item))).collect();
+    let listed = |varies: bool| {
+        let own = found.dependences.iter().filter(|of| of.varies == varies);
+        let one = |of: &SettingDependence| format!("{} ({:.2})", of.name, of.probability);
+        own.map(one).collect::<Vec<_>>().join(", ")
+    };
+    for (varies, words) in [(true, format!("depends on {}", axis.name)), (false, "shared by all settings".to_owned())] {
+        let names = listed(varies);
+        if !names.is_empty() {
+            out.push(format!("{words} (probability that it depends): {names}"));
+        }
+    }
+    for FamilyEstimate { setting, estimate: e } in found.estimates.iter().filter(|e| e.estimate.index.is_none()) {
+        let name = setting.map_or(e.name.to_owned(), |value| format!("{} at {}", e.name, at(axis, value)));
+        out.push(match (&e.standing, e.low, e.high) {
+            (Standing::NotIdentified, ..) => {
+                format!("  {name:<38} {:>12} {:<10} not identified from this data", short(e.value), e.unit)
+            }
+            (_, Some(low), Some(high)) => {
+                let (value, low, high) = (short(e.value), short(low), short(high));
+                format!("  {name:<38} {value:>12} {:<10} 95 %: {low} to {high}", e.unit)
+            }
+            _ => format!("  {name:<38} {:>12} {}", short(e.value), e.unit),
+        });
+    }
+    out.push(table(axis, &found.settings));
+    out
+}
+
+/// The errors at each setting.
+fn table(axis: &SettingAxis, settings: &[SettingReport]) -> String {
+    let mut out = format!(
+        "mean error on mean cycles:\n{:>14}{:>7}{:>20}{:>20}{:>22}{:>9}",
+        axis.name, "tests", "fit of it alone", "family", "family without it", "ratio"
+    );
+    let error = |e: &SettingError| format!("{:.2} N ({:.2} %)", e.mean_error_n, e.error_percent);
+    for of in settings {
+        let left_out = of.left_out.as_ref().map_or_else(|| "-".to_owned(), error);
+        let ratio = of.left_out_ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.2}"));
+        out += &format!(
+            "\n{:>14}{:>7}{:>20}{:>20}{left_out:>22}{ratio:>9}",
+            at(axis, of.setting),
+            of.tests,
+            error(&of.own_fit),
+            error(&of.family)
+        );
+    }
+    out
+}

@@ -1,0 +1,20 @@
+//! A damper measured at several settings, as one estimation problem.
+//!
+//! At every setting the family is an ordinary damper, so each setting has the residuals of an ordinary [`crate::hypothesis::Hypothesis`]. A
+//! free number is either shared by all settings or has a value at each of them; which of the two is part of the structure.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`problem`] | the hypothesis of a family, its residuals and its refit |
+//! | [`pattern`] | which numbers may depend on the setting, and how probable that is beforehand |
+//! | [`structure`] | a refitted family with its effects and its log posterior |
+//! | [`prediction`] | first-order estimate of a family with other shared numbers |
+//! | [`template`] | a family made of a structure that was found at one setting |
+//! | [`search`] | the search for effects and for numbers that depend on the setting |
+
+pub mod pattern;
+pub mod prediction;
+pub mod problem;
+pub mod search;
+pub mod structure;
+pub mod template;

@@ -1,0 +1,119 @@
+//! Which numbers of a damper may depend on its setting, and how probable that is before any record is seen.
+
+use crate::hypothesis::{Free, Hypothesis};
+use crate::structure::component::weight;
+use crate::unknowns::{CurveName, Unknown};
+use dashpot_core::family::Axis;
+use dashpot_core::parameter::Number;
+
+/// Prior log odds that the FV curve depends on the setting: that is what an adjuster and a valve are for.
+const CURVE: f64 = 2.0;
+/// Prior log odds for a number that only says how energy is taken: friction of a magneto-rheological valve, say.
+const DISSIPATED: f64 = -1.5;
+/// Prior log odds for a number that stores energy: gas, springs and oil are beside the valve.
+const STORED: f64 = -3.0;
+/// Weight of a point of the FV curve at a further setting: its neighbors and the curve at the first setting inform it.
+const FURTHER_POINT: f64 = 0.5;
+
+/// What may depend on the setting as a whole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Site {
+    /// The forces of the FV curve.
+    Curve,
+    /// A number.
+    Number(Number),
+}
+
+/// The site of a free number; `None` where it cannot depend on the setting.
+pub fn site_of(free: &Free) -> Option<Site> {
+    match free {
+        Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }) => Some(Site::Curve),
+        Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
+            stores_energy(*number).is_some().then_some(Site::Number(*number))
+        }
+        _ => None,
+    }
+}
+
+/// Whether a number stores energy; `None` where it cannot depend on a setting.
+fn stores_energy(number: Number) -> Option<bool> {
+    let mut axis = Axis::NONE;
+    axis.set_grid(&[0.0, 1.0]).ok()?;
+    axis.set_values(number, &[number.default(); 2]).ok()?;
+    let stores = axis.stores_energy().next().is_some();
+    Some(stores)
+}
+
+/// The sites of a hypothesis, each once, in the order of its numbers.
+pub fn sites(template: &Hypothesis) -> Vec<Site> {
+    let mut all = Vec::new();
+    for site in template.numbers.iter().filter_map(|number| site_of(&number.free)) {
+        if !all.contains(&site) {
+            all.push(site);
+        }
+    }
+    all
+}
+
+/// Which numbers of a hypothesis vary where these sites do.
+pub fn varies(template: &Hypothesis, sites: &[Site]) -> Vec<bool> {
+    template.numbers.iter().map(|number| site_of(&number.free).is_some_and(|site| sites.contains(&site))).collect()
+}
+
+/// The sites that vary under a pattern.
+pub fn varying_sites(template: &Hypothesis, varies: &[bool]) -> Vec<Site> {
+    let is_varying = |site: &Site| {
+        template.numbers.iter().zip(varies).any(|(number, varies)| *varies && site_of(&number.free) == Some(*site))
+    };
+    sites(template).into_iter().filter(is_varying).collect()
+}
+
+/// Log prior odds of a pattern.
+pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
+    let odds = |site: &Site| match site {
+        Site::Curve => CURVE,
+        Site::Number(number) if stores_energy(*number) == Some(false) => DISSIPATED,
+        Site::Number(_) => STORED,
+    };
+    varying_sites(template, varies).iter().map(odds).sum()
+}
+
+/// Free numbers of a family, weakly informed ones counted half.
+pub fn numbers(template: &Hypothesis, varies: &[bool], settings: usize) -> f64 {
+    let further = settings.saturating_sub(1) as f64;
+    let each = template.numbers.iter().zip(varies).map(|(number, varies)| {
+        let own = weight(&number.free);
+        let again = if site_of(&number.free) == Some(Site::Curve) { FURTHER_POINT } else { own };
+        own + if *varies { again * further } else { 0.0 }
+    });
+    each.sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vocabulary::base_numbers;
+    use dashpot_core::{Params, number};
+
+    #[test]
+    fn a_curve_is_one_site_and_gas_is_less_probable_than_friction() {
+        let base = Params::new();
+        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let all = sites(&template);
+        assert_eq!(all.iter().filter(|site| **site == Site::Curve).count(), 1);
+        let of = |site: Site| log_prior(&template, &varies(&template, &[site]));
+        assert!(of(Site::Curve) > of(Site::Number(number!("stribeck_coulomb_force"))));
+        assert!(of(Site::Number(number!("stribeck_coulomb_force"))) > of(Site::Number(number!("gas_force"))));
+        assert_eq!(varying_sites(&template, &varies(&template, &all)), all);
+    }
+
+    #[test]
+    fn numbers_that_vary_cost_more() {
+        let base = Params::new();
+        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let count = |sites: &[Site], settings| numbers(&template, &varies(&template, sites), settings);
+        assert_eq!(count(&[], 2), count(&[], 5));
+        let gas = [Site::Number(number!("gas_force"))];
+        assert_eq!(count(&gas, 4), count(&[], 4) + 3.0);
+    }
+}

@@ -1,0 +1,224 @@
+//! The least-squares problem of a damper at several settings: one block of residuals for each setting.
+
+use crate::hypothesis::{Hypothesis, Number, Residual};
+use crate::refit::{Effort, Refit, options};
+use crate::samples::Test;
+use crate::solve::{Bounds, Residuals, Rows, solve_knowing};
+use dashpot_core::Params;
+use nalgebra::{DMatrix, DVector};
+
+/// The tests of one setting.
+#[derive(Debug, Clone)]
+pub struct SettingTests {
+    /// Value of the setting.
+    pub value: f64,
+    /// Its tests.
+    pub tests: Vec<Test>,
+}
+
+/// A damper at several settings: an ordinary hypothesis of which some numbers have a value at each setting.
+#[derive(Debug, Clone)]
+pub struct FamilyHypothesis {
+    /// The damper at one setting, with its free numbers.
+    pub template: Hypothesis,
+    /// Whether each free number has a value at each setting; else all settings share it.
+    pub varies: Vec<bool>,
+    /// Where the numbers start at each setting. A shared number starts from its value at the first.
+    pub starts: Vec<Vec<f64>>,
+}
+
+/// Where a refit of a family ended.
+#[derive(Debug, Clone)]
+pub struct FamilyRefit {
+    /// The numbers, in the order of [`FamilyHypothesis::numbers`].
+    pub theta: Vec<f64>,
+    /// Weighted residuals of each setting, measured less computed.
+    pub residuals: Vec<Residual>,
+    /// Derivatives of the weighted computed forces of each setting over all numbers of the family.
+    pub jacobians: Vec<DMatrix<f64>>,
+}
+
+impl FamilyHypothesis {
+    /// Number of settings.
+    pub fn settings(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// Index in the family's vector of each free number at each setting.
+    pub fn columns(&self) -> Vec<Vec<usize>> {
+        let settings = self.settings();
+        let mut columns = vec![Vec::with_capacity(self.varies.len()); settings];
+        let mut next = 0;
+        for varies in &self.varies {
+            for (setting, column) in columns.iter_mut().enumerate() {
+                column.push(next + if *varies { setting } else { 0 });
+            }
+            next += if *varies { settings } else { 1 };
+        }
+        columns
+    }
+
+    /// Length of the family's vector.
+    pub fn len(&self) -> usize {
+        self.varies.iter().map(|varies| if *varies { self.settings() } else { 1 }).sum()
+    }
+
+    /// Whether nothing is free.
+    pub fn is_empty(&self) -> bool {
+        self.varies.is_empty()
+    }
+
+    /// The vector that the family starts from.
+    pub fn start(&self) -> Vec<f64> {
+        let mut start = vec![0.0; self.len()];
+        for (column, values) in self.columns().iter().zip(&self.starts).rev() {
+            for (place, value) in column.iter().zip(values) {
+                start[*place] = *value;
+            }
+        }
+        start
+    }
+
+    /// The free numbers of the family, one for each component of its vector.
+    pub fn numbers(&self) -> Vec<Number> {
+        let start = self.start();
+        let mut numbers = Vec::with_capacity(start.len());
+        for (number, varies) in self.template.numbers.iter().zip(&self.varies) {
+            for _ in 0..if *varies { self.settings() } else { 1 } {
+                numbers.push(Number { start: start[numbers.len()], ..number.clone() });
+            }
+        }
+        numbers
+    }
+
+    /// All free numbers as one hypothesis, for what asks for numbers and their priors alone; it makes no forces.
+    pub fn joint(&self) -> Hypothesis {
+        Hypothesis { base: self.template.base, numbers: self.numbers(), heating: None }
+    }
+
+    /// The numbers of the template at a setting.
+    pub fn theta_at(&self, theta: &[f64], setting: usize) -> Vec<f64> {
+        self.columns()[setting].iter().map(|place| theta[*place]).collect()
+    }
+
+    /// Parameters of the damper at a setting.
+    pub fn params_at(&self, theta: &[f64], setting: usize) -> Params {
+        self.template.params(&self.theta_at(theta, setting))
+    }
+
+    /// The family from another start.
+    pub fn starting_at(mut self, theta: &[f64]) -> FamilyHypothesis {
+        let starts = (0..self.settings()).map(|setting| self.theta_at(theta, setting)).collect();
+        self.starts = starts;
+        self
+    }
+
+    /// Without one of its settings, from where the others stand.
+    pub fn without_setting(&self, setting: usize) -> FamilyHypothesis {
+        let mut less = self.clone();
+        less.starts.remove(setting);
+        less
+    }
+
+    /// Refits the family from where it starts; `None` where it makes no finite force.
+    pub fn refit(&self, settings: &[SettingTests], effort: Effort) -> Option<FamilyRefit> {
+        let numbers = self.numbers();
+        let problem = Problem { family: self, settings, columns: self.columns(), length: self.len(), effort };
+        let (low, high) = numbers.iter().map(|n| n.bounds).unzip();
+        let mut found = solve_knowing(&problem, &self.start(), None, &Bounds { low, high }, &options(&numbers, effort));
+        if !found.cost.is_finite() || found.rows.len() != settings.len() {
+            return None;
+        }
+        let mut refit = FamilyRefit { theta: found.x, residuals: Vec::new(), jacobians: Vec::new() };
+        for Rows { residual, jacobian } in found.rows.drain(..) {
+            refit.residuals.push(-residual);
+            refit.jacobians.push(jacobian);
+        }
+        Some(refit)
+    }
+
+    /// A refit as that of [`FamilyHypothesis::joint`], with the rows of all settings one after the other.
+    pub fn joint_refit(&self, refit: &FamilyRefit) -> Refit {
+        let rows = refit.residuals.iter().map(|r| r.len()).sum();
+        let (mut residual, mut jacobian) = (DVector::zeros(rows), DMatrix::zeros(rows, self.len()));
+        let mut row = 0;
+        for (own, derivatives) in refit.residuals.iter().zip(&refit.jacobians) {
+            residual.rows_mut(row, own.len()).copy_from(own);
+            jacobian.rows_mut(row, own.len()).copy_from(derivatives);
+            row += own.len();
+        }
+        Refit::at(&self.joint(), refit.theta.clone(), residual, jacobian)
+    }
+
+    /// A refit as that of the ordinary damper at a setting, whose derivatives are over the numbers of the template.
+    pub fn refit_at(&self, refit: &FamilyRefit, setting: usize) -> Refit {
+        let columns = &self.columns()[setting];
+        let theta = self.theta_at(&refit.theta, setting);
+        let jacobian = refit.jacobians[setting].select_columns(columns);
+        Refit::at(&self.template, theta, refit.residuals[setting].clone(), jacobian)
+    }
+}
+
+struct Problem<'a> {
+    family: &'a FamilyHypothesis,
+    settings: &'a [SettingTests],
+    columns: Vec<Vec<usize>>,
+    length: usize,
+    effort: Effort,
+}
+
+impl Problem<'_> {
+    fn theta(&self, joint: &[f64], setting: usize) -> Vec<f64> {
+        self.columns[setting].iter().map(|place| joint[*place]).collect()
+    }
+}
+
+impl Residuals for Problem<'_> {
+    type At = Vec<f64>;
+
+    fn at(&self, theta: &[f64]) -> Option<Vec<f64>> {
+        Some(theta.to_vec())
+    }
+
+    fn blocks(&self) -> usize {
+        self.settings.len()
+    }
+
+    /// Computed less measured: the sign in which the derivatives of the computed forces are those of the residuals.
+    fn residuals(&self, block: usize, joint: &Vec<f64>) -> Option<Vec<f64>> {
+        let tests = &self.settings[block].tests;
+        let residual = self.family.template.residual(tests, &self.theta(joint, block))?;
+        Some(residual.iter().map(|r| -r).collect())
+    }
+
+    fn jacobian(&self, block: usize, joint: &Vec<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
+        let residual = self.residuals(block, joint)?;
+        let tests = &self.settings[block].tests;
+        let own = self.family.template.jacobian(self.effort.derivatives, tests, &self.theta(joint, block))?;
+        let mut jacobian = DMatrix::zeros(own.nrows(), self.length);
+        for (column, place) in own.column_iter().zip(&self.columns[block]) {
+            jacobian.column_mut(*place).copy_from(&column);
+        }
+        Some((residual, jacobian))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vocabulary::base_numbers;
+
+    #[test]
+    fn shared_numbers_have_one_place_and_others_one_for_each_setting() {
+        let base = Params::new();
+        let mut template = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        template.numbers.truncate(3);
+        let starts = vec![vec![1.0, 2.0, 3.0], vec![9.0, 5.0, 9.0]];
+        let family = FamilyHypothesis { template, varies: vec![false, true, false], starts };
+        assert_eq!(family.columns(), [[0, 1, 3], [0, 2, 3]]);
+        assert_eq!(family.start(), [1.0, 2.0, 5.0, 3.0]);
+        assert_eq!(family.theta_at(&family.start(), 1), [1.0, 5.0, 3.0]);
+        assert_eq!(family.numbers().len(), family.len());
+        assert_eq!(family.without_setting(0).start(), [9.0, 5.0, 9.0]);
+    }
+}

@@ -1,0 +1,199 @@
+//! The search for the most probable family.
+//!
+//! Each setting is searched as an ordinary damper first. Each structure found there, with every number varying, is a start; the most
+//! probable start loses what need not vary. Then moves let one number vary or be shared, remove an effect, or add one that a setting asked
+//! for, as long as the log posterior rises.
+
+use super::pattern::{Site, sites};
+use super::prediction::Linearization;
+use super::problem::SettingTests;
+use super::structure::FamilyStructure;
+use super::template::{varying_family, with_effect};
+use crate::cancel;
+use crate::refit::Effort;
+use crate::structure::context::{Form, Structure};
+use crate::structure::search::StructureSearch;
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Rise of the log posterior below which a move is not made.
+const RISE: f64 = 0.5;
+/// How far a predicted family may lie behind the present one to be refitted.
+const PREDICTED: f64 = 3.0;
+/// Predicted families that are refitted at most in each iteration.
+const REFITTED: usize = 3;
+/// Log posterior below the best of a setting within which an effect is tried in the family.
+const ASKED_FOR: f64 = 3.0;
+/// Effects that are tried at most.
+const EFFECTS: usize = 6;
+/// Moves at most.
+const MOVES: usize = 24;
+
+/// Whether something depends on the setting, and how probable that is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dependence {
+    /// What.
+    pub site: Site,
+    /// Whether it varies in the most probable family.
+    pub varies: bool,
+    /// Log posterior of the family with it varying, less that with it shared; the other one is a first-order estimate.
+    pub log_odds: f64,
+}
+
+/// Searches for the most probable family. `found` holds the search of each setting alone; `None` where nothing makes a finite force.
+pub fn search_family(
+    settings: &[SettingTests],
+    found: &[StructureSearch],
+    progress: &(dyn Fn(f64) + Sync),
+) -> Option<FamilyStructure> {
+    let at_settings: Vec<&Structure> = found.iter().map(|search| &search.best).collect();
+    let mut keys: BTreeSet<Vec<Form>> = BTreeSet::new();
+    let distinct: Vec<&Structure> = at_settings.iter().copied().filter(|s| keys.insert(s.key())).collect();
+    let starts: Vec<FamilyStructure> = distinct
+        .into_par_iter()
+        .filter_map(|from| {
+            let (hypothesis, components) = varying_family(from, &at_settings, settings)?;
+            let start = FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)?;
+            Some(share(start, settings))
+        })
+        .collect();
+    progress(0.3);
+    let mut best = starts.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
+    let asked_for = asked_for(found);
+    let mut tried = BTreeSet::new();
+    for round in 0..MOVES {
+        progress(0.3 + 0.6 * round as f64 / MOVES as f64);
+        if cancel::asked() {
+            break;
+        }
+        let next = toggle(&best, settings)
+            .or_else(|| remove(&best, settings))
+            .or_else(|| add(&best, settings, &asked_for, &mut tried));
+        let Some(next) = next else { break };
+        best = next;
+    }
+    Some(best)
+}
+
+/// Shares all numbers at once whose sharing is predicted to raise the posterior.
+fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
+    let varying = start.varying();
+    let linear = Linearization::new(&start, settings);
+    let without = |site: &Site| -> Vec<Site> { varying.iter().copied().filter(|other| other != site).collect() };
+    let is_needed = |site: &Site| {
+        *site == Site::Curve
+            || linear.predict(&without(site)).is_none_or(|less| less.log_posterior < start.log_posterior)
+    };
+    let needed: Vec<Site> = varying.iter().copied().filter(is_needed).collect();
+    if needed.len() == varying.len() {
+        return start;
+    }
+    let Some(predicted) = linear.predict(&needed) else { return start };
+    match FamilyStructure::fit(predicted.hypothesis, start.components.clone(), settings, Effort::JUDGE) {
+        Some(less) if less.log_posterior > start.log_posterior => less,
+        _ => start,
+    }
+}
+
+/// The sites that vary when one is toggled.
+fn toggled(varying: &[Site], site: Site) -> Vec<Site> {
+    if varying.contains(&site) {
+        varying.iter().copied().filter(|other| *other != site).collect()
+    } else {
+        varying.iter().copied().chain([site]).collect()
+    }
+}
+
+/// The family with one more or one less number that varies, where that is more probable.
+fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStructure> {
+    let varying = from.varying();
+    let linear = Linearization::new(from, settings);
+    let mut predicted: Vec<_> = sites(&from.hypothesis.template)
+        .into_iter()
+        .filter_map(|site| linear.predict(&toggled(&varying, site)))
+        .filter(|predicted| predicted.log_posterior > from.log_posterior - PREDICTED)
+        .collect();
+    predicted.sort_by(|a, b| b.log_posterior.total_cmp(&a.log_posterior));
+    predicted.truncate(REFITTED);
+    let refitted = predicted
+        .into_par_iter()
+        .filter_map(|p| FamilyStructure::fit(p.hypothesis, from.components.clone(), settings, Effort::JUDGE));
+    better(from, refitted.collect())
+}
+
+/// The family with one effect less, where that is more probable.
+fn remove(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStructure> {
+    let less =
+        (0..from.components.len()).into_par_iter().filter_map(|place| from.without(place, settings, Effort::JUDGE));
+    better(from, less.collect())
+}
+
+/// The family with one more effect, where that is more probable.
+fn add(
+    from: &FamilyStructure,
+    settings: &[SettingTests],
+    asked_for: &[&Structure],
+    tried: &mut BTreeSet<(Form, Vec<Form>)>,
+) -> Option<FamilyStructure> {
+    let mut key: Vec<Form> = from.components.iter().map(|c| (c.effect, c.form)).collect();
+    key.sort_unstable();
+    let mut list = Vec::new();
+    for source in asked_for {
+        for component in &source.components {
+            let form = (component.effect, component.form);
+            let is_there = from.components.iter().any(|own| own.effect == component.effect);
+            if !is_there && tried.insert((form, key.clone())) {
+                list.push((*source, component.effect));
+            }
+        }
+    }
+    let more = list.into_par_iter().filter_map(|(source, effect)| {
+        let (hypothesis, components) = with_effect(from, source, effect)?;
+        FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)
+    });
+    better(from, more.collect())
+}
+
+fn better(from: &FamilyStructure, among: Vec<FamilyStructure>) -> Option<FamilyStructure> {
+    let best = among.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
+    (best.log_posterior > from.log_posterior + RISE).then_some(best)
+}
+
+/// Structures of single settings with an effect that some setting asked for, the most wanted first.
+fn asked_for(found: &[StructureSearch]) -> Vec<&Structure> {
+    let mut by_form: BTreeMap<Form, (f64, &Structure)> = BTreeMap::new();
+    let mut note = |form: Form, gain: f64, structure| {
+        let best = by_form.entry(form).or_insert((gain, structure));
+        if best.0 < gain {
+            *best = (gain, structure);
+        }
+    };
+    for search in found {
+        for component in &search.best.components {
+            note((component.effect, component.form), f64::INFINITY, &search.best);
+        }
+        for trial in search.last.iter().filter(|trial| trial.unnamed.is_none()) {
+            let gain = trial.structure.log_posterior - search.best.log_posterior;
+            if gain > -ASKED_FOR {
+                note(trial.form, gain, &trial.structure);
+            }
+        }
+    }
+    let mut all: Vec<(f64, &Structure)> = by_form.into_values().collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let beyond = all.iter().filter(|(gain, _)| *gain == f64::INFINITY).count() + EFFECTS;
+    all.into_iter().take(beyond).map(|(_, structure)| structure).collect()
+}
+
+/// What depends on the setting and what does not, with its log odds.
+pub fn dependences(of: &FamilyStructure, settings: &[SettingTests]) -> Vec<Dependence> {
+    let varying = of.varying();
+    let linear = Linearization::new(of, settings);
+    let of_site = |site: Site| {
+        let varies = varying.contains(&site);
+        let other = linear.predict(&toggled(&varying, site)).map_or(f64::NEG_INFINITY, |p| p.log_posterior);
+        let rise = of.log_posterior - other;
+        Dependence { site, varies, log_odds: if varies { rise } else { -rise } }
+    };
+    sites(&of.hypothesis.template).into_iter().map(of_site).collect()
+}

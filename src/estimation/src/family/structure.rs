@@ -1,0 +1,83 @@
+//! A family with its effects, refitted, and how probable it is.
+
+use super::pattern::{Site, log_prior as log_prior_of_pattern, numbers, varies, varying_sites};
+use super::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
+use crate::hypothesis::Residual;
+use crate::refit::Effort;
+use crate::structure::component::Component;
+use crate::structure::evidence::Evidence;
+use crate::structure::prior_odds::log_prior;
+
+/// A refitted family.
+#[derive(Clone)]
+pub struct FamilyStructure {
+    /// Its free numbers, starting where the refit ended.
+    pub hypothesis: FamilyHypothesis,
+    /// Its effects.
+    pub components: Vec<Component>,
+    /// Where its refit ended.
+    pub refit: FamilyRefit,
+    /// Its residuals.
+    pub evidence: Evidence,
+    /// Log posterior, up to a constant that all families of a search share.
+    pub log_posterior: f64,
+}
+
+/// Residuals of a family, as evidence. A damper is as plausible as it is on average over its settings.
+pub fn evidence(
+    hypothesis: &FamilyHypothesis,
+    theta: &[f64],
+    residuals: &[Residual],
+    settings: &[SettingTests],
+) -> Evidence {
+    let count = numbers(&hypothesis.template, &hypothesis.varies, settings.len());
+    let mut all = Evidence { mean_squares: Vec::new(), weights: Vec::new(), numbers: count, implausibility: 0.0 };
+    for (setting, (of, residual)) in settings.iter().zip(residuals).enumerate() {
+        let own = Evidence::new(&hypothesis.template, &hypothesis.theta_at(theta, setting), residual, &of.tests, 0.0);
+        all.mean_squares.extend(own.mean_squares);
+        all.weights.extend(own.weights);
+        all.implausibility += own.implausibility / settings.len() as f64;
+    }
+    all
+}
+
+/// Log prior of a family: of its effects, and of what depends on the setting.
+pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> f64 {
+    let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
+    log_prior(&effects) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
+}
+
+impl FamilyStructure {
+    /// Fits a family from where it starts; `None` where it makes no finite force.
+    pub fn fit(
+        hypothesis: FamilyHypothesis,
+        components: Vec<Component>,
+        settings: &[SettingTests],
+        effort: Effort,
+    ) -> Option<FamilyStructure> {
+        let refit = hypothesis.refit(settings, effort)?;
+        let hypothesis = hypothesis.starting_at(&refit.theta);
+        let evidence = evidence(&hypothesis, &refit.theta, &refit.residuals, settings);
+        let log_posterior = evidence.log() + log_prior_of(&hypothesis, &components);
+        Some(FamilyStructure { hypothesis, components, refit, evidence, log_posterior })
+    }
+
+    /// What depends on the setting.
+    pub fn varying(&self) -> Vec<Site> {
+        varying_sites(&self.hypothesis.template, &self.hypothesis.varies)
+    }
+
+    /// Without one of its effects, refitted.
+    pub fn without(&self, place: usize, settings: &[SettingTests], effort: Effort) -> Option<FamilyStructure> {
+        let varying = self.varying();
+        let from = &self.hypothesis;
+        let component = &self.components[place];
+        let at = |setting: usize| component.remove(&from.template, &from.theta_at(&self.refit.theta, setting));
+        let template = at(0);
+        let starts = (0..from.settings()).map(|setting| at(setting).start()).collect();
+        let mut components = self.components.clone();
+        components.remove(place);
+        let hypothesis = FamilyHypothesis { varies: varies(&template, &varying), template, starts };
+        FamilyStructure::fit(hypothesis, components, settings, effort)
+    }
+}

@@ -1,0 +1,129 @@
+//! Families made of structures that were found at single settings.
+
+use super::pattern::{sites, varies};
+use super::problem::{FamilyHypothesis, SettingTests};
+use super::structure::FamilyStructure;
+use crate::first_guess;
+use crate::hypothesis::{Free, Hypothesis, number};
+use crate::refit::{Effort, refit};
+use crate::segment::Segment;
+use crate::structure::component::Component;
+use crate::structure::context::Structure;
+use crate::unknowns::{CurveName, Unknown, Unknowns, anchor, towards_zero};
+use dashpot_core::curve::MAX_POINTS;
+use dashpot_core::parameter::{Number, table};
+use dashpot_core::{Model, Params, list};
+use dashpot_records::restrict;
+use rayon::prelude::*;
+
+/// Velocities of the FV table that all settings share: those of the tests of all settings, or those of a structure with more points.
+pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
+    let segments: Vec<Segment> = settings.iter().flat_map(|s| &s.tests).map(|t| t.segment.clone()).collect();
+    let plain = first_guess::velocities(&segments);
+    let mut own = of.hypothesis.base.list(list!("fv_velocity")).to_vec();
+    if own.len() <= plain.len() {
+        return plain;
+    }
+    let (Some(first), Some(last)) = (plain.first(), plain.last()) else { return own };
+    // Faster tests of other settings end the table.
+    if let Some(end) = own.first_mut() {
+        *end = end.min(*first);
+    }
+    if let Some(end) = own.last_mut() {
+        *end = end.max(*last);
+    }
+    own.truncate(MAX_POINTS);
+    own
+}
+
+/// Forces of the FV curve of a parameter set at some velocities; `None` where it makes no model.
+fn curve_at(params: &Params, velocities: &[f64]) -> Option<Vec<f64>> {
+    let curve = Model::new(params).ok()?.elements().paths.fv_curve;
+    Some(velocities.iter().map(|v| curve.at(*v).value).collect())
+}
+
+/// The hypothesis with its FV table at other velocities, from where it stands; `None` where it makes no model.
+fn on_velocities(from: &Hypothesis, theta: &[f64], velocities: &[f64]) -> Option<Hypothesis> {
+    let mut params = from.params(theta);
+    let force = curve_at(&params, velocities)?;
+    params.set_list(list!("fv_velocity"), velocities).ok()?;
+    params.set_list(list!("fv_force"), &force).ok()?;
+    let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
+    let rises = Unknowns::rises(&params, CurveName::Fv).into_iter().map(|rise| number(&params, rise));
+    let kept = from.clone().starting_at(theta).numbers;
+    let first = kept.iter().position(|n| is_point(&n.free)).unwrap_or(kept.len());
+    let mut numbers = kept[..first].to_vec();
+    numbers.extend(rises);
+    numbers.extend(kept[first..].iter().filter(|n| !is_point(&n.free)).cloned());
+    Some(Hypothesis { base: params, numbers, heating: None })
+}
+
+/// A family with the effects of one structure, of which every number varies that can. Numbers start from the structure of each setting where it
+/// has them; then each setting is refitted by itself.
+pub fn varying_family(
+    from: &Structure,
+    at_settings: &[&Structure],
+    settings: &[SettingTests],
+) -> Option<(FamilyHypothesis, Vec<Component>)> {
+    let velocities = velocities(settings, from);
+    let template = on_velocities(&from.hypothesis, &from.refit.theta, &velocities)?;
+    let zero = anchor(&velocities);
+    let starts: Option<Vec<Vec<f64>>> = at_settings
+        .par_iter()
+        .zip(settings)
+        .map(|(own, of)| {
+            let forces = curve_at(&own.hypothesis.params(&own.refit.theta), &velocities)?;
+            let start: Vec<f64> = template
+                .numbers
+                .iter()
+                .map(|number| {
+                    let value = match &number.free {
+                        Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) => {
+                            (forces[*point] - forces[towards_zero(*point, zero)]).abs()
+                        }
+                        free => own.hypothesis.place_of(free).map_or(number.start, |place| own.refit.theta[place]),
+                    };
+                    restrict(value, number.bounds.0, number.bounds.1)
+                })
+                .collect();
+            let refitted = refit(&template, &of.tests, &start, None, Effort::JUDGE);
+            Some(refitted.map_or(start, |refitted| refitted.theta))
+        })
+        .collect();
+    let varies = varies(&template, &sites(&template));
+    Some((FamilyHypothesis { template, varies, starts: starts? }, from.components.clone()))
+}
+
+/// The family with one more effect as a structure of one setting has it, whose numbers all settings share.
+pub fn with_effect(
+    family: &FamilyStructure,
+    source: &Structure,
+    effect: &str,
+) -> Option<(FamilyHypothesis, Vec<Component>)> {
+    let component = source.components.iter().find(|c| c.effect == effect)?;
+    let mut hypothesis = family.hypothesis.clone();
+    let template = &mut hypothesis.template;
+    for element in &component.elements {
+        template.base.enable(*element, true);
+        for row in table().filter(|row| row.element() == Some(*element)) {
+            if let Ok(number) = Number::try_from(row) {
+                let _ = template.base.set(number, source.hypothesis.base.number(number));
+            }
+        }
+    }
+    for (number, value) in &component.fixed {
+        let _ = template.base.set(*number, *value);
+    }
+    let own =
+        source.hypothesis.numbers.iter().zip(&source.refit.theta).filter(|(n, _)| component.frees.contains(&n.free));
+    for (number, value) in own {
+        if template.place_of(&number.free).is_none() {
+            template.numbers.push(number.clone());
+            hypothesis.varies.push(false);
+            hypothesis.starts.iter_mut().for_each(|start| start.push(*value));
+        }
+    }
+    let mut components = family.components.clone();
+    components.push(component.clone());
+    Some((hypothesis, components))
+}

@@ -1,0 +1,267 @@
+//! The fit of a family.
+
+use super::left_out::{SettingReport, reports, through};
+use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting};
+use crate::fit::{About, check_elements, check_motion, coverage_notes, of_number, search_structure};
+use crate::intervals::{Estimate, Known, Standing, sources};
+use crate::of_the_rig::{Measured, measured};
+use crate::{FitOptions, Stage, TEMPERATURE, phrases};
+use dashpot_core::family::{Definition, Family};
+use dashpot_core::parameter::table;
+use dashpot_core::{Fault, Params, list};
+use dashpot_estimation::campaign_clock::clock_from;
+use dashpot_estimation::deviations::sandwich;
+use dashpot_estimation::family::pattern::Site;
+use dashpot_estimation::family::problem::SettingTests;
+use dashpot_estimation::family::search::{dependences, search_family};
+use dashpot_estimation::family::structure::FamilyStructure;
+use dashpot_estimation::refit::Effort;
+use dashpot_estimation::samples::{self, Test, segments};
+use dashpot_estimation::structure::context::Structure;
+use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
+use dashpot_estimation::structure::search::StructureSearch;
+use dashpot_records::Record;
+use dashpot_records::sentence::Sentence;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What a fit says of one number of a family.
+#[derive(Debug, Clone, Serialize)]
+pub struct FamilyEstimate {
+    /// The setting that it holds at; absent where all settings share the number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub setting: Option<f64>,
+    /// The number.
+    #[serde(flatten)]
+    pub estimate: Estimate,
+}
+
+/// Whether a number depends on the setting.
+#[derive(Debug, Clone, Serialize)]
+pub struct SettingDependence {
+    /// Name of the number; `fv_force` for the FV curve.
+    pub name: &'static str,
+    /// Whether it depends on the setting in the model.
+    pub varies: bool,
+    /// Probability that it does, by a first-order estimate of the alternative.
+    pub probability: f64,
+}
+
+/// An identified family.
+#[derive(Debug, Clone)]
+pub struct FamilyFit {
+    /// The setting.
+    pub setting: SettingAxis,
+    /// The damper over the setting.
+    pub damper: Definition,
+    /// What is known of every fitted number at every setting.
+    pub estimates: Vec<FamilyEstimate>,
+    /// What depends on the setting.
+    pub dependences: Vec<SettingDependence>,
+    /// Effects with the force that they carry over all settings.
+    pub inventory: Vec<InventoryItem>,
+    /// What the records are off by; it never becomes part of the model.
+    pub measured: Vec<Measured>,
+    /// When the clock by which gain and zero drift was nought, s since 1970.
+    pub clock_from: Option<f64>,
+    /// Errors at each setting, also of a family that did not see it.
+    pub settings: Vec<SettingReport>,
+    /// Remarks for the engineer.
+    pub notes: Vec<Sentence>,
+    /// Names of the tests used.
+    pub tests: Vec<String>,
+    /// Their contents in short, in the same order.
+    pub fingerprints: Vec<String>,
+    /// Root mean square of the weighted residual: 1 is what noise and curve discretization allow.
+    pub misfit: f64,
+}
+
+impl FamilyFit {
+    /// Values of the setting that the damper is given at.
+    pub fn settings_grid(&self) -> &[f64] {
+        self.damper.axis.grid()
+    }
+}
+
+/// Fits one damper over a setting to records that were measured at several of it.
+///
+/// # Errors
+/// Records without the setting, one or too many settings, one at which no damper can be fitted.
+pub fn fit_family(
+    records: &[&Record],
+    setting: &str,
+    options: &FitOptions,
+    progress: impl Fn(Stage) + Sync,
+) -> Result<FamilyFit, FamilyError> {
+    progress(Stage { done: 0.0, text: phrases::PREPARING });
+    let (axis, sorted) = by_setting(records, setting)?;
+    let fail = |of: &SettingRecords, why| FamilyError::At { name: axis.name.clone(), value: of.value, why };
+    for of in &sorted {
+        check_elements(options).and_then(|()| check_motion(&segments(&of.records))).map_err(|why| fail(of, why))?;
+    }
+    let about = About::of(records);
+    let settings: Vec<SettingTests> =
+        sorted.iter().map(|of| SettingTests { value: of.value, tests: samples::tests(&of.records) }).collect();
+    let mut found: Vec<StructureSearch> = Vec::new();
+    for (place, (of, own)) in sorted.iter().zip(&settings).enumerate() {
+        progress(Stage { done: 0.05 + 0.5 * place as f64 / sorted.len() as f64, text: phrases::FAMILY_EACH });
+        let search = search_structure(&of.records, &own.tests, options, &about);
+        found.push(search.map_err(|why| fail(of, why))?);
+    }
+    let best = search_family(&settings, &found, &|done| {
+        progress(Stage { done: 0.55 + 0.3 * done, text: phrases::FAMILY_JOINT });
+    });
+    let best = best.ok_or(FamilyError::NotFinite)?;
+    progress(Stage { done: 0.85, text: phrases::REFINING });
+    let FamilyStructure { hypothesis, components, .. } = best;
+    let best = FamilyStructure::fit(hypothesis, components, &settings, Effort::FINE).ok_or(FamilyError::NotFinite)?;
+    let damper = damper(&best, &axis, &settings).map_err(|fault| FamilyError::Kernel {
+        parameter: table().nth(fault.parameter as usize).map_or("the setting", |row| row.parameter.name),
+        why: fault.reason.text(),
+    })?;
+    progress(Stage { done: 0.9, text: phrases::FAMILY_LEFT_OUT });
+    let own: Vec<&Structure> = found.iter().map(|search| &search.best).collect();
+    let reports = reports(&best, &own, &axis, &settings);
+    let all: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
+    let joint = best.hypothesis.joint();
+    let joint_refit = best.hypothesis.joint_refit(&best.refit);
+    let known = sandwich(&joint, &joint_refit, &all).map(|(covariance, determined)| Known {
+        covariance,
+        determined,
+        sources: sources(&joint, &joint_refit, &all),
+    });
+    let estimates = known.map_or_else(Vec::new, |known| estimates(&best, &known, &settings));
+    let mut measured = measured(&joint, &joint_refit, &all);
+    measured.sort_by_key(|m| m.name);
+    let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&about.given)).collect();
+    let dependences = named_dependences(&best, &settings);
+    let mut notes = notes(&damper, &estimates, &axis);
+    notes.extend(coverage_notes(&segments(records)));
+    notes.extend(measured.iter().map(Measured::in_words));
+    let used: Vec<&Record> = sorted.iter().flat_map(|of| of.records.iter().copied()).collect();
+    let scored: usize = all.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
+    progress(Stage { done: 1.0, text: phrases::DONE });
+    Ok(FamilyFit {
+        setting: axis,
+        damper,
+        estimates,
+        dependences,
+        inventory: inventory_of(&best, &settings),
+        measured,
+        clock_from: clock_from(records),
+        settings: reports,
+        notes,
+        tests: used.iter().map(|r| r.name.clone()).collect(),
+        fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
+        misfit: (joint_refit.residual.norm_squared() / scored.max(1) as f64).sqrt(),
+    })
+}
+
+/// The damper over the setting; it must run in the kernel.
+fn damper(best: &FamilyStructure, axis: &SettingAxis, settings: &[SettingTests]) -> Result<Definition, Fault> {
+    let grid: Vec<f64> = settings.iter().map(|of| of.value).collect();
+    let sets: Vec<Params> =
+        (0..grid.len()).map(|setting| best.hypothesis.params_at(&best.refit.theta, setting)).collect();
+    let damper = through(axis, &grid, &sets)?;
+    Family::check(&damper.params, &damper.axis)?;
+    Ok(damper)
+}
+
+/// The estimates: a shared number once, another one at each setting.
+fn estimates(best: &FamilyStructure, known: &Known, settings: &[SettingTests]) -> Vec<FamilyEstimate> {
+    let hypothesis = &best.hypothesis;
+    let columns = hypothesis.columns();
+    let mut all = Vec::new();
+    for (place, of) in settings.iter().enumerate() {
+        let theta = hypothesis.theta_at(&best.refit.theta, place);
+        let own = known.of(&columns[place]).estimates(&hypothesis.template, &theta, &of.tests);
+        let varying = best.varying();
+        let varies = |estimate: &Estimate| {
+            varying.iter().any(|site| match site {
+                Site::Curve => estimate.name == list!("fv_force").name(),
+                Site::Number(number) => estimate.name == number.name(),
+            })
+        };
+        all.extend(own.into_iter().filter_map(|estimate| match varies(&estimate) {
+            true => Some(FamilyEstimate { setting: Some(of.value), estimate }),
+            false if place == 0 => Some(FamilyEstimate { setting: None, estimate }),
+            false => None,
+        }));
+    }
+    all
+}
+
+/// What depends on the setting, by name.
+fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<SettingDependence> {
+    let named = dependences(best, settings).into_iter().map(|of| SettingDependence {
+        name: match of.site {
+            Site::Curve => list!("fv_force").name(),
+            Site::Number(number) => number.name(),
+        },
+        varies: of.varies,
+        probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
+    });
+    named.collect()
+}
+
+/// The force that each effect carries over all settings. Its probability is that against the family without it.
+fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<InventoryItem> {
+    let probabilities: BTreeMap<&str, f64> = best
+        .components
+        .iter()
+        .enumerate()
+        .map(|(place, component)| {
+            let less = best.without(place, settings, Effort::COMPARE);
+            let rise = less.map_or(f64::INFINITY, |less| best.log_posterior - less.log_posterior);
+            (component.effect, 1.0 / (1.0 + libm::exp(-rise / TEMPERATURE)))
+        })
+        .collect();
+    let mut all: Vec<InventoryItem> = Vec::new();
+    let count = settings.len() as f64;
+    for (place, of) in settings.iter().enumerate() {
+        let template = best.hypothesis.template.clone();
+        let refit = best.hypothesis.refit_at(&best.refit, place);
+        let structure = Structure::new(template, refit, best.components.clone(), &of.tests);
+        let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
+        for item in inventory(&structure, None, &of.tests, &probability) {
+            match all.iter_mut().find(|known| known.effect == item.effect) {
+                Some(known) => {
+                    known.force_n_rms += item.force_n_rms.powi(2) / count;
+                    known.share += item.share.powi(2) / count;
+                    known.force_by_test_n.extend(item.force_by_test_n);
+                }
+                None => all.push(InventoryItem {
+                    force_n_rms: item.force_n_rms.powi(2) / count,
+                    share: item.share.powi(2) / count,
+                    ..item
+                }),
+            }
+        }
+    }
+    for item in &mut all {
+        (item.force_n_rms, item.share) = (item.force_n_rms.sqrt(), item.share.sqrt());
+    }
+    all.sort_by(|a, b| b.force_n_rms.total_cmp(&a.force_n_rms));
+    all
+}
+
+/// What the engineer should know of the family.
+fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
+    let mut notes = Vec::new();
+    let stored: Vec<&str> = damper.axis.stores_energy().map(|number| number.name()).collect();
+    if !stored.is_empty() {
+        let text = Sentence::from(phrases::FAMILY_STORES).with("setting", &axis.name);
+        notes.push(text.with_names("names", stored, phrases::COMMA));
+    }
+    for FamilyEstimate { estimate, .. } in estimates {
+        let said = match estimate.standing {
+            Standing::NotIdentified if estimate.index.is_none() => of_number(phrases::HELD, estimate),
+            Standing::AtBound => of_number(phrases::AT_BOUND, estimate),
+            _ => continue,
+        };
+        if !notes.contains(&said) {
+            notes.push(said);
+        }
+    }
+    notes
+}

@@ -1,0 +1,134 @@
+//! How well a family does at each setting, and how well it predicts a setting that it did not see.
+
+use super::settings::SettingAxis;
+use dashpot_core::family::{Axis, Definition};
+use dashpot_core::{Fault, Model, Params};
+use dashpot_estimation::family::problem::SettingTests;
+use dashpot_estimation::family::structure::FamilyStructure;
+use dashpot_estimation::hypothesis::Hypothesis;
+use dashpot_estimation::refit::Effort;
+use dashpot_estimation::samples::Test;
+use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_estimation::structure::context::Structure;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Mean error over the tests of a setting, on the mean cycle of each test.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SettingError {
+    /// Mean absolute error, N.
+    pub mean_error_n: f64,
+    /// The same in percent of the largest force of each test.
+    pub error_percent: f64,
+}
+
+/// The errors at one setting.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SettingReport {
+    /// Value of the setting.
+    pub setting: f64,
+    /// Number of its tests, long ones counted by their stretches.
+    pub tests: usize,
+    /// Error of an ordinary damper that was fitted to this setting alone.
+    pub own_fit: SettingError,
+    /// Error of the family.
+    pub family: SettingError,
+    /// Error of the family that was fitted to all other settings; absent at the ends of the grid, where nothing is interpolated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<SettingError>,
+    /// That error over the one of the fit to this setting alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left_out_ratio: Option<f64>,
+}
+
+/// The damper over a grid through parameter sets.
+///
+/// # Errors
+/// What the kernel rejects.
+pub fn through(axis: &SettingAxis, grid: &[f64], sets: &[Params]) -> Result<Definition, Fault> {
+    let (params, mut over) = Axis::through(grid, sets)?;
+    let is_short = |text: &str| text.len() <= dashpot_core::family::axis::MAX_TEXT;
+    if is_short(&axis.name) {
+        over.set_name(&axis.name)?;
+    }
+    if is_short(&axis.unit) {
+        over.set_unit(&axis.unit)?;
+    }
+    Ok(Definition { params, axis: over })
+}
+
+fn error_of(tests: &[Test], forces: &[Vec<f64>]) -> SettingError {
+    let (mut newtons, mut percent) = (0.0, 0.0);
+    for (test, forces) in tests.iter().zip(forces) {
+        let sum: f64 = test.forces().iter().zip(forces).map(|(measured, force)| (measured - force).abs()).sum();
+        let mean = sum / forces.len().max(1) as f64;
+        newtons += mean;
+        percent += 100.0 * mean / test.segment.top.max(1e-9);
+    }
+    let count = tests.len().max(1) as f64;
+    SettingError { mean_error_n: newtons / count, error_percent: percent / count }
+}
+
+/// Error of a parameter set with what the rig adds by a hypothesis at `theta`.
+fn error_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<SettingError> {
+    let model = Model::new(params).ok()?;
+    let integration = Accuracy::Single.integration(params, &model);
+    let model = model.with_integration(integration);
+    let forces: Vec<Vec<f64>> = tests.par_iter().map(|test| rig.forces_with(&model, test, theta)).collect();
+    Some(error_of(tests, &forces))
+}
+
+/// Error of an ordinary fit to its own tests.
+fn own_error(own: &Structure, tests: &[Test]) -> Option<SettingError> {
+    Some(error_of(tests, &own.hypothesis.forces(tests, &own.refit.theta)?))
+}
+
+/// Error at a setting of the family that is refitted to the others; `None` at an end of the grid.
+fn left_out_error(
+    family: &FamilyStructure,
+    axis: &SettingAxis,
+    settings: &[SettingTests],
+    place: usize,
+) -> Option<SettingError> {
+    if place == 0 || place + 1 == settings.len() {
+        return None;
+    }
+    let mut others = settings.to_vec();
+    let left_out = others.remove(place);
+    let less = family.hypothesis.without_setting(place);
+    let refit = less.refit(&others, Effort::JUDGE)?;
+    let grid: Vec<f64> = others.iter().map(|of| of.value).collect();
+    let sets: Vec<Params> = (0..grid.len()).map(|setting| less.params_at(&refit.theta, setting)).collect();
+    let params = through(axis, &grid, &sets).ok()?.at(left_out.value);
+    error_at(&params, &less.template, &less.theta_at(&refit.theta, place - 1), &left_out.tests)
+}
+
+/// The errors at every setting. `own` holds the ordinary fit of each.
+pub fn reports(
+    family: &FamilyStructure,
+    own: &[&Structure],
+    axis: &SettingAxis,
+    settings: &[SettingTests],
+) -> Vec<SettingReport> {
+    let theta = &family.refit.theta;
+    settings
+        .par_iter()
+        .zip(own)
+        .enumerate()
+        .filter_map(|(place, (of, own))| {
+            let own_fit = own_error(own, &of.tests)?;
+            let hypothesis = &family.hypothesis;
+            let at = hypothesis.theta_at(theta, place);
+            let fitted = error_at(&hypothesis.params_at(theta, place), &hypothesis.template, &at, &of.tests)?;
+            let left_out = left_out_error(family, axis, settings, place);
+            Some(SettingReport {
+                setting: of.value,
+                tests: of.tests.len(),
+                own_fit,
+                family: fitted,
+                left_out,
+                left_out_ratio: left_out.map(|error| error.mean_error_n / own_fit.mean_error_n.max(1e-9)),
+            })
+        })
+        .collect()
+}

@@ -1,0 +1,17 @@
+//! From records at several settings to one damper over the setting.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`settings`] | the records sorted by their setting, and what is wrong with them |
+//! | [`fit`] | the fit: structure, numbers, what depends on the setting |
+//! | [`left_out`] | how well a setting is predicted by the others |
+//! | [`model_file`] | the model file of a family |
+
+mod fit;
+mod left_out;
+pub mod model_file;
+mod settings;
+
+pub use fit::{FamilyEstimate, FamilyFit, SettingDependence, fit_family};
+pub use left_out::{SettingError, SettingReport};
+pub use settings::{FamilyError, SettingAxis, SettingRecords};

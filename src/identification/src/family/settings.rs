@@ -1,0 +1,186 @@
+//! The records of a campaign sorted by their setting.
+
+use crate::FitError;
+use crate::phrases;
+use dashpot_core::family::interpolation::MAX_GRID;
+use dashpot_records::sentence::Sentence;
+use dashpot_records::{Record, is_same_setting};
+
+/// Names that a sentence lists.
+const NAMES: usize = 6;
+
+/// Why no family can be fitted.
+#[derive(Debug, thiserror::Error)]
+#[error("{}", self.sentence())]
+pub enum FamilyError {
+    /// No record has a setting of this name.
+    NoSetting {
+        /// Name asked for.
+        name: String,
+        /// Names that the records have.
+        known: Vec<String>,
+    },
+    /// Some records have none.
+    Without {
+        /// Name of the setting.
+        name: String,
+        /// Their names.
+        tests: Vec<String>,
+    },
+    /// All records have the same.
+    One {
+        /// Name of the setting.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+    /// More settings than a model holds.
+    TooMany {
+        /// Name of the setting.
+        name: String,
+        /// How many there are.
+        count: usize,
+    },
+    /// No ordinary damper can be fitted at one of them.
+    At {
+        /// Name of the setting.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// Why.
+        why: FitError,
+    },
+    /// The numbers make no family.
+    Kernel {
+        /// The parameter at fault.
+        parameter: &'static str,
+        /// Why.
+        why: &'static str,
+    },
+    /// The joint problem has no finite forces.
+    NotFinite,
+}
+
+impl FamilyError {
+    /// What is wrong and what to do, to be said in any language.
+    pub fn sentence(&self) -> Sentence {
+        match self {
+            FamilyError::NoSetting { name, known } if known.is_empty() => {
+                Sentence::from(phrases::FAMILY_NO_SETTING).with("name", name)
+            }
+            FamilyError::NoSetting { name, known } => Sentence::from(phrases::FAMILY_OTHER_SETTING)
+                .with("name", name)
+                .with_names("known", known.iter(), phrases::COMMA),
+            FamilyError::Without { name, tests } => Sentence::from(phrases::FAMILY_WITHOUT)
+                .with("name", name)
+                .with("count", tests.len())
+                .with_names("tests", tests.iter().take(NAMES), phrases::COMMA),
+            FamilyError::One { name, value } => {
+                Sentence::from(phrases::FAMILY_ONE).with("name", name).with("value", value)
+            }
+            FamilyError::TooMany { name, count } => {
+                Sentence::from(phrases::FAMILY_TOO_MANY).with("name", name).with("count", count).with("most", MAX_GRID)
+            }
+            FamilyError::At { name, value, why } => Sentence::from(phrases::FAMILY_AT)
+                .with("name", name)
+                .with("value", value)
+                .with_said("why", why.sentence()),
+            FamilyError::Kernel { parameter, why } => {
+                Sentence::from(phrases::FAMILY_KERNEL).with("parameter", parameter).with("why", why)
+            }
+            FamilyError::NotFinite => phrases::FAMILY_NOT_FINITE.into(),
+        }
+    }
+}
+
+/// The setting that records were measured over.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SettingAxis {
+    /// Its name, such as `current`.
+    pub name: String,
+    /// Its unit; empty where it has none.
+    pub unit: String,
+}
+
+/// The records of one setting.
+#[derive(Debug, Clone)]
+pub struct SettingRecords<'a> {
+    /// Value of the setting.
+    pub value: f64,
+    /// Its records.
+    pub records: Vec<&'a Record>,
+}
+
+/// Sorts records by the setting of a name, lowest first.
+///
+/// # Errors
+/// Records without it, one setting alone, more than a model holds.
+pub fn by_setting<'a>(
+    records: &[&'a Record],
+    name: &str,
+) -> Result<(SettingAxis, Vec<SettingRecords<'a>>), FamilyError> {
+    let own = |record: &'a Record| record.setting.as_ref().filter(|setting| setting.name == name);
+    let Some(first) = records.iter().find_map(|record| own(record)) else {
+        let mut known: Vec<String> =
+            records.iter().filter_map(|record| Some(record.setting.as_ref()?.name.clone())).collect();
+        known.sort();
+        known.dedup();
+        return Err(FamilyError::NoSetting { name: name.to_owned(), known });
+    };
+    let without: Vec<String> =
+        records.iter().filter(|record| own(record).is_none()).map(|record| record.name.clone()).collect();
+    if !without.is_empty() {
+        return Err(FamilyError::Without { name: name.to_owned(), tests: without });
+    }
+    let mut valued: Vec<(f64, &Record)> =
+        records.iter().filter_map(|record| Some((own(record)?.value, *record))).collect();
+    // Stable, so that the records of a setting keep their order.
+    valued.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut sorted: Vec<SettingRecords> = Vec::new();
+    for (value, record) in valued {
+        match sorted.last_mut() {
+            Some(last) if is_same_setting(last.value, value) => last.records.push(record),
+            _ => sorted.push(SettingRecords { value, records: vec![record] }),
+        }
+    }
+    match sorted.len() {
+        1 => Err(FamilyError::One { name: name.to_owned(), value: sorted[0].value }),
+        count if count > MAX_GRID => Err(FamilyError::TooMany { name: name.to_owned(), count }),
+        _ => Ok((SettingAxis { name: name.to_owned(), unit: first.unit.clone() }, sorted)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_records::Setting;
+
+    fn record(name: &str, value: Option<f64>) -> Record {
+        let setting = value.map(|value| Setting { name: "current".into(), unit: "A".into(), value });
+        Record { name: name.into(), setting, ..Record::default() }
+    }
+
+    #[test]
+    fn records_are_sorted_by_their_setting() {
+        let all = [record("a", Some(1.6)), record("b", Some(0.0)), record("c", Some(1.6)), record("d", Some(0.8))];
+        let (axis, sorted) = by_setting(&all.iter().collect::<Vec<_>>(), "current").unwrap();
+        assert_eq!((axis.name.as_str(), axis.unit.as_str()), ("current", "A"));
+        let names: Vec<Vec<&str>> =
+            sorted.iter().map(|s| s.records.iter().map(|r| r.name.as_str()).collect()).collect();
+        assert_eq!(names, [vec!["b"], vec!["d"], vec!["a", "c"]]);
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_the_names() {
+        let refused =
+            |all: &[Record], name: &str| by_setting(&all.iter().collect::<Vec<_>>(), name).unwrap_err().to_string();
+        let two = [record("a", Some(1.6)), record("b", Some(0.0))];
+        assert!(refused(&two, "clicks").contains("current"));
+        assert!(refused(&[record("a", None)], "current").contains("campaign.toml"));
+        assert!(refused(&[record("a", Some(1.0)), record("lost", None)], "current").contains("lost"));
+        assert!(refused(&[record("a", Some(1.0)), record("b", Some(1.0))], "current").contains("1 "));
+        let many: Vec<Record> = (0..9).map(|k| record("a", Some(f64::from(k)))).collect();
+        let text = refused(&many, "current");
+        assert!(text.contains('9') && text.contains('8'), "{text}");
+    }
+}
