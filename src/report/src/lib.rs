@@ -15,6 +15,7 @@ pub mod certificate;
 pub mod diagnosis;
 mod each_test;
 mod errors;
+pub mod family;
 pub mod fit;
 pub mod groups;
 mod hysteresis;

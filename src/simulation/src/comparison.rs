@@ -2,12 +2,12 @@
 
 use crate::prediction::{between_velocities, predict};
 use crate::warm_starts::WarmStarts;
-use dashpot_core::{Model, Params};
+use dashpot_core::{Model, Params, element};
 use dashpot_identification::model_file::{ModelFile, NoModel, prepared};
 use dashpot_identification::validation::{Compared, Validation};
 use dashpot_identification::{Family, FitError, FitOptions, fit};
 use dashpot_records::smoothing::smooth;
-use dashpot_records::{Campaign, Record};
+use dashpot_records::{Campaign, Record, is_same_setting};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -20,6 +20,16 @@ pub enum CompareError {
     /// The FV curve of the model file does not make one.
     #[error("the table fv_only of the model file: {0}")]
     FvOnly(String),
+    /// A record does not say what the damper was set to.
+    #[error(
+        "test '{test}' does not say its {name}, which the model depends on: give it with --setting, in the name of the test, or in campaign.toml under settings"
+    )]
+    NoSetting {
+        /// Name of the test.
+        test: String,
+        /// Name of the setting.
+        name: String,
+    },
     /// There is none, and none can be fitted.
     #[error(transparent)]
     Fit(#[from] FitError),
@@ -35,26 +45,99 @@ pub fn compare<'a>(
     campaign: &'a Campaign,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Compared<'a>>, CompareError> {
-    let model = prepared(&file.params)?;
-    let fv_only = prepared(&fv_only(file, campaign)?)?;
+    let fv_only = fv_only(file, campaign)?;
+    compare_by(file, campaign, &|_| Ok((file.params, fv_only)), progress)
+}
+
+/// Simulates every record with a damper over a setting, each at its own, or at the `given` one where it has none. The FV curve is that of the
+/// records of each setting.
+///
+/// # Errors
+/// A record without a setting where none is given; else those of [`compare`].
+pub fn compare_family<'a>(
+    file: &ModelFile,
+    campaign: &'a Campaign,
+    given: Option<f64>,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Compared<'a>>, CompareError> {
+    let settings: Vec<f64> = settings_of(file, campaign, given)?;
+    let mut distinct: Vec<f64> = Vec::new();
+    for setting in &settings {
+        if !distinct.iter().any(|known| is_same_setting(*known, *setting)) {
+            distinct.push(*setting);
+        }
+    }
+    let plain: Vec<Params> = distinct
+        .par_iter()
+        .map(|setting| {
+            let is_own = |k: &usize| is_same_setting(settings[*k], *setting);
+            let own: Vec<&Record> =
+                (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
+            let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
+            // Tests in one direction alone have no curve of their own.
+            fit(&own, &options, |_| ()).map_or_else(|_| curve_of(&file.definition().at(*setting)), |fit| fit.params)
+        })
+        .collect();
+    let at = |k: usize| {
+        let setting = settings[k];
+        let place = distinct.iter().position(|known| is_same_setting(*known, setting)).unwrap_or(0);
+        Ok((file.definition().at(setting), plain[place]))
+    };
+    compare_by(file, campaign, &at, progress)
+}
+
+/// The setting of every record: its own where it is that of the model, else the given one.
+///
+/// # Errors
+/// The first record without one.
+pub fn settings_of(file: &ModelFile, campaign: &Campaign, given: Option<f64>) -> Result<Vec<f64>, CompareError> {
+    let name = file.axis.name();
+    let of = |record: &Record| {
+        let own = record.setting.as_ref().filter(|setting| name.is_empty() || setting.name == name);
+        own.map(|setting| setting.value).or(given).ok_or_else(|| CompareError::NoSetting {
+            test: record.name.clone(),
+            name: if name.is_empty() { "setting".to_owned() } else { name.to_owned() },
+        })
+    };
+    campaign.records.iter().map(of).collect()
+}
+
+/// The FV curve with the gas force of a damper alone.
+fn curve_of(params: &Params) -> Params {
+    let mut curve = *params;
+    curve.disable_all();
+    curve.enable(element!("fv_curve"), true);
+    curve.enable(element!("gas_preload"), params.is_on(element!("gas_preload")));
+    curve
+}
+
+/// Simulates every record with the damper and the FV curve that belong to it.
+fn compare_by<'a>(
+    file: &ModelFile,
+    campaign: &'a Campaign,
+    of_record: &(dyn Fn(usize) -> Result<(Params, Params), CompareError> + Sync),
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Compared<'a>>, CompareError> {
     let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
     let done = AtomicUsize::new(0);
-    Ok(campaign
+    campaign
         .records
         .par_iter()
         .enumerate()
         .map(|(k, record)| {
+            let (params, fv_only) = of_record(k)?;
+            let (model, curve) = (prepared(&params)?, prepared(&fv_only)?);
             let motion = smooth(record);
             let compared = Compared {
                 record,
-                model: predict(&model, record, &motion, warm.rise(&file.params, k)),
-                fv_only: predict(&fv_only, record, &motion, 0.0),
+                model: predict(&model, record, &motion, warm.rise(&params, k)),
+                fv_only: predict(&curve, record, &motion, 0.0),
                 used_in_fit: file.identification.used(record),
             };
             progress(1 + done.fetch_add(1, Ordering::Relaxed), campaign.records.len());
-            compared
+            Ok(compared)
         })
-        .collect())
+        .collect()
 }
 
 /// The model's force at constant velocities over what the tests reach.

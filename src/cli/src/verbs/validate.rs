@@ -16,6 +16,7 @@ use dashpot_records::{Campaign, Record};
 use dashpot_report::ReportInput;
 use dashpot_report::against::{Rival, section};
 use dashpot_report::certificate::{self, CertificateInput};
+use dashpot_report::family;
 use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
 use std::path::PathBuf;
@@ -26,7 +27,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json --excel tables.xlsx\n  dashpot validate damper.toml \
-                  campaign/ --limits limits.csv --certificate certificate.html\n\nWith --limits it ends with 0 where the damper keeps \
+                  campaign/ --limits limits.csv --certificate certificate.html\n  dashpot validate family.toml campaign/ --setting 0.5\n\nWith --limits it ends with 0 where the damper keeps \
                   them all, with 1 where it does not or not all could be tested, and with 2 on an error."
 )]
 pub struct Args {
@@ -51,6 +52,9 @@ pub struct Args {
     /// Folder for every figure of the report as an SVG file
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
+    /// Setting of tests that say none, for a model that depends on one
+    #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+    setting: Option<f64>,
     /// Windows that the damper must keep: a table with the columns quantity (force, gas_force, friction, hysteresis),
     /// velocity_m_s, low, high; passes or fails the damper
     #[arg(long, value_name = "F.csv")]
@@ -78,14 +82,32 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let windows = args.limits.as_deref().map(limits::read).transpose()?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     against::named(&args.against)?;
-    let model = model::read(&args.model)?;
+    let model = model::read_family(&args.model)?;
+    let is_family = model.axis.is_some();
+    if args.setting.is_some() && !is_family {
+        bail!("{} depends on no setting; leave --setting out", args.model.display());
+    }
+    if is_family && !args.against.is_empty() {
+        bail!(
+            "--against compares dampers at one setting; write one with dashpot setting {} 0.8 -o one.toml",
+            args.model.display()
+        );
+    }
     let campaign = args.data.load_for(&model)?;
-    let compared = compare(&model, &campaign)?;
+    let compared =
+        if is_family { compare_family(&model, &campaign, args.setting)? } else { compare(&model, &campaign)? };
     let mut validation = validate(&compared)?;
+    if is_family {
+        let settings = comparison::settings_of(&model, &campaign, args.setting)?;
+        validation.summarize_settings(&settings, model.axis.grid());
+    }
     validation.as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
     validation.unusable.clone_from(&campaign.unusable);
     let json = args.json.as_deref();
     dashpot_output::say(json, &table(&validation))?;
+    if is_family {
+        dashpot_output::say(json, &settings_table(&model, &validation))?;
+    }
     let mut rivals: Vec<Rival> = Vec::new();
     if !args.against.is_empty() {
         let progress = Progress::new("comparing");
@@ -132,6 +154,11 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             data: args.data.named(),
             ..ReportInput::of(&model, &campaign, &compared, &validation, args.page.text.words())?
         };
+        if is_family {
+            // A curve at one setting would stand for none of the others.
+            input.curve.clear();
+            input.extra.extend(family::section(&model.definition(), &validation, input.words));
+        }
         input.extra.extend(section(&validation, &compared, &rivals, input.words));
         if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
             let records: Vec<&Record> = campaign.records.iter().collect();
@@ -195,6 +222,42 @@ fn outruns(model: &Model, record: &Record) -> bool {
 pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<Vec<Compared<'a>>> {
     let progress = Progress::new("simulating");
     Ok(comparison::compare(file, campaign, &|done, total| progress.count(done, total))?)
+}
+
+/// As [`compare`], with each test at its own setting.
+fn compare_family<'a>(
+    file: &ModelFile,
+    campaign: &'a Campaign,
+    given: Option<f64>,
+) -> anyhow::Result<Vec<Compared<'a>>> {
+    let progress = Progress::new("simulating");
+    Ok(comparison::compare_family(file, campaign, given, &|done, total| progress.count(done, total))?)
+}
+
+/// The errors at each setting as text, with what lies outside the settings of the model.
+fn settings_table(model: &ModelFile, validation: &Validation) -> String {
+    let axis = &model.axis;
+    let name = if axis.name().is_empty() { "setting" } else { axis.name() };
+    let mut out = format!("{name:<34}{:>6}{:>10}{:>9}{:>12}{:>10}", "tests", "mean N", "error %", "FV mean N", "FV %");
+    let (low, high) = axis.range();
+    for of in &validation.settings {
+        let errors = &of.summary.errors;
+        let where_ = match of.setting {
+            setting if setting < low || setting > high => ", clamped to the model's",
+            _ if !of.is_of_grid => ", interpolated",
+            _ => "",
+        };
+        let label = format!("{}{where_}", format!("{} {}", of.setting, axis.unit()).trim_end());
+        out += &format!(
+            "\n{label:<34}{:>6}{:>10.2}{:>9.2}{:>12.2}{:>10.2}",
+            of.summary.tests,
+            errors.model.mean_error_n,
+            errors.model.error_percent,
+            errors.fv_only.mean_error_n,
+            errors.fv_only.error_percent
+        );
+    }
+    out
 }
 
 /// The error matrix as text.

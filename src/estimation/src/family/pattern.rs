@@ -12,8 +12,8 @@ const CURVE: f64 = 2.0;
 const DISSIPATED: f64 = -1.5;
 /// Prior log odds for a number that stores energy: gas, springs and oil are beside the valve.
 const STORED: f64 = -3.0;
-/// Weight of a point of the FV curve at a further setting: its neighbors and the curve at the first setting inform it.
-const FURTHER_POINT: f64 = 0.5;
+/// Numbers that the FV curve of a further setting counts: curves of one valve differ by little more than a factor on each stroke.
+const FURTHER_CURVE: f64 = 2.0;
 
 /// What may depend on the setting as a whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,12 +81,12 @@ pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
 /// Free numbers of a family, weakly informed ones counted half.
 pub fn numbers(template: &Hypothesis, varies: &[bool], settings: usize) -> f64 {
     let further = settings.saturating_sub(1) as f64;
+    let of_curve = if varying_sites(template, varies).contains(&Site::Curve) { FURTHER_CURVE * further } else { 0.0 };
     let each = template.numbers.iter().zip(varies).map(|(number, varies)| {
-        let own = weight(&number.free);
-        let again = if site_of(&number.free) == Some(Site::Curve) { FURTHER_POINT } else { own };
-        own + if *varies { again * further } else { 0.0 }
+        let again = *varies && site_of(&number.free) != Some(Site::Curve);
+        weight(&number.free) * (1.0 + if again { further } else { 0.0 })
     });
-    each.sum()
+    each.sum::<f64>() + of_curve
 }
 
 #[cfg(test)]

@@ -23,9 +23,9 @@ const PREDICTED: f64 = 3.0;
 /// Predicted families that are refitted at most in each iteration.
 const REFITTED: usize = 3;
 /// Log posterior below the best of a setting within which an effect is tried in the family.
-const ASKED_FOR: f64 = 3.0;
+const ASKED_FOR: f64 = 15.0;
 /// Effects that are tried at most.
-const EFFECTS: usize = 6;
+const EFFECTS: usize = 16;
 /// Moves at most.
 const MOVES: usize = 24;
 
@@ -147,9 +147,12 @@ fn add(
             }
         }
     }
-    let more = list.into_par_iter().filter_map(|(source, effect)| {
-        let (hypothesis, components) = with_effect(from, source, effect)?;
-        FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)
+    let more = list.into_par_iter().flat_map_iter(|(source, effect)| {
+        // Shared by all settings, and with its numbers at each of them.
+        [false, true].into_iter().filter_map(move |varies| {
+            let (hypothesis, components) = with_effect(from, source, effect, varies)?;
+            FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)
+        })
     });
     better(from, more.collect())
 }

@@ -1,6 +1,6 @@
 //! Families made of structures that were found at single settings.
 
-use super::pattern::{sites, varies};
+use super::pattern::{site_of, sites, varies};
 use super::problem::{FamilyHypothesis, SettingTests};
 use super::structure::FamilyStructure;
 use crate::first_guess;
@@ -94,11 +94,12 @@ pub fn varying_family(
     Some((FamilyHypothesis { template, varies, starts: starts? }, from.components.clone()))
 }
 
-/// The family with one more effect as a structure of one setting has it, whose numbers all settings share.
+/// The family with one more effect as a structure of one setting has it. All settings share its numbers, or each has its own where that can be.
 pub fn with_effect(
     family: &FamilyStructure,
     source: &Structure,
     effect: &str,
+    varies: bool,
 ) -> Option<(FamilyHypothesis, Vec<Component>)> {
     let component = source.components.iter().find(|c| c.effect == effect)?;
     let mut hypothesis = family.hypothesis.clone();
@@ -114,16 +115,19 @@ pub fn with_effect(
     for (number, value) in &component.fixed {
         let _ = template.base.set(*number, *value);
     }
-    let own =
-        source.hypothesis.numbers.iter().zip(&source.refit.theta).filter(|(n, _)| component.frees.contains(&n.free));
+    let is_own = |free: &Free| component.frees.contains(free);
+    let own = source.hypothesis.numbers.iter().zip(&source.refit.theta).filter(|(n, _)| is_own(&n.free));
+    let mut can_vary = false;
     for (number, value) in own {
         if template.place_of(&number.free).is_none() {
+            let varies = varies && site_of(&number.free).is_some();
+            can_vary |= varies;
             template.numbers.push(number.clone());
-            hypothesis.varies.push(false);
+            hypothesis.varies.push(varies);
             hypothesis.starts.iter_mut().for_each(|start| start.push(*value));
         }
     }
     let mut components = family.components.clone();
     components.push(component.clone());
-    Some((hypothesis, components))
+    (can_vary || !varies).then_some((hypothesis, components))
 }

@@ -6,7 +6,7 @@ use super::deviation::{Errors, REGION_BOUNDARY};
 use super::matrix::ErrorMatrix;
 use super::of_test::TestValidation;
 use crate::limits::Certificate;
-use dashpot_records::{Sentence, Unusable};
+use dashpot_records::{Sentence, Unusable, is_same_setting};
 use serde::Serialize;
 
 /// Mean figures over a set of tests. Each test has equal weight whatever its length; the percent is the mean of the
@@ -35,6 +35,9 @@ pub struct Validation {
     pub matrix: ErrorMatrix,
     /// Speed between region 1 and region 2, m/s.
     pub region_boundary_m_s: f64,
+    /// Errors at each setting of a damper that depends on one; empty for another.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub settings: Vec<SettingSummary>,
     /// The model and those of the literature that it was compared with, on the same tests; empty where none was asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
@@ -48,7 +51,38 @@ pub struct Validation {
     pub unusable: Vec<Unusable>,
 }
 
+/// Mean figures at one setting.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SettingSummary {
+    /// Value of the setting.
+    pub setting: f64,
+    /// Whether the model file gives numbers at this value; else they are interpolated.
+    pub is_of_grid: bool,
+    /// Its tests.
+    #[serde(flatten)]
+    pub summary: Summary,
+    /// Places of its tests among those of the validation.
+    #[serde(skip)]
+    pub places: Vec<usize>,
+}
+
 impl Validation {
+    /// Summarizes the tests by their setting, lowest first. `settings` holds that of every test, `grid` those of the model file.
+    pub fn summarize_settings(&mut self, settings: &[f64], grid: &[f64]) {
+        let mut places: Vec<usize> = (0..self.tests.len().min(settings.len())).collect();
+        places.sort_by(|a, b| settings[*a].total_cmp(&settings[*b]));
+        let runs = places.chunk_by(|a, b| is_same_setting(settings[*a], settings[*b]));
+        let of = |run: &[usize]| {
+            let errors: Vec<Errors> = run.iter().map(|place| self.tests[*place].errors).collect();
+            let setting = settings[run[0]];
+            let is_of_grid = grid.iter().any(|value| is_same_setting(*value, setting));
+            let summary = Summary { tests: errors.len(), errors: Errors::mean(&errors)? };
+            Some(SettingSummary { setting, is_of_grid, summary, places: run.to_vec() })
+        };
+        let found: Vec<SettingSummary> = runs.filter_map(of).collect();
+        self.settings = found;
+    }
+
     /// The model that is validated, in the form of those that it is compared with.
     pub fn as_against(&self) -> Against {
         let test = |t: &TestValidation| AgainstTest {
@@ -77,6 +111,7 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         left_out: summary(&|test| !test.used_in_fit),
         matrix: ErrorMatrix::of(&tests),
         region_boundary_m_s: REGION_BOUNDARY,
+        settings: Vec::new(),
         against: Vec::new(),
         limits: None,
         as_the_fit_saw: None,
@@ -140,6 +175,21 @@ mod tests {
             assert!(test["fv_only"].get(key).is_some(), "{key}");
             assert!(overall["fv_only"].get(key).is_some(), "{key}");
         }
+    }
+
+    #[test]
+    fn tests_are_summarized_by_their_setting() {
+        let (a, b, c) = (record("a", 1000.0), record("b", 2000.0), record("c", 2000.0));
+        let all = [shifted(&a, 9.0, 18.0, true), shifted(&b, 36.0, 54.0, false), shifted(&c, 18.0, 54.0, false)];
+        let mut got = validate(&all).unwrap();
+        got.summarize_settings(&[1.6, 0.4, 0.4], &[0.0, 1.6]);
+        let told: Vec<(f64, bool, usize, f64)> = got
+            .settings
+            .iter()
+            .map(|s| (s.setting, s.is_of_grid, s.summary.tests, s.summary.errors.model.mean_error_n.round()))
+            .collect();
+        assert_eq!(told, [(0.4, false, 2, 27.0), (1.6, true, 1, 9.0)]);
+        assert_eq!(got.settings[0].places, [1, 2]);
     }
 
     #[test]

@@ -261,6 +261,13 @@ words!(
     test_left_out,
     test_sentence,
     // The literature.
+    family_section,
+    family_about,
+    family_interpolated,
+    plot_family,
+    family_caption,
+    family_table,
+    col_setting,
     against_section,
     against_about,
     against_caption,
