@@ -7,6 +7,7 @@ mod check;
 mod contract;
 mod diagnose;
 mod excel;
+mod family;
 mod limits;
 mod manoeuvre;
 mod mistakes;

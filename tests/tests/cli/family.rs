@@ -1,0 +1,122 @@
+//! `dashpot fit --setting` and `dashpot validate` of a damper over a setting, on campaigns of a known one.
+
+use dashpot_core::Params;
+use dashpot_core::family::{Axis, Definition};
+use dashpot_core::list;
+use dashpot_tests::cli::{done, json, number, refused, run, run_with};
+use dashpot_tests::kernel_campaign::{self, Sine};
+use std::fmt::Write as _;
+use std::path::Path;
+
+const CURRENTS: [f64; 3] = [0.0, 0.6, 1.2];
+
+/// A damper whose FV curve grows with the current.
+fn damper() -> Definition {
+    let mut params: Params = kernel_campaign::base();
+    let mut axis = Axis::NONE;
+    axis.set_grid(&CURRENTS).unwrap();
+    let soft = params.list(list!("fv_force")).to_vec();
+    for (index, current) in CURRENTS.iter().enumerate() {
+        let forces: Vec<f64> = soft.iter().map(|force| force * (0.5 + current)).collect();
+        axis.set_forces(index, &forces).unwrap();
+    }
+    axis.put(&mut params, 0.0);
+    Definition { params, axis }
+}
+
+/// Writes the records of a current, called by a name behind which `suffix` stands.
+fn write(folder: &Path, current: f64, suffix: &str) {
+    std::fs::create_dir_all(folder).unwrap();
+    let sines = [(0.02, 0.04), (0.02, 1.0), (0.02, 4.0), (0.004, 12.0)].map(|(a, f)| Sine::new(a, f));
+    let records = kernel_campaign::campaign(&damper().at(current), &sines, 7, 0.01);
+    for (record, sine) in records.iter().zip(sines) {
+        let mut text = String::from("time_s,displacement_m,force_N\n");
+        for ((t, x), f) in record.time.iter().zip(&record.displacement).zip(&record.force) {
+            let _ = writeln!(text, "{t:.6},{x:.9},{f:.3}");
+        }
+        let name = format!("{}mm_{}Hz{suffix}.csv", 1e3 * sine.amplitude, sine.frequency);
+        std::fs::write(folder.join(name), text).unwrap();
+    }
+}
+
+#[test]
+fn a_family_is_fitted_validated_and_simulated() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    for current in CURRENTS {
+        write(&dir.join("rig"), current, &format!("_{current}A"));
+    }
+    write(&dir.join("between"), 0.9, "");
+    let fit = ["fit", "rig", "--setting", "current", "-o", "family.toml", "--json", "fit.json"];
+    let ran = run(dir, &fit);
+    assert_eq!(ran.code, Some(0), "{ran:?}");
+    for words in ["depends on current", "shared by all settings", "family without it", "0.6 A"] {
+        assert!(ran.out.contains(words), "{words}: {}", ran.out);
+    }
+    for threads in ["1", "3"] {
+        let again = ["fit", "rig", "--setting", "current", "-o", "again.toml"];
+        assert_eq!(run_with(dir, &again, &[("RAYON_NUM_THREADS", threads)]).code, Some(0));
+        let written = |name: &str| std::fs::read_to_string(dir.join(name)).unwrap();
+        assert!(written("family.toml") == written("again.toml"), "{threads} threads");
+    }
+    let found = json(&dir.join("fit.json"));
+    assert_eq!(found["setting"]["grid"].as_array().unwrap().len(), 3);
+    let settings = found["settings"].as_array().unwrap();
+    assert!(number(&settings[1], "left_out_ratio") < 1.3, "{settings:?}");
+    assert!(settings[0].get("left_out").is_none());
+    let of = |name: &str| {
+        let all = found["depends_on_setting"].as_array().unwrap();
+        all.iter().find(|of| of["name"] == name).unwrap_or_else(|| panic!("{name}: {all:?}"))["varies"].clone()
+    };
+    assert_eq!((of("fv_force"), of("gas_force")), (true.into(), false.into()));
+
+    // At the settings of the records.
+    done(dir, &["validate", "family.toml", "rig", "--json", "rig.json", "--report", "rig.html"]);
+    let validation = json(&dir.join("rig.json"));
+    let settings = validation["settings"].as_array().unwrap();
+    assert_eq!(settings.len(), 3);
+    for of in settings {
+        assert!(of["is_of_grid"] == true && number(of, "error_percent") < 2.0, "{of}");
+    }
+    let report = std::fs::read_to_string(dir.join("rig.html")).unwrap();
+    assert!(report.contains("Force at constant velocity, by setting") && report.contains("1.2 A"));
+
+    // Records that say no setting, between those of the model.
+    let message = refused(dir, &["validate", "family.toml", "between", "--json", "b.json"]);
+    assert!(message.contains("--setting") && message.contains("4mm_12Hz"), "{message}");
+    done(dir, &["validate", "family.toml", "between", "--setting", "0.9", "--json", "b.json"]);
+    let between = json(&dir.join("b.json"));
+    let of = &between["settings"][0];
+    assert!(of["is_of_grid"] == false && number(of, "error_percent") < 2.0, "{of}");
+    done(dir, &["validate", "family.toml", "between", "--setting", "0", "--json", "wrong.json"]);
+    assert!(number(&json(&dir.join("wrong.json"))["settings"][0], "error_percent") > 10.0);
+
+    // It is a model that the other verbs take.
+    done(dir, &["setting", "family.toml", "0.9", "-o", "at.toml"]);
+    done(dir, &["validate", "at.toml", "between", "--json", "at.json"]);
+    let same = number(&json(&dir.join("at.json"))["overall"], "mean_error_n");
+    assert!((same - number(&between["overall"], "mean_error_n")).abs() < 1e-6);
+}
+
+#[test]
+fn a_campaign_without_a_setting_is_refused_and_a_profile_gives_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    for (current, name) in [(0.0, "_soft"), (1.2, "_hard")] {
+        write(&dir.join("rig"), current, name);
+    }
+    let message = refused(dir, &["fit", "rig", "--setting", "current", "-o", "family.toml"]);
+    assert!(message.contains("no test says its current") && message.contains("campaign.toml"), "{message}");
+    let profile = "format = \"dashpot campaign profile 1\"\nsetting = \"current\"\nsetting_unit = \"A\"\n\
+                   [settings]\n\"*_soft\" = 0.0\n\"*_hard\" = 1.2\n";
+    std::fs::write(dir.join("rig/campaign.toml"), profile).unwrap();
+    let ran = run(dir, &["fit", "rig", "--setting", "current", "-o", "family.toml"]);
+    assert_eq!(ran.code, Some(0), "{ran:?}");
+    let file = std::fs::read_to_string(dir.join("family.toml")).unwrap();
+    assert!(file.contains("setting = [0.0, 1.2]") && file.contains("setting_name = \"current\""), "{file}");
+    // Fitted as one damper without being asked, it warns.
+    let ran = run(dir, &["fit", "rig", "-o", "one.toml"]);
+    assert!(ran.code == Some(0) && ran.err.contains("2 settings of current"), "{ran:?}");
+    let message = refused(dir, &["fit", "rig", "--setting", "clicks", "-o", "other.toml"]);
+    assert!(message.contains("a setting called current"), "{message}");
+}

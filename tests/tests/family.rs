@@ -1,0 +1,161 @@
+//! A damper over a setting, fitted to data of a known one: what is shared and what varies is found, the intervals hold the truth, and a
+//! setting between the measured ones is predicted.
+
+use dashpot_core::family::{Axis, Definition};
+use dashpot_core::parameter::Number;
+use dashpot_core::{Model, Params, list, number};
+use dashpot_estimation::first_guess;
+use dashpot_estimation::samples::segments;
+use dashpot_identification::family::{FamilyFit, fit_family};
+use dashpot_identification::{FitOptions, Standing};
+use dashpot_records::{Record, Setting};
+use dashpot_tests::kernel_campaign::{self, Sine};
+use std::f64::consts::TAU;
+
+/// Currents, A, that are measured, and one between them that is not.
+const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
+const BETWEEN: f64 = 0.6;
+
+/// Five sines, one of them slow.
+fn matrix() -> Vec<Sine> {
+    let of = |(amplitude, peak): (f64, f64)| Sine::new(amplitude, peak / (TAU * amplitude));
+    [(0.025, 0.005), (0.025, 0.13), (0.025, 0.52), (0.025, 1.05), (0.005, 0.26), (0.005, 0.52)].map(of).to_vec()
+}
+
+/// Records of a damper at a current, with 1 % noise.
+fn records_at(damper: &Definition, current: f64, seed: u64) -> Vec<Record> {
+    let mut records = kernel_campaign::campaign(&damper.at(current), &matrix(), seed, 0.01);
+    for record in &mut records {
+        record.name = format!("{}_{current}A", record.name);
+        record.setting = Some(Setting { name: "current".into(), unit: "A".into(), value: current });
+    }
+    records
+}
+
+/// A damper whose curve grows and bends later with the current, and whose friction does or does not. Its FV table stands at the velocities that a
+/// fit of its records chooses: a table at other places is another curve between them.
+fn truth(friction: Option<[f64; 4]>) -> Definition {
+    let mut params = kernel_campaign::base();
+    let any = kernel_campaign::campaign(&params, &matrix(), 1, 0.0);
+    let velocities = first_guess::velocities(&segments(&any.iter().collect::<Vec<_>>()));
+    params.set_list(list!("fv_velocity"), &velocities).unwrap();
+    let mut axis = Axis::NONE;
+    axis.set_grid(&CURRENTS).unwrap();
+    for (index, current) in CURRENTS.iter().enumerate() {
+        let knee = 0.1 + 0.1 * current;
+        let force = |v: f64| {
+            let slope = if v > 0.0 { 2500.0 } else { 1500.0 };
+            slope * (1.0 + current) * knee * (v / knee).tanh() + 600.0 * v
+        };
+        let forces: Vec<f64> = velocities.iter().map(|v| force(*v)).collect();
+        axis.set_forces(index, &forces).unwrap();
+    }
+    if let Some(friction) = friction {
+        axis.set_values(number!("coulomb_force"), &friction).unwrap();
+    }
+    axis.put(&mut params, 0.0);
+    Definition { params, axis }
+}
+
+fn fitted(damper: &Definition, seed: u64) -> FamilyFit {
+    let records: Vec<Record> =
+        CURRENTS.iter().enumerate().flat_map(|(k, current)| records_at(damper, *current, seed + k as u64)).collect();
+    fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
+}
+
+fn varies(found: &FamilyFit, name: &str) -> Option<bool> {
+    found.dependences.iter().find(|of| of.name == name).map(|of| of.varies)
+}
+
+/// How many intervals of a family hold the truth, of how many.
+fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
+    let (mut held, mut all) = (0, 0);
+    for of in found.estimates.iter().filter(|of| of.estimate.standing == Standing::Identified) {
+        let at: Params = truth.at(of.setting.unwrap_or(0.0));
+        let (Some(low), Some(high)) = (of.estimate.low, of.estimate.high) else { continue };
+        let value = match of.estimate.index {
+            None => at.number(Number::find(of.estimate.name).unwrap()),
+            Some(point) if of.estimate.name == "fv_force" => {
+                let velocity = found.damper.params.list(list!("fv_velocity"))[point];
+                Model::new(&at).unwrap().elements().paths.fv_curve.at(velocity).value
+            }
+            Some(_) => continue,
+        };
+        all += 1;
+        held += usize::from((low..=high).contains(&value));
+    }
+    (held, all)
+}
+
+/// Largest difference of two dampers over the records of a setting, as a fraction of the largest force.
+fn apart(a: &Params, b: &Params) -> f64 {
+    let forces = |params: &Params| -> Vec<f64> {
+        kernel_campaign::campaign(params, &matrix(), 1, 0.0).iter().flat_map(|r| r.force.clone()).collect()
+    };
+    let (a, b) = (forces(a), forces(b));
+    let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0f64, |most, value| most.max(value.abs()));
+    let top = most(&mut a.iter().copied());
+    most(&mut a.iter().zip(&b).map(|(a, b)| a - b)) / top
+}
+
+#[test]
+fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
+    let truth = truth(None);
+    let found = fitted(&truth, 11);
+    assert_eq!(varies(&found, "fv_force"), Some(true), "{:?}", found.dependences);
+    for shared in ["gas_force", "spring_linear", "coulomb_force", "series_stiffness"] {
+        assert_eq!(varies(&found, shared), Some(false), "{shared}: {:?}", found.dependences);
+        let own: Vec<_> = found.estimates.iter().filter(|of| of.estimate.name == shared).collect();
+        assert!(own.len() == 1 && own[0].setting.is_none(), "{shared}: {own:?}");
+    }
+    assert_eq!(found.damper.axis.numbers().len(), 0);
+    assert_eq!(found.damper.axis.name(), "current");
+    let (held, all) = held(&found, &truth);
+    assert!(all > 40 && 10 * held >= 9 * all, "{held} of {all} intervals hold the truth");
+    // A setting that no record has.
+    let apart = apart(&truth.at(BETWEEN), &found.damper.at(BETWEEN));
+    assert!(apart < 0.03, "{apart}");
+    for of in &found.settings {
+        assert!(of.family.error_percent < 1.5, "{of:?}");
+        // Between 0 and 0.8 A the knee moves by more than a cubic follows.
+        assert!(of.left_out.is_none_or(|error| error.error_percent < 2.0), "{of:?}");
+    }
+    let ends: Vec<bool> = found.settings.iter().map(|of| of.left_out.is_some()).collect();
+    assert_eq!(ends, [false, true, true, false]);
+}
+
+#[test]
+fn friction_that_grows_with_the_current_is_found_to() {
+    let friction = [20.0, 60.0, 110.0, 150.0];
+    let truth = truth(Some(friction));
+    let found = fitted(&truth, 31);
+    assert_eq!(varies(&found, "coulomb_force"), Some(true), "{:?}", found.dependences);
+    assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
+    for (current, friction) in CURRENTS.iter().zip(friction) {
+        let own = found
+            .estimates
+            .iter()
+            .find(|of| of.estimate.name == "coulomb_force" && of.setting == Some(*current))
+            .unwrap_or_else(|| panic!("{:?}", found.estimates));
+        assert!((own.estimate.value - friction).abs() < 10.0, "{own:?}");
+    }
+}
+
+#[test]
+fn the_model_file_reads_back_as_the_fitted_family() {
+    let truth = truth(Some([20.0, 60.0, 110.0, 150.0]));
+    let found = fitted(&truth, 31);
+    let text = dashpot_identification::family::model_file::write(&found);
+    let file = dashpot_identification::model_file::family_of_text(&text, "family.toml".as_ref()).unwrap();
+    for setting in [0.0, 0.5, 1.2] {
+        assert!(apart(&file.definition().at(setting), &found.damper.at(setting)) == 0.0, "{setting}");
+    }
+    assert!(!file.was_changed());
+    let over = &file.identification.intervals_over_setting;
+    assert!(over.contains_key("fv_force") && over.contains_key("coulomb_force"), "{text}");
+    assert!(file.identification.intervals.contains_key("gas_force"), "{text}");
+    // A number moved by hand out of its interval is one.
+    let mut changed = file.clone();
+    changed.axis.set_values(number!("coulomb_force"), &[20.0, 60.0, 110.0, 500.0]).unwrap();
+    assert!(changed.was_changed());
+}
