@@ -434,6 +434,7 @@ fn fit_thesis(
     let allowed = |element: Element| {
         options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element.name()))
     };
+    progress(Stage { done: 0.1, text: phrases::FIRST_FIT });
     progress(Stage { done: 0.3, text: phrases::CHOOSING_STRUCTURE });
     let search = search_structure(records, tests, options, about)?;
     let not_finite = || FitError::NotFinite { test: tests.first().map_or(String::new(), |t| t.segment.name.clone()) };

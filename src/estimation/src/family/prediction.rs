@@ -84,7 +84,7 @@ impl<'a> Linearization<'a> {
             .collect();
         hypothesis = hypothesis.starting_at(&theta);
         let evidence = evidence(&hypothesis, &theta, &residuals, self.settings);
-        let log_posterior = evidence.log() + log_prior_of(&hypothesis, &self.structure.components);
+        let log_posterior = evidence.log_evidence() + log_prior_of(&hypothesis, &self.structure.components);
         Some(Prediction { hypothesis, log_posterior })
     }
 

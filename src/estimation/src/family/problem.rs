@@ -187,7 +187,7 @@ impl Residuals for Problem<'_> {
     /// Computed less measured: the sign in which the derivatives of the computed forces are those of the residuals.
     fn residuals(&self, block: usize, joint: &Vec<f64>) -> Option<Vec<f64>> {
         let tests = &self.settings[block].tests;
-        let residual = self.family.template.residual(tests, &self.theta(joint, block))?;
+        let residual = self.family.template.residual_by(self.effort.residuals, tests, &self.theta(joint, block))?;
         Some(residual.iter().map(|r| -r).collect())
     }
 

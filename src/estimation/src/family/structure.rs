@@ -58,7 +58,7 @@ impl FamilyStructure {
         let refit = hypothesis.refit(settings, effort)?;
         let hypothesis = hypothesis.starting_at(&refit.theta);
         let evidence = evidence(&hypothesis, &refit.theta, &refit.residuals, settings);
-        let log_posterior = evidence.log() + log_prior_of(&hypothesis, &components);
+        let log_posterior = evidence.log_evidence() + log_prior_of(&hypothesis, &components);
         Some(FamilyStructure { hypothesis, components, refit, evidence, log_posterior })
     }
 
