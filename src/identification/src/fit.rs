@@ -167,10 +167,10 @@ impl Found {
 }
 
 /// Widens the intervals until they hold those of another fit of the same numbers, which the records do not rule out.
-fn hold_too(estimates: &mut [Estimate], others: &[Estimate]) {
+pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Item = &'e Estimate> + Clone) {
     for estimate in estimates {
         let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
-        let Some(other) = others.iter().find(same) else { continue };
+        let Some(other) = others.clone().find(same) else { continue };
         if let (Some(low), Some(high), Some(from), Some(to)) = (estimate.low, estimate.high, other.low, other.high) {
             (estimate.low, estimate.high) = (Some(low.min(from)), Some(high.max(to)));
         }
@@ -182,10 +182,10 @@ fn hold_too(estimates: &mut [Estimate], others: &[Estimate]) {
 const USUAL_DELAY: f64 = 1e-3;
 const USUAL_MASS: f64 = 2.0;
 
-/// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual: a series path that is soft
-/// without them is stiff with them.
-fn with_open_measurement(structure: &Structure, tests: &[Test], given: &Off) -> Vec<Estimate> {
-    let mut freed = structure.hypothesis.clone();
+/// A hypothesis in which a delay and a mass of the load cell that were not believed are free within what is usual; `None` where both are free, or
+/// given, already.
+pub(crate) fn with_free_measurement(of: &Hypothesis, given: &Off) -> Option<Hypothesis> {
+    let mut freed = of.clone();
     let scale = Scale::of(&freed.base).force();
     let open = [(Artefact::Delay, USUAL_DELAY, given.delay_s), (Artefact::Mass, USUAL_MASS * scale, given.mass_kg)];
     for (artefact, spread, _) in open.into_iter().filter(|(_, _, given)| *given == 0.0) {
@@ -203,9 +203,13 @@ fn with_open_measurement(structure: &Structure, tests: &[Test], given: &Off) -> 
             });
         }
     }
-    if freed.numbers.len() == structure.hypothesis.numbers.len() {
-        return Vec::new();
-    }
+    (freed.numbers.len() > of.numbers.len()).then_some(freed)
+}
+
+/// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual: a series path that is soft
+/// without them is stiff with them.
+fn with_open_measurement(structure: &Structure, tests: &[Test], given: &Off) -> Vec<Estimate> {
+    let Some(freed) = with_free_measurement(&structure.hypothesis, given) else { return Vec::new() };
     let start = freed.start();
     refit(&freed, tests, &start, None, refit::Effort::JUDGE).map_or_else(Vec::new, |end| estimates(&freed, &end, tests))
 }
@@ -471,7 +475,7 @@ fn finish(structure: &Structure, tests: &[Test], given: &Off) -> Found {
     let mut notes = Vec::new();
     let mut estimates = estimates(hypothesis, refit, tests);
     if hypothesis.base.is_on(element!("series_compliance")) && of_the_rig::tells_delay(tests) {
-        hold_too(&mut estimates, &with_open_measurement(structure, tests, given));
+        hold_too(&mut estimates, with_open_measurement(structure, tests, given).iter());
     }
     for estimate in &estimates {
         match estimate.standing {

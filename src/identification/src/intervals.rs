@@ -77,7 +77,7 @@ pub struct Known {
 
 impl Known {
     /// What is known of some of these numbers: those at these indices, in their order.
-    pub fn of(&self, indices: &[usize]) -> Known {
+    pub fn select(&self, indices: &[usize]) -> Known {
         Known {
             covariance: DMatrix::from_fn(indices.len(), indices.len(), |i, j| {
                 self.covariance[(indices[i], indices[j])]

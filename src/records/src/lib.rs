@@ -94,7 +94,7 @@ pub use record::{Noise, NoiseSource, Note, Record};
 pub use rig_frame::RigFrame;
 pub use rig_sign::agree_on_sign;
 pub use sentence::Sentence;
-pub use setting_value::{GivenSettings, Setting, is_same_setting};
+pub use setting_value::{Setting, SettingRules, is_same_setting};
 pub use sign::SignFinding;
 pub use source::{read_small, read_small_text};
 pub use texts::{templates, texts};

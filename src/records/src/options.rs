@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::channel::Channel;
 use super::date_order::DateOrder;
-use super::setting_value::GivenSettings;
+use super::setting_value::SettingRules;
 use super::unit::Unit;
 
 /// The direction in which displacement, velocity and force of a file are counted positive.
@@ -77,7 +77,7 @@ pub struct Options {
     /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
     pub rig_mass_kg: f64,
     /// What the damper was set to, where neither a channel nor the names of the tests say it (`campaign.toml`).
-    pub settings: GivenSettings,
+    pub settings: SettingRules,
     /// Files and tests to leave out, by name; `*` stands for anything (`--exclude`).
     pub exclude: Vec<String>,
     /// Read the records in the subfolders of a folder as tests of the same campaign (`--subfolders`).
@@ -104,7 +104,7 @@ impl Default for Options {
             gain: 1.0,
             gains: BTreeMap::new(),
             rig_mass_kg: 0.0,
-            settings: GivenSettings::default(),
+            settings: SettingRules::default(),
             exclude: Vec::new(),
             subfolders: false,
             strict: false,

@@ -9,7 +9,7 @@ use super::channel::Channel;
 use super::date_order::DateOrder;
 use super::error::RecordError;
 use super::options::{Options, Positive};
-use super::setting_value::GivenSettings;
+use super::setting_value::SettingRules;
 use super::source;
 
 /// Name of the file.
@@ -178,7 +178,7 @@ impl Profile {
             sample_rate_hz: self.sample_rate_hz,
             dates: self.dates.as_deref().map(str::parse::<DateOrder>).transpose()?,
             initial_position: self.initial_position_m,
-            settings: GivenSettings {
+            settings: SettingRules {
                 name: self.setting.clone(),
                 unit: self.setting_unit.clone(),
                 values: self.settings.clone(),

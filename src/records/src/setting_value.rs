@@ -94,9 +94,9 @@ pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME
 }
 
-/// What the user says that the damper was set to.
+/// Rules of the user for the setting of each test.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct GivenSettings {
+pub struct SettingRules {
     /// Name of the setting.
     pub name: Option<String>,
     /// Its unit.
@@ -105,9 +105,9 @@ pub struct GivenSettings {
     pub values: BTreeMap<String, f64>,
 }
 
-impl GivenSettings {
+impl SettingRules {
     /// These, and those of a profile where these say nothing.
-    pub(crate) fn over(&self, profile: &GivenSettings) -> GivenSettings {
+    pub(crate) fn over(&self, profile: &SettingRules) -> SettingRules {
         if self.name.is_some() { self.clone() } else { profile.clone() }
     }
 
@@ -126,7 +126,7 @@ impl GivenSettings {
     }
 
     /// The setting of a test, by the longest pattern that takes its name.
-    pub(crate) fn of_test(&self, name: &str) -> Option<Setting> {
+    pub(crate) fn setting_of(&self, name: &str) -> Option<Setting> {
         let taking = self.values.iter().filter(|(pattern, _)| glob::matches(pattern, name));
         let (_, value) = taking.max_by_key(|(pattern, _)| pattern.chars().count())?;
         Some(Setting { name: self.name.clone()?, unit: self.unit.clone(), value: *value })
@@ -157,10 +157,10 @@ mod tests {
     #[test]
     fn the_longest_pattern_says_the_setting() {
         let values = [("*", 0.0), ("*hard*", 1.6)].map(|(pattern, value)| (pattern.to_owned(), value));
-        let given = GivenSettings { name: Some("current".into()), unit: "A".into(), values: values.into() };
-        let of = |name: &str| given.of_test(name).map(|s| s.value);
+        let given = SettingRules { name: Some("current".into()), unit: "A".into(), values: values.into() };
+        let of = |name: &str| given.setting_of(name).map(|s| s.value);
         assert_eq!((of("a_hard"), of("a_soft")), (Some(1.6), Some(0.0)));
-        assert_eq!(GivenSettings::default().of_test("a"), None);
+        assert_eq!(SettingRules::default().setting_of("a"), None);
     }
 
     #[test]

@@ -46,7 +46,7 @@ pub fn compare<'a>(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Compared<'a>>, CompareError> {
     let fv_only = fv_only(file, campaign)?;
-    compare_by(file, campaign, &|_| Ok((file.params, fv_only)), progress)
+    compare_records(file, campaign, &|_| Ok((file.params, fv_only)), progress)
 }
 
 /// Simulates every record with a damper over a setting, each at its own, or at the `given` one where it has none. The FV curve is that of the
@@ -75,7 +75,7 @@ pub fn compare_family<'a>(
                 (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
             // Tests in one direction alone have no curve of their own.
-            fit(&own, &options, |_| ()).map_or_else(|_| curve_of(&file.definition().at(*setting)), |fit| fit.params)
+            fit(&own, &options, |_| ()).map_or_else(|_| plain_curve(&file.definition().at(*setting)), |fit| fit.params)
         })
         .collect();
     let at = |k: usize| {
@@ -83,7 +83,7 @@ pub fn compare_family<'a>(
         let place = distinct.iter().position(|known| is_same_setting(*known, setting)).unwrap_or(0);
         Ok((file.definition().at(setting), plain[place]))
     };
-    compare_by(file, campaign, &at, progress)
+    compare_records(file, campaign, &at, progress)
 }
 
 /// The setting of every record: its own where it is that of the model, else the given one.
@@ -103,7 +103,7 @@ pub fn settings_of(file: &ModelFile, campaign: &Campaign, given: Option<f64>) ->
 }
 
 /// The FV curve with the gas force of a damper alone.
-fn curve_of(params: &Params) -> Params {
+fn plain_curve(params: &Params) -> Params {
     let mut curve = *params;
     curve.disable_all();
     curve.enable(element!("fv_curve"), true);
@@ -112,7 +112,7 @@ fn curve_of(params: &Params) -> Params {
 }
 
 /// Simulates every record with the damper and the FV curve that belong to it.
-fn compare_by<'a>(
+fn compare_records<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
     of_record: &(dyn Fn(usize) -> Result<(Params, Params), CompareError> + Sync),

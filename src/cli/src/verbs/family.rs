@@ -50,7 +50,7 @@ pub fn run(
     let is_on_stdout = [Some(output), json].into_iter().flatten().any(dashpot_output::is_stdout);
     let say = |text: &str| dashpot_output::say(if is_on_stdout { Some(Path::new("-")) } else { None }, text);
     tell_of_records(campaign, &say)?;
-    for line in lines(&found) {
+    for line in format_family(&found) {
         say(&line)?;
     }
     for note in &found.notes {
@@ -84,12 +84,12 @@ pub fn run(
 }
 
 /// A value of the setting with its unit.
-fn at(axis: &SettingAxis, value: f64) -> String {
+fn format_setting(axis: &SettingAxis, value: f64) -> String {
     format!("{value} {}", axis.unit).trim_end().to_owned()
 }
 
 /// The family as text.
-fn lines(found: &FamilyFit) -> Vec<String> {
+fn format_family(found: &FamilyFit) -> Vec<String> {
     let axis = &found.setting;
     let mut out: Vec<String> = found.inventory.iter().map(|item| format!("  {}", describe_item(item))).collect();
     let listed = |varies: bool| {
@@ -104,7 +104,7 @@ fn lines(found: &FamilyFit) -> Vec<String> {
         }
     }
     for FamilyEstimate { setting, estimate: e } in found.estimates.iter().filter(|e| e.estimate.index.is_none()) {
-        let name = setting.map_or(e.name.to_owned(), |value| format!("{} at {}", e.name, at(axis, value)));
+        let name = setting.map_or(e.name.to_owned(), |value| format!("{} at {}", e.name, format_setting(axis, value)));
         out.push(match (&e.standing, e.low, e.high) {
             (Standing::NotIdentified, ..) => {
                 format!("  {name:<38} {:>12} {:<10} not identified from this data", short(e.value), e.unit)
@@ -116,12 +116,12 @@ fn lines(found: &FamilyFit) -> Vec<String> {
             _ => format!("  {name:<38} {:>12} {}", short(e.value), e.unit),
         });
     }
-    out.push(table(axis, &found.settings));
+    out.push(format_errors(axis, &found.settings));
     out
 }
 
 /// The errors at each setting.
-fn table(axis: &SettingAxis, settings: &[SettingReport]) -> String {
+fn format_errors(axis: &SettingAxis, settings: &[SettingReport]) -> String {
     let mut out = format!(
         "mean error on mean cycles:\n{:>14}{:>7}{:>20}{:>20}{:>22}{:>9}",
         axis.name, "tests", "fit of it alone", "family", "family without it", "ratio"
@@ -132,7 +132,7 @@ fn table(axis: &SettingAxis, settings: &[SettingReport]) -> String {
         let ratio = of.left_out_ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.2}"));
         out += &format!(
             "\n{:>14}{:>7}{:>20}{:>20}{left_out:>22}{ratio:>9}",
-            at(axis, of.setting),
+            format_setting(axis, of.setting),
             of.tests,
             error(&of.own_fit),
             error(&of.family)

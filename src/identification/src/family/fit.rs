@@ -1,18 +1,20 @@
 //! The fit of a family.
 
-use super::left_out::{SettingReport, reports, through};
+use super::left_out::{SettingReport, damper_through, reports};
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting};
-use crate::fit::{About, check_elements, check_motion, coverage_notes, of_number, search_structure};
+use crate::fit::{
+    About, check_elements, check_motion, coverage_notes, of_number, search_structure, with_free_measurement,
+};
 use crate::intervals::{Estimate, Known, Standing, sources};
-use crate::of_the_rig::{Measured, measured};
+use crate::of_the_rig::{Measured, measured, tells_delay};
 use crate::{FitOptions, Stage, TEMPERATURE, phrases};
 use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
-use dashpot_core::{Fault, Params, list};
+use dashpot_core::{Fault, Params, element, list};
 use dashpot_estimation::campaign_clock::clock_from;
 use dashpot_estimation::deviations::sandwich;
-use dashpot_estimation::family::pattern::Site;
-use dashpot_estimation::family::problem::SettingTests;
+use dashpot_estimation::family::pattern::{Site, varying_sites};
+use dashpot_estimation::family::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
 use dashpot_estimation::family::search::{dependences, search_family};
 use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::refit::Effort;
@@ -22,6 +24,7 @@ use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_records::Record;
 use dashpot_records::sentence::Sentence;
+use dashpot_records::taken_out::Off;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -125,12 +128,10 @@ pub fn fit_family(
     let all: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
     let joint = best.hypothesis.joint();
     let joint_refit = best.hypothesis.joint_refit(&best.refit);
-    let known = sandwich(&joint, &joint_refit, &all).map(|(covariance, determined)| Known {
-        covariance,
-        determined,
-        sources: sources(&joint, &joint_refit, &all),
-    });
-    let estimates = known.map_or_else(Vec::new, |known| estimates(&best, &known, &settings));
+    let mut estimates = estimates(&best.hypothesis, &best.refit, &settings);
+    if damper.params.is_on(element!("series_compliance")) && tells_delay(&all) {
+        hold_too(&mut estimates, &with_open_measurement(&best, &settings, &about.given));
+    }
     let mut measured = measured(&joint, &joint_refit, &all);
     measured.sort_by_key(|m| m.name);
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&about.given)).collect();
@@ -162,26 +163,29 @@ fn damper(best: &FamilyStructure, axis: &SettingAxis, settings: &[SettingTests])
     let grid: Vec<f64> = settings.iter().map(|of| of.value).collect();
     let sets: Vec<Params> =
         (0..grid.len()).map(|setting| best.hypothesis.params_at(&best.refit.theta, setting)).collect();
-    let damper = through(axis, &grid, &sets)?;
+    let damper = damper_through(axis, &grid, &sets)?;
     Family::check(&damper.params, &damper.axis)?;
     Ok(damper)
 }
 
 /// The estimates: a shared number once, another one at each setting.
-fn estimates(best: &FamilyStructure, known: &Known, settings: &[SettingTests]) -> Vec<FamilyEstimate> {
-    let hypothesis = &best.hypothesis;
+fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[SettingTests]) -> Vec<FamilyEstimate> {
+    let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
+    let (joint, joint_refit) = (hypothesis.joint(), hypothesis.joint_refit(refit));
+    let Some((covariance, determined)) = sandwich(&joint, &joint_refit, &tests) else { return Vec::new() };
+    let known = Known { covariance, determined, sources: sources(&joint, &joint_refit, &tests) };
     let columns = hypothesis.columns();
+    let varying = varying_sites(&hypothesis.template, &hypothesis.varies);
+    let varies = |estimate: &Estimate| {
+        varying.iter().any(|site| match site {
+            Site::Curve => estimate.name == list!("fv_force").name(),
+            Site::Number(number) => estimate.name == number.name(),
+        })
+    };
     let mut all = Vec::new();
     for (place, of) in settings.iter().enumerate() {
-        let theta = hypothesis.theta_at(&best.refit.theta, place);
-        let own = known.of(&columns[place]).estimates(&hypothesis.template, &theta, &of.tests);
-        let varying = best.varying();
-        let varies = |estimate: &Estimate| {
-            varying.iter().any(|site| match site {
-                Site::Curve => estimate.name == list!("fv_force").name(),
-                Site::Number(number) => estimate.name == number.name(),
-            })
-        };
+        let theta = hypothesis.theta_at(&refit.theta, place);
+        let own = known.select(&columns[place]).estimates(&hypothesis.template, &theta, &of.tests);
         all.extend(own.into_iter().filter_map(|estimate| match varies(&estimate) {
             true => Some(FamilyEstimate { setting: Some(of.value), estimate }),
             false if place == 0 => Some(FamilyEstimate { setting: None, estimate }),
@@ -189,6 +193,27 @@ fn estimates(best: &FamilyStructure, known: &Known, settings: &[SettingTests]) -
         }));
     }
     all
+}
+
+/// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual.
+fn with_open_measurement(best: &FamilyStructure, settings: &[SettingTests], given: &Off) -> Vec<FamilyEstimate> {
+    let mut freed = best.hypothesis.clone();
+    let Some(template) = with_free_measurement(&freed.template, given) else { return Vec::new() };
+    for number in &template.numbers[freed.template.numbers.len()..] {
+        freed.varies.push(false);
+        freed.starts.iter_mut().for_each(|start| start.push(number.start));
+    }
+    freed.template = template;
+    let Some(refit) = freed.refit(settings, Effort::JUDGE) else { return Vec::new() };
+    estimates(&freed, &refit, settings)
+}
+
+/// Widens the intervals until they hold those of another fit of the same numbers, which the records do not rule out.
+fn hold_too(all: &mut [FamilyEstimate], others: &[FamilyEstimate]) {
+    for of in all {
+        let others = others.iter().filter(|other| other.setting == of.setting).map(|other| &other.estimate);
+        crate::fit::hold_too(std::slice::from_mut(&mut of.estimate), others);
+    }
 }
 
 /// What depends on the setting, by name.

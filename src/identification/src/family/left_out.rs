@@ -45,7 +45,7 @@ pub struct SettingReport {
 ///
 /// # Errors
 /// What the kernel rejects.
-pub fn through(axis: &SettingAxis, grid: &[f64], sets: &[Params]) -> Result<Definition, Fault> {
+pub fn damper_through(axis: &SettingAxis, grid: &[f64], sets: &[Params]) -> Result<Definition, Fault> {
     let (params, mut over) = Axis::through(grid, sets)?;
     let is_short = |text: &str| text.len() <= dashpot_core::family::axis::MAX_TEXT;
     if is_short(&axis.name) {
@@ -99,7 +99,7 @@ fn left_out_error(
     let refit = less.refit(&others, Effort::JUDGE)?;
     let grid: Vec<f64> = others.iter().map(|of| of.value).collect();
     let sets: Vec<Params> = (0..grid.len()).map(|setting| less.params_at(&refit.theta, setting)).collect();
-    let params = through(axis, &grid, &sets).ok()?.at(left_out.value);
+    let params = damper_through(axis, &grid, &sets).ok()?.at(left_out.value);
     error_at(&params, &less.template, &less.theta_at(&refit.theta, place - 1), &left_out.tests)
 }
 

@@ -10,7 +10,7 @@ use dashpot_records::clock;
 use std::fmt::Write as _;
 
 /// The pair of an interval; the value twice where it has none.
-fn pair(estimate: Option<&Estimate>, value: f64) -> String {
+fn format_pair(estimate: Option<&Estimate>, value: f64) -> String {
     match estimate {
         Some(Estimate { low: Some(low), high: Some(high), .. }) => format!("[{}, {}]", number(*low), number(*high)),
         _ => format!("[{0}, {0}]", number(value)),
@@ -18,17 +18,17 @@ fn pair(estimate: Option<&Estimate>, value: f64) -> String {
 }
 
 /// Estimates of a parameter at a setting; at none for a shared one.
-fn of<'f>(fit: &'f FamilyFit, name: &str, setting: Option<f64>) -> Vec<&'f Estimate> {
+fn estimates_of<'f>(fit: &'f FamilyFit, name: &str, setting: Option<f64>) -> Vec<&'f Estimate> {
     let own = fit.estimates.iter().filter(|e| e.estimate.name == name && e.setting == setting);
     own.map(|e| &e.estimate).collect()
 }
 
 /// Intervals of the points of a curve, where its fixed point is exact by definition.
-fn points(estimates: &[&Estimate], values: &[f64]) -> String {
+fn format_points(estimates: &[&Estimate], values: &[f64]) -> String {
     let pairs: Vec<String> = values
         .iter()
         .enumerate()
-        .map(|(k, value)| pair(estimates.iter().find(|e| e.index == Some(k)).copied(), *value))
+        .map(|(k, value)| format_pair(estimates.iter().find(|e| e.index == Some(k)).copied(), *value))
         .collect();
     format!("[{}]", pairs.join(", "))
 }
@@ -50,7 +50,7 @@ pub fn write(fit: &FamilyFit) -> String {
         let p = row.parameter;
         let mut words = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
         words += p.meaning;
-        if let [estimate] = of(fit, p.name, None)[..] {
+        if let [estimate] = estimates_of(fit, p.name, None)[..] {
             match (&estimate.standing, estimate.low, estimate.high) {
                 (Standing::NotIdentified, ..) => words += "; not identified from this data",
                 (_, Some(low), Some(high)) => {
@@ -91,14 +91,14 @@ pub fn write(fit: &FamilyFit) -> String {
     }
     out += "\n[identification.intervals]  # 95 %, of what all settings share\n";
     for name in names(fit, true) {
-        let own = of(fit, name, None);
+        let own = estimates_of(fit, name, None);
         if let [estimate @ Estimate { index: None, .. }] = own[..] {
             if estimate.low.is_some() {
-                let _ = writeln!(out, "{name} = {}", pair(Some(estimate), estimate.value));
+                let _ = writeln!(out, "{name} = {}", format_pair(Some(estimate), estimate.value));
             }
         } else {
             let values = List::find(name).map_or(&[][..], |list| fit.damper.params.list(list));
-            let _ = writeln!(out, "{name} = {}", points(&own, values));
+            let _ = writeln!(out, "{name} = {}", format_points(&own, values));
         }
     }
     out += "\n[identification.intervals_over_setting]  # 95 %, of what depends on the setting: one entry for each of its values\n";
@@ -108,10 +108,10 @@ pub fn write(fit: &FamilyFit) -> String {
             .iter()
             .enumerate()
             .map(|(index, setting)| {
-                let own = of(fit, name, Some(*setting));
+                let own = estimates_of(fit, name, Some(*setting));
                 match own[..] {
-                    [estimate @ Estimate { index: None, .. }] => pair(Some(estimate), estimate.value),
-                    _ => points(&own, fit.damper.axis.forces(index).unwrap_or(&[])),
+                    [estimate @ Estimate { index: None, .. }] => format_pair(Some(estimate), estimate.value),
+                    _ => format_points(&own, fit.damper.axis.forces(index).unwrap_or(&[])),
                 }
             })
             .collect();
@@ -125,7 +125,7 @@ pub fn write(fit: &FamilyFit) -> String {
     }
     out += "\n[identification.sources]  # share of the information by kind of test\n";
     for name in names(fit, true) {
-        if let [Estimate { index: None, from, .. }] = of(fit, name, None)[..] {
+        if let [Estimate { index: None, from, .. }] = estimates_of(fit, name, None)[..] {
             let _ = writeln!(out, "{name} = {}", text(&from.to_string()));
         }
     }
