@@ -8,7 +8,7 @@ use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
 use dashpot_identification::family::{FamilyFit, fit_family};
 use dashpot_identification::{FitOptions, Standing};
-use dashpot_records::{Record, Setting};
+use dashpot_records::{Options, Record, Setting, load};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::f64::consts::TAU;
 
@@ -158,4 +158,40 @@ fn the_model_file_reads_back_as_the_fitted_family() {
     let mut changed = file.clone();
     changed.axis.set_values(number!("coulomb_force"), &[20.0, 60.0, 110.0, 500.0]).unwrap();
     assert!(changed.was_changed());
+}
+
+/// Records in a folder of data beside the project; `None` where it is not on this machine.
+fn measured(folder: &str) -> Option<Vec<Record>> {
+    let path = dashpot_tests::measured::records(folder)?;
+    let options = Options { subfolders: true, ..Options::default() };
+    Some(load(&[path], &options, &|_| ()).unwrap().records)
+}
+
+#[test]
+fn a_current_in_a_channel_and_in_names_make_the_same_family() {
+    let fits = ["current_column", "currents_in_names"].map(|folder| {
+        let records = measured(&format!("reports/{folder}"))?;
+        Some(fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap())
+    });
+    let [Some(column), Some(names)] = fits else { return };
+    assert_eq!(column.settings_grid(), [0.0, 0.4, 0.8, 1.2, 1.6]);
+    assert_eq!(column.damper.axis.numbers().len(), 0, "{:?}", column.dependences);
+    for of in &column.settings {
+        assert!(of.family.error_percent < 0.5 && of.left_out_ratio.is_none_or(|ratio| ratio < 1.3), "{of:?}");
+    }
+    assert!(apart(&column.damper.at(1.0), &names.damper.at(1.0)) < 1e-9);
+}
+
+#[test]
+fn a_measured_magneto_rheological_damper_has_friction_that_depends_on_its_current() {
+    let Some(records) = measured("mr_mts_utfsm") else { return };
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
+    assert_eq!(varies(&found, "fv_force"), Some(true));
+    assert_eq!(varies(&found, "presliding_force"), Some(true), "{:?}", found.dependences);
+    assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
+    for of in &found.settings {
+        // Figures of the book, with room for another search.
+        assert!(of.family.mean_error_n < 1.25 * of.own_fit.mean_error_n, "{of:?}");
+        assert!(of.left_out_ratio.is_none_or(|ratio| ratio < 2.2), "{of:?}");
+    }
 }

@@ -56,7 +56,7 @@ dashpot_records::phrases! {
     FAMILY_JOINT: "all settings together: what they share and what depends on them";
     FAMILY_LEFT_OUT: "each setting predicted by the others";
     FAMILY_STORES: "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host";
-    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of the tests (1.6A, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them";
+    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of the tests (800mA, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
     FAMILY_WITHOUT: "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, or give it in campaign.toml under settings";
     FAMILY_ONE: "all tests have the same {name}, {value}: fit them without --setting";

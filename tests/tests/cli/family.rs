@@ -50,6 +50,7 @@ fn a_family_is_fitted_validated_and_simulated() {
     let fit = ["fit", "rig", "--setting", "current", "-o", "family.toml", "--json", "fit.json"];
     let ran = run(dir, &fit);
     assert_eq!(ran.code, Some(0), "{ran:?}");
+    assert!(!ran.err.contains("one model holds one"), "{}", ran.err);
     for words in ["depends on current", "shared by all settings", "family without it", "0.6 A"] {
         assert!(ran.out.contains(words), "{words}: {}", ran.out);
     }

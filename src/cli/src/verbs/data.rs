@@ -169,9 +169,17 @@ impl DataArgs {
         Ok(campaign)
     }
 
+    /// Reads and cleans records of several settings that belong to one damper: that they do is no warning.
+    pub fn load_over_setting(&self) -> anyhow::Result<Campaign> {
+        let mut campaign = self.read_noting(&self.data, &self.options()?, &|note| note.kind != "settings")?;
+        campaign.notes.retain(|note| note.kind != "settings");
+        tell_sign(&campaign.notes);
+        Ok(campaign)
+    }
+
     /// The same, without what the model's own fit found these records to be off by.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
-        let mut campaign = self.load()?;
+        let mut campaign = if model.axis.is_some() { self.load_over_setting()? } else { self.load()? };
         let note = model.identification.right(&mut campaign.records);
         note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));
         campaign.notes.extend(note);
@@ -185,11 +193,21 @@ impl DataArgs {
 
     /// The same by options that were made of these.
     pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
+        self.read_noting(paths, options, &|_| true)
+    }
+
+    /// Reads records and prints the notes that decide which of them count, where they are wanted.
+    fn read_noting(
+        &self,
+        paths: &[PathBuf],
+        options: &Options,
+        is_wanted: &dyn Fn(&Note) -> bool,
+    ) -> Result<Campaign, RecordError> {
         let progress = Progress::new("reading");
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
         // What decides which records count is said before the work, whatever the verb.
-        for note in campaign.notes.iter().filter(|n| is_said_first(n) && n.kind != "sign_unsure") {
+        for note in campaign.notes.iter().filter(|n| is_said_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));
         }

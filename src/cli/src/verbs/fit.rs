@@ -212,7 +212,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.setting.is_some() && excel.is_some() {
         bail!("--excel has the tables of a damper without a setting; those of a family are in --json");
     }
-    let campaign = args.data.load()?;
+    let campaign = if args.setting.is_some() { args.data.load_over_setting()? } else { args.data.load()? };
     let options = FitOptions {
         family: match args.model {
             Kind::Model(family) => family,

@@ -278,15 +278,18 @@ fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) 
         let text = Sentence::from(phrases::FAMILY_STORES).with("setting", &axis.name);
         notes.push(text.with_names("names", stored, phrases::COMMA));
     }
-    for FamilyEstimate { estimate, .. } in estimates {
+    for FamilyEstimate { setting, estimate } in estimates {
         let said = match estimate.standing {
             Standing::NotIdentified if estimate.index.is_none() => of_number(phrases::HELD, estimate),
             Standing::AtBound => of_number(phrases::AT_BOUND, estimate),
             _ => continue,
         };
-        if !notes.contains(&said) {
-            notes.push(said);
-        }
+        notes.push(match setting {
+            None => said,
+            Some(value) => {
+                Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_said("why", said)
+            }
+        });
     }
     notes
 }

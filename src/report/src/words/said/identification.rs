@@ -192,10 +192,10 @@ pub const ALL: &[Said] = &[
         "{names} 随 {setting} 变化，且储存能量或在静止时起作用：改变设置可能对宿主做功",
     ],
     [
-        "no test says its {name}. Write it into the names of the tests (1.6A, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them",
-        "kein Versuch nennt {name}. In die Namen der Versuche schreiben (1.6A, 12clicks, 150psi), als Kanal aufzeichnen, oder setting und [settings] in campaign.toml daneben eintragen",
-        "aucun essai n’indique {name}. L’écrire dans les noms des essais (1.6A, 12clicks, 150psi), l’enregistrer comme voie, ou écrire setting et [settings] dans campaign.toml à côté",
-        "没有试验说明 {name}。请写入试验名称（1.6A、12clicks、150psi），作为通道记录，或在旁边的 campaign.toml 中写入 setting 和 [settings]",
+        "no test says its {name}. Write it into the names of the tests (800mA, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them",
+        "kein Versuch nennt {name}. In die Namen der Versuche schreiben (800mA, 12clicks, 150psi), als Kanal aufzeichnen, oder setting und [settings] in campaign.toml daneben eintragen",
+        "aucun essai n’indique {name}. L’écrire dans les noms des essais (800mA, 12clicks, 150psi), l’enregistrer comme voie, ou écrire setting et [settings] dans campaign.toml à côté",
+        "没有试验说明 {name}。请写入试验名称（800mA、12clicks、150psi），作为通道记录，或在旁边的 campaign.toml 中写入 setting 和 [settings]",
     ],
     [
         "no test says its {name}; the tests have a setting called {known}: give --setting with that name",
