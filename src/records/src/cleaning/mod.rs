@@ -310,6 +310,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         temperature,
         notes,
         as_read: None,
+        apparent_delay_s: 0.0,
         given,
         counted: None,
     };
