@@ -1,7 +1,8 @@
 //! `dashpot fit --setting`: one damper over a setting.
 
 use super::data::name_of;
-use super::fit::{short, tell_of_records};
+use super::digits::short;
+use super::record_notes::tell_of_records;
 use crate::progress::Progress;
 use dashpot_identification::family::{
     FamilyEstimate, FamilyFit, SettingAxis, SettingDependence, SettingError, SettingReport, fit_family, model_file,

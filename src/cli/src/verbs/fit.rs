@@ -1,6 +1,8 @@
 //! `dashpot fit`: records in, model file out.
 
-use super::data::{DataArgs, is_said_first, name_of};
+use super::data::{DataArgs, name_of};
+use super::digits::short;
+use super::record_notes::tell_of_records;
 use crate::page::TextArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
@@ -102,48 +104,6 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     drop(progress);
     dashpot_output::write(output, model_file::write(&found))?;
     Ok(found)
-}
-
-/// Damaged tests that are told one by one.
-const TOLD: usize = 10;
-
-/// What cleaning had to repair, by test.
-fn repairs(campaign: &Campaign) -> Vec<String> {
-    let mut lines: Vec<String> = campaign
-        .records
-        .iter()
-        .filter_map(|r| {
-            let texts: Vec<String> = r.notes.iter().filter(|n| n.is_of_damage()).map(|n| n.text.to_string()).collect();
-            (!texts.is_empty()).then(|| format!("{}: {}", r.name, texts.join("; ")))
-        })
-        .collect();
-    if lines.len() > TOLD {
-        let more = lines.len() - TOLD;
-        lines.truncate(TOLD);
-        lines.push(format!("{more} more tests were repaired; the report of dashpot validate names them"));
-    }
-    lines
-}
-
-/// Five significant digits.
-pub(super) fn short(value: f64) -> String {
-    if value == 0.0 || !(1e-3..1e6).contains(&value.abs()) {
-        return if value == 0.0 { "0".to_owned() } else { format!("{value:.4e}") };
-    }
-    let digits = (4 - libm::log10(value.abs()).floor() as i32).max(0) as usize;
-    format!("{value:.digits$}")
-}
-
-/// What the reader found in the records.
-pub(super) fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
-    say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
-    for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
-        say(&format!("note: {}", note.text))?;
-    }
-    for line in repairs(campaign) {
-        say(&format!("note: {line}"))?;
-    }
-    Ok(())
 }
 
 /// Identifies a model that the kernel cannot run and writes its own kind of file.

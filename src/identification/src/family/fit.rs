@@ -182,15 +182,16 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
             Site::Number(number) => estimate.name == number.name(),
         })
     };
-    let mut all = Vec::new();
-    for (place, of) in settings.iter().enumerate() {
+    // What a number does to the force is judged by the tests that show it: all for a shared one.
+    let at = |place: usize, tests: &[Test]| {
         let theta = hypothesis.theta_at(&refit.theta, place);
-        let own = known.select(&columns[place]).estimates(&hypothesis.template, &theta, &of.tests);
-        all.extend(own.into_iter().filter_map(|estimate| match varies(&estimate) {
-            true => Some(FamilyEstimate { setting: Some(of.value), estimate }),
-            false if place == 0 => Some(FamilyEstimate { setting: None, estimate }),
-            false => None,
-        }));
+        known.select(&columns[place]).estimates(&hypothesis.template, &theta, tests)
+    };
+    let shared = at(0, &tests).into_iter().filter(|estimate| !varies(estimate));
+    let mut all: Vec<FamilyEstimate> = shared.map(|estimate| FamilyEstimate { setting: None, estimate }).collect();
+    for (place, of) in settings.iter().enumerate() {
+        let own = at(place, &of.tests).into_iter().filter(|estimate| varies(estimate));
+        all.extend(own.map(|estimate| FamilyEstimate { setting: Some(of.value), estimate }));
     }
     all
 }
