@@ -23,7 +23,7 @@ pub struct FamilyStructure {
     pub log_posterior: f64,
 }
 
-/// Residuals of a family, as evidence. A damper is as plausible as it is on average over its settings.
+/// Residuals of a family, as evidence. A family is as plausible as the damper at its least plausible setting.
 pub fn evidence(
     hypothesis: &FamilyHypothesis,
     theta: &[f64],
@@ -36,7 +36,7 @@ pub fn evidence(
         let own = Evidence::new(&hypothesis.template, &hypothesis.theta_at(theta, setting), residual, &of.tests, 0.0);
         all.mean_squares.extend(own.mean_squares);
         all.weights.extend(own.weights);
-        all.implausibility += own.implausibility / settings.len() as f64;
+        all.implausibility = all.implausibility.max(own.implausibility);
     }
     all
 }
