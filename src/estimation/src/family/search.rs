@@ -1,8 +1,8 @@
 //! The search for the most probable family.
 //!
-//! Each setting is searched as an ordinary damper first. Each structure found there, with every number varying, is a start; the most
-//! probable start loses what need not vary. Then moves let one number vary or be shared, remove an effect, or add one that a setting asked
-//! for, as long as the log posterior rises.
+//! Each setting is searched as an ordinary damper first. Each structure found there, with every number varying, is a start that loses what
+//! need not vary. From each, moves let one number vary or be shared, remove an effect, or add one that a setting asked for, as long as the
+//! log posterior rises. The most probable end is the result.
 
 use super::pattern::{Site, sites};
 use super::prediction::Linearization;
@@ -58,21 +58,27 @@ pub fn search_family(
         })
         .collect();
     progress(0.3);
-    let mut best = starts.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
     let asked_for = asked_for(found);
+    let ends: Vec<FamilyStructure> = starts.into_par_iter().map(|start| climb(start, settings, &asked_for)).collect();
+    progress(1.0);
+    ends.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
+}
+
+/// Moves as long as the posterior rises.
+fn climb(start: FamilyStructure, settings: &[SettingTests], asked_for: &[&Structure]) -> FamilyStructure {
+    let mut best = start;
     let mut tried = BTreeSet::new();
-    for round in 0..MOVES {
-        progress(0.3 + 0.6 * round as f64 / MOVES as f64);
+    for _ in 0..MOVES {
         if cancel::asked() {
             break;
         }
         let next = toggle(&best, settings)
             .or_else(|| remove(&best, settings))
-            .or_else(|| add(&best, settings, &asked_for, &mut tried));
+            .or_else(|| add(&best, settings, asked_for, &mut tried));
         let Some(next) = next else { break };
         best = next;
     }
-    Some(best)
+    best
 }
 
 /// Shares all numbers at once whose sharing is predicted to raise the posterior.
