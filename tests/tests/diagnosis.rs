@@ -181,7 +181,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let improved = model_file::of_text(&text, Path::new("improved.toml")).unwrap();
     assert!(!improved.was_changed(), "what a diagnosis writes is as it was found");
     // The plain curve is one of these records: friction is in it, which stands beside the model's own curve.
-    let at = |params: &Params, v: f64| Model::new(params).unwrap().elements().paths.fv_curve.at(v).value;
+    let at = |params: &Params, v: f64| Model::new(params).unwrap().elements().paths.fv_curve.evaluate(v).value;
     for v in [-0.02, 0.02] {
         let (plain, own) = (at(&improved.plain(), v), at(&improved.params, v));
         assert!(v.signum() * (plain - own) > 20.0, "at {v} m/s {plain} N, the model's own {own} N");

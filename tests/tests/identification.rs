@@ -45,7 +45,7 @@ fn truth() -> Params {
     let records = campaign(&params, 1, 0.0, |_| None);
     let velocities = first_guess::velocities(&segments(&records.iter().collect::<Vec<_>>()));
     let model = Model::new(&params).unwrap();
-    let forces: Vec<f64> = velocities.iter().map(|v| model.elements().paths.fv_curve.at(*v).value).collect();
+    let forces: Vec<f64> = velocities.iter().map(|v| model.elements().paths.fv_curve.evaluate(*v).value).collect();
     params.set_list(list!("fv_velocity"), &velocities).unwrap();
     params.set_list(list!("fv_force"), &forces).unwrap();
     params
@@ -76,7 +76,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
                         .elements()
                         .paths
                         .fv_curve
-                        .at(found.params.list(List::find(&e.name.replace("force", "velocity")).unwrap())[k])
+                        .evaluate(found.params.list(List::find(&e.name.replace("force", "velocity")).unwrap())[k])
                         .value
                 }
             };
@@ -280,7 +280,7 @@ fn an_element_left_out_on_purpose_stays_out() {
 /// The largest error of a fitted FV curve between 20 mm/s and 1 m/s, N.
 fn off_the_curve(found: &Fit, truth: &Params) -> f64 {
     let curves = [found.params, *truth].map(|params| Model::new(&params).unwrap());
-    let at = |k: usize, v: f64| curves[k].elements().paths.fv_curve.at(v).value;
+    let at = |k: usize, v: f64| curves[k].elements().paths.fv_curve.evaluate(v).value;
     let speeds = (0..200).map(|k| 0.02 * 50.0_f64.powf(f64::from(k) / 199.0));
     speeds.flat_map(|v| [v, -v]).map(|v| (at(0, v) - at(1, v)).abs()).fold(0.0, f64::max)
 }

@@ -24,19 +24,13 @@ const SURPLUS: &str = "words above a mean of 22 a sentence";
 
 /// What is still allowed: crate or document, rule, count.
 const ALLOWED: &[(&str, &str, usize)] = &[
-    ("include/dashpot.h", NAMES, 8),
-    ("src/abi", NAMES, 8),
-    ("src/abi", OPENINGS, 3),
-    ("src/abi", SUMMARIES, 27),
     ("src/bench", NAMES, 25),
     ("src/bench", OPENINGS, 7),
     ("src/bench", SUMMARIES, 13),
     ("src/cli", NAMES, 8),
     ("src/cli", OPENINGS, 3),
     ("src/cli", SUMMARIES, 9),
-    ("src/core", NAMES, 62),
-    ("src/core", OPENINGS, 43),
-    ("src/core", SUMMARIES, 90),
+    ("src/core", SUMMARIES, 3),
     ("src/diagnosis", NAMES, 16),
     ("src/diagnosis", OPENINGS, 4),
     ("src/diagnosis", SUMMARIES, 12),
@@ -44,7 +38,7 @@ const ALLOWED: &[(&str, &str, usize)] = &[
     ("src/estimation", NAMES, 31),
     ("src/estimation", OPENINGS, 19),
     ("src/estimation", SUMMARIES, 37),
-    ("src/hosts", NAMES, 17),
+    ("src/hosts", NAMES, 15),
     ("src/hosts", SUMMARIES, 19),
     ("src/identification", NAMES, 17),
     ("src/identification", OPENINGS, 11),
@@ -74,7 +68,6 @@ const ALLOWED: &[(&str, &str, usize)] = &[
     ("src/simulation", SUMMARIES, 25),
     ("tests", OPENINGS, 7),
     ("tests", SUMMARIES, 36),
-    ("vi-crt-bridge/bridge/dashpot_bridge.h", NAMES, 3),
 ];
 
 /// Words of the glossary's left column. A name is split into its words; an entry of several words matches that sequence.

@@ -81,7 +81,7 @@ impl PlainCurve {
         let straight = is(1.0, number!("fv_form")) || is(1.0, number!("fv_interpolation"));
         let reading = if straight { Interpolation::Linear } else { Interpolation::MonotoneCubic };
         let count = own.velocities.len();
-        let (curve, left) = akima::written(own, reading, &|v| model.elements().paths.fv_curve.at(v).value);
+        let (curve, left) = akima::written(own, reading, &|v| model.elements().paths.fv_curve.evaluate(v).value);
         Ok((curve, count, left))
     }
 

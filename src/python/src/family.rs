@@ -47,7 +47,7 @@ impl Family {
 
     /// The ordinary damper at a setting.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
-        let text = model_file::plain(&self.file.definition().at(setting), &[]);
+        let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
         Model::from_text(text, &name)
     }
 

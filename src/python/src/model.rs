@@ -160,7 +160,7 @@ impl Model {
                     tell(k, velocity.len());
                 }
                 let input = Input::motion(0.0, *v);
-                let force = evaluate::force(&self.prepared, &self.prepared.settled(&input), &input).force;
+                let force = evaluate::force(&self.prepared, &self.prepared.steady_state(&input), &input).force;
                 forces.push(if force.is_finite() { force } else { return Err(*v) });
             }
             Ok(forces)

@@ -203,8 +203,8 @@ impl ImposedMotion {
     pub fn drive_family(&self, family: &Family, setting: &dyn Fn(f64) -> f64) -> Result<Vec<Answer>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
         let start = Some(setting(self.time.first().copied().unwrap_or(0.0)));
-        let mut state = family.settled(&first, start);
-        let mut delay = family.settled_delay(start);
+        let mut state = family.steady_state(&first, start);
+        let mut delay = family.steady_delay(start);
         let mut output = family.evaluate(&state, &first, start).0;
         let mut answers = Vec::with_capacity(self.time.len());
         for (i, &time) in self.time.iter().enumerate() {
@@ -229,7 +229,7 @@ impl ImposedMotion {
     /// As [`ImposedMotion::drive`].
     pub fn drive_telling(&self, model: &Model, tell: &dyn Fn(usize, usize)) -> Result<Vec<Answer>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
-        let mut state = model.settled(&first);
+        let mut state = model.steady_state(&first);
         let mut force = dashpot_core::evaluate::force(model, &state, &first).force;
         let mut answers = Vec::with_capacity(self.time.len());
         for (i, &time) in self.time.iter().enumerate() {

@@ -37,7 +37,7 @@ pub(crate) fn warm(model: &Model, state: &mut State, rise: f64) {
     let is_heat = |k: &usize| model.state_name(*k).is_some_and(|(name, _)| name == "oil_temperature_rise");
     // The first two states are those of the internal mass.
     if let Some(k) = (2..model.states()).find(is_heat) {
-        state.memory[k - 2] = rise;
+        state.internal[k - 2] = rise;
     }
 }
 

@@ -85,7 +85,7 @@ fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
         let f = -model.static_output(&Input::motion(z - amplitude, 0.0)).force - SPRING * z;
         if f > 0.0 { low = z } else { high = z }
     }
-    let mut y: Y = (low, 0.0, model.settled(&Input::motion(low - amplitude, 0.0)));
+    let mut y: Y = (low, 0.0, model.steady_state(&Input::motion(low - amplitude, 0.0)));
     let mut t = 0.0;
     accepted
         .iter()

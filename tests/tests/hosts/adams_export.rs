@@ -218,7 +218,7 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     let model = dashpot_identification::model_file::read(&folder.path().join("long.toml")).unwrap();
     let model = dashpot_core::Model::new(&model.params).unwrap();
     for v in [-1200.0, -300.0, -40.0, 0.0, 12.5, 77.0, 700.0] {
-        let off = (model.elements().paths.fv_curve.at(1e-3 * v).value - force(v)).abs();
+        let off = (model.elements().paths.fv_curve.evaluate(1e-3 * v).value - force(v)).abs();
         assert!(off < 0.006 * 1750.0, "{v} mm/s: {off} N");
     }
 }
@@ -559,7 +559,7 @@ fn native_agrees(text: &str) {
         let w = std::f64::consts::TAU * frequency;
         let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
         let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
-        let mut state = model.settled(&input(0.0));
+        let mut state = model.steady_state(&input(0.0));
         // Where the model rests, as Adams' statics find it.
         let mut dif = [1e3 * (state.mass_displacement - state.displacement), 0.0, 0.0];
         let dt = 1e-5;

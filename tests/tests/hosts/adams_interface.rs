@@ -353,7 +353,7 @@ fn a_gforce_in_space_acts_along_the_line_between_its_ends() {
             side_force: size(cross(guide, axis)),
             ..Input::motion(1e-3 * (size(apart) - 400.0), 1e-3 * dot(minus(vi, vj), axis))
         };
-        let mut state = model.settled(&input);
+        let mut state = model.steady_state(&input);
         state.mass_velocity = input.velocity;
         let tension = dashpot_core::evaluate::force(&model, &state, &input).force;
         let want = axis.map(|c| -tension * c);

@@ -19,7 +19,7 @@ fn kernel() -> Vec<[f64; 2]> {
     model_file::read(MODEL.as_bytes(), &mut params).expect("the model");
     let model = Model::new(&params).expect("a model");
     let at_rest = |x: f64| {
-        let state = model.settled(&Input::motion(x, 0.0));
+        let state = model.steady_state(&Input::motion(x, 0.0));
         (state, step(&model, &state, &Input::motion(x, 0.0), 0.0).1.force)
     };
     let rest = at_rest(0.0).1;

@@ -538,7 +538,7 @@ mod tests {
         assert_eq!(drawn, between_velocities(&model, -0.8, 0.9));
         // With friction and gas: at a low speed the force is not that of the valves alone.
         let low = drawn.iter().find(|p| p[0] > 0.01).unwrap();
-        let valves = model.elements().paths.fv_curve.at(low[0]).value;
+        let valves = model.elements().paths.fv_curve.evaluate(low[0]).value;
         assert!((low[1] - valves).abs() > 1.0, "{low:?} {valves}");
         // The points lie on it.
         for (v, force) in handles(&params) {

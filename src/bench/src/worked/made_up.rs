@@ -44,7 +44,7 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
             let (x, v) = at(i);
             Input { displacement: Some(x), velocity: v, side_force: 0.0, temperature: 20.0 }
         };
-        let mut state = model.settled(&input(0));
+        let mut state = model.steady_state(&input(0));
         let mut text = String::from("time_s,displacement_mm,velocity_mps,force_N\n");
         for i in 0..3 * SAMPLES {
             let (next, output) = step(&model, &state, &input(i), dt);

@@ -172,13 +172,13 @@ fn road() -> Vec<Input> {
 
 fn spin(model: &Model, steps: usize) -> f64 {
     let road = road();
-    let mut state = model.settled(&road[0]);
+    let mut state = model.steady_state(&road[0]);
     let mut output = Output::ZERO;
     let mut sum = 0.0;
     for i in 0..steps {
         let from = state;
         step_into(model, &from, &road[i & 4095], STEP, &mut state, &mut output);
-        sum += output.force + output.force_by_displacement + output.force_by_velocity;
+        sum += output.force + output.d_force_d_displacement + output.d_force_d_velocity;
     }
     sum
 }

@@ -33,7 +33,7 @@ impl Reading {
             Reading::Akima => Some(slopes(v, f)),
             Reading::Model(Interpolation::Linear) => None,
             Reading::Model(Interpolation::MonotoneCubic) => {
-                Some((0..v.len()).map(|i| dashpot_core::curve::monotone_slope(v, f, i)).collect())
+                Some((0..v.len()).map(|i| dashpot_core::curve::monotone_derivative(v, f, i)).collect())
             }
         }
     }
@@ -274,7 +274,7 @@ mod tests {
         for curve in [steep(), knees, smooth] {
             for interpolation in [Interpolation::Linear, Interpolation::MonotoneCubic] {
                 let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
-                let model = |v: f64| kernel.at(v).value;
+                let model = |v: f64| kernel.evaluate(v).value;
                 let before = worst(&curve, &[Reading::Akima], tolerance(&curve), &model);
                 let (points, left) = written(curve.clone(), interpolation, &model);
                 assert!(
@@ -284,7 +284,7 @@ mod tests {
                 let (back, read_as, _) = read(points.clone());
                 assert_eq!(back, points, "what is read is what was written");
                 let again = Kernel::new(&back.velocities, &back.forces, read_as).unwrap();
-                let (twice, _) = written(back.clone(), read_as, &|v| again.at(v).value);
+                let (twice, _) = written(back.clone(), read_as, &|v| again.evaluate(v).value);
                 assert_eq!(twice, points, "and is written again as it was");
             }
         }
@@ -310,7 +310,7 @@ mod tests {
             let (curve, interpolation, left) = read(points.clone());
             assert_eq!(left.is_small(), is_followed, "{left:?} {curve:?}");
             let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
-            let (again, _) = written(curve.clone(), interpolation, &|v| kernel.at(v).value);
+            let (again, _) = written(curve.clone(), interpolation, &|v| kernel.evaluate(v).value);
             assert!(!is_followed || again == curve);
             assert!(curve.velocities.len() > points.velocities.len());
         }
@@ -329,9 +329,13 @@ mod tests {
             assert!(curve.velocities.len() <= MAX_POINTS && left.is_small(), "{interpolation:?} {left:?}");
             let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
             for (v, f) in points.velocities.iter().zip(&points.forces) {
-                assert!((kernel.at(*v).value - f).abs() < 0.006 * 1950.0, "{v}: {} for {f}", kernel.at(*v).value);
+                assert!(
+                    (kernel.evaluate(*v).value - f).abs() < 0.006 * 1950.0,
+                    "{v}: {} for {f}",
+                    kernel.evaluate(*v).value
+                );
             }
-            assert_eq!(kernel.at(0.0).value, 0.0);
+            assert_eq!(kernel.evaluate(0.0).value, 0.0);
         }
     }
 

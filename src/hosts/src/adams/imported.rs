@@ -163,14 +163,14 @@ mod tests {
             let model = dashpot_core::Model::new(&params).unwrap();
             let gas = if params.is_on(element!("gas_preload")) { params.number(number!("gas_force")) } else { 0.0 };
             let fv = model.elements().paths.fv_curve;
-            assert!(fv.at(0.0).value.abs() < 1.0, "{}", fv.at(0.0).value);
+            assert!(fv.evaluate(0.0).value.abs() < 1.0, "{}", fv.evaluate(0.0).value);
             if let Some(wanted) = forces {
                 assert!((gas - wanted).abs() < 1e-9, "{gas}");
             }
             assert_eq!(gas != 0.0, made.remarks[0].contains("at rest"), "{:?}", made.remarks);
             for row in rows.lines() {
                 let numbers: Vec<f64> = row.split(' ').map(|n| n.parse().unwrap()).collect();
-                let own = fv.at(1e-3 * numbers[0]).value - gas;
+                let own = fv.evaluate(1e-3 * numbers[0]).value - gas;
                 assert!((own - numbers[1]).abs() < 0.02 * 780.0, "{row}: {own}");
             }
         }

@@ -49,8 +49,11 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     }
     // Inner and outer end move alike: what each element gives at this motion.
     let at = |x: f64, v: f64| {
-        let state =
-            State { mass_displacement: 1e-3 * x, mass_velocity: 1e-3 * v, ..model.settled(&Input::motion(0.0, 0.0)) };
+        let state = State {
+            mass_displacement: 1e-3 * x,
+            mass_velocity: 1e-3 * v,
+            ..model.steady_state(&Input::motion(0.0, 0.0))
+        };
         force(model, &state, &Input::motion(1e-3 * x, 1e-3 * v))
     };
     let velocities = spaced(|s| FINE * libm::sinh(s * libm::asinh(FASTEST / FINE)));
@@ -62,7 +65,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     of_velocity.enable(element!("presliding_friction"), false);
     let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;
     let friction = spline(3, &velocities, |v| {
-        let state = sliding.settled(&Input::motion(0.0, 0.0));
+        let state = sliding.steady_state(&Input::motion(0.0, 0.0));
         force(&sliding, &State { mass_velocity: 1e-3 * v, ..state }, &Input::motion(0.0, 1e-3 * v)).friction_force
     });
     let (contact, bent) = presliding(params).unwrap_or_default();

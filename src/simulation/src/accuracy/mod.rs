@@ -51,7 +51,7 @@ pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: u
         }
     };
     let (x, v) = motion.at(0.0);
-    let mut state = model.settled(&Input::motion(x, v));
+    let mut state = model.steady_state(&Input::motion(x, v));
     let mut forces = vec![dashpot_core::evaluate(model, &state, &Input::motion(x, v)).0.force];
     for i in 1..=steps {
         let (next, output) = step(model, &state, &input(i as f64 * dt), dt);

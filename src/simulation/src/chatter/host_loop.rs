@@ -90,7 +90,7 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     let mass = mass * BODY / (1.0 + BODY);
     let tyre = TYRE.min(mass * (FOLLOWS / h).powi(2));
     let rest = situation.input();
-    let mut state = model.settled(&rest);
+    let mut state = model.steady_state(&rest);
     let at_rest = step(model, &state, &rest, 0.0).1.force;
     let (mut x, mut v) = (0.0, KNOCK);
     let mut force = [at_rest; 3];

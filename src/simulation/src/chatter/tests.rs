@@ -26,7 +26,7 @@ fn swings(params: &Params, host: Host) -> f64 {
 
 fn swings_under(params: &Params, host: Host, side_force: f64) -> f64 {
     let model = Model::new(params).unwrap();
-    let mut state = model.settled(&Input::motion(0.0, 0.0));
+    let mut state = model.steady_state(&Input::motion(0.0, 0.0));
     let (mut x, mut v, mut force) = (0.0, 1e-3, 0.0);
     let mut last = 0.0f64;
     for k in 0..6000 {

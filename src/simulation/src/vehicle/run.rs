@@ -83,7 +83,7 @@ impl<'a> Kernels<'a> {
 impl Dampers for Kernels<'_> {
     fn rest(&mut self) -> [f64; 4] {
         let still = Input::motion(0.0, 0.0);
-        self.states = self.models.map(|model| model.settled(&still));
+        self.states = self.models.map(|model| model.steady_state(&still));
         // dt = 0 is the static answer.
         std::array::from_fn(|i| step(self.models[i], &self.states[i], &still, 0.0).1.force)
     }
@@ -93,7 +93,7 @@ impl Dampers for Kernels<'_> {
             let [displacement, velocity] = motion[i];
             let (next, answer) = step(self.models[i], &self.states[i], &Input::motion(displacement, velocity), dt);
             self.states[i] = next;
-            [answer.force, answer.force_by_velocity + dt * answer.force_by_displacement]
+            [answer.force, answer.d_force_d_velocity + dt * answer.d_force_d_displacement]
         })
     }
 }

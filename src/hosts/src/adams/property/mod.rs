@@ -39,7 +39,7 @@ impl Curve {
                 3.0 * r2,
             ]
         };
-        let forces = velocities.iter().map(|v| fv.at(*v).value).collect();
+        let forces = velocities.iter().map(|v| fv.evaluate(*v).value).collect();
         Curve { velocities, forces }
     }
 }

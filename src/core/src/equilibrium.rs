@@ -10,7 +10,7 @@ use crate::tables::{ForceLaw, Tables};
 /// Newton steps, kept inside a bracket, to the deflection of the series spring: setting up may cost more than a step.
 const STEPS: usize = 100;
 
-/// Half the distance over which static slopes are taken where no formula gives them, m and m/s.
+/// Half the distance over which static derivatives are taken where no formula gives them, m and m/s.
 const NEAR: f64 = 1e-6;
 
 // Compiled here for the model that owns its tables, once for all crates that ask.
@@ -18,22 +18,25 @@ impl Model {
     /// The settled state at an initial position: where the damper rests, or moves steadily with `input.velocity`.
     ///
     /// A missing displacement is 0.
-    pub fn settled(&self, input: &Input) -> State {
+    pub fn steady_state(&self, input: &Input) -> State {
         self.equilibrium(input)
     }
 
-    /// The same of a damper that has moved: what a contact keeps at rest stays. A missing displacement is that of `from`.
-    pub fn settled_from(&self, from: &State, input: &Input) -> State {
+    /// Steady state of a damper with a history: contacts keep their deflection at rest. A missing displacement is
+    /// that of `from`.
+    pub fn steady_state_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_from(from, input)
     }
 
-    /// The static force at `input`, with its slopes: the state settled there, evaluated.
+    /// The static force at `input`, with its derivatives: the state settled there, evaluated.
     pub fn static_output(&self, input: &Input) -> Output {
-        self.static_output_from(&self.settled(input), input)
+        self.static_output_from(&self.steady_state(input), input)
     }
 
-    /// The same of a damper that has moved. At rest the slope over velocity is that of what answers a velocity at once: a contact
-    /// that keeps its bend turns over with travel.
+    /// Static output of a damper with a history.
+    ///
+    /// At rest the derivative over velocity is that of elements that respond to a velocity at once: a contact that
+    /// keeps its deflection reverses with travel.
     pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
         self.equilibrium_output_from(from, input)
     }
@@ -46,7 +49,7 @@ impl<T: Tables> Model<T> {
         self.equilibrium_from(&State { displacement: x, layout: self.layout, ..State::ZERO }, input)
     }
 
-    /// Equilibrium of a damper that has moved: see [`Model::settled_from`].
+    /// Equilibrium of a damper that has moved: see [`Model::steady_state_from`].
     pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
         let laid_out;
         let from = if self.has_laid_out(from) {
@@ -66,9 +69,9 @@ impl<T: Tables> Model<T> {
         };
         let mut x_m = x;
         let (states, primary) = if e.has_paths() {
-            crate::evaluate::paths::settled(&e.paths, x, v, input.temperature)
+            crate::evaluate::paths::equilibrium(&e.paths, x, v, input.temperature)
         } else {
-            ([0.0; paths::STATES], e.paths.fv_curve.at(v).value)
+            ([0.0; paths::STATES], e.paths.fv_curve.evaluate(v).value)
         };
         if e.has_series() {
             // The springs never fall, so that the series spring alone would go further than both together.
@@ -77,24 +80,24 @@ impl<T: Tables> Model<T> {
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
             for _ in 0..STEPS {
                 let inner = e.on_the_mass(&motion(x_m));
-                let (series, k) = paths::series::held(&e.paths, x - x_m);
+                let (series, k) = paths::series::static_force(&e.paths, x - x_m);
                 let left = series - primary - inner.force;
                 if left > 0.0 {
                     low = x_m;
                 } else {
                     high = x_m;
                 }
-                let newton = x_m + left / (k + inner.by_x);
+                let newton = x_m + left / (k + inner.d_force_d_x);
                 x_m = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
             }
         }
-        let mut memory = [0.0; 8];
-        e.each_memory(|place, element| {
-            if let Some((z, before)) = memory.get_mut(place).zip(from.memory.get(place)) {
-                *z = element.held(from.displacement, *before, &motion(x));
+        let mut internal = [0.0; 8];
+        e.each_stateful(|place, element| {
+            if let Some((z, before)) = internal.get_mut(place).zip(from.internal.get(place)) {
+                *z = element.equilibrium_from(from.displacement, *before, &motion(x));
             }
         });
-        let mut state = State { memory, layout: self.layout, ..State::ZERO };
+        let mut state = State { internal, layout: self.layout, ..State::ZERO };
         e.paths.slots().write(&states, &mut state);
         State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
     }
@@ -117,9 +120,9 @@ impl<T: Tables> Model<T> {
                 let input = Input { displacement: Some(x), velocity: v, ..*input };
                 let mut settled = self.equilibrium_from(from, &input);
                 if x == state.displacement {
-                    e.each_memory(|place, element| {
-                        if element.keeps(&outer)
-                            && let Some((z, kept)) = settled.memory.get_mut(place).zip(state.memory.get(place))
+                    e.each_stateful(|place, element| {
+                        if element.is_path_dependent(&outer)
+                            && let Some((z, kept)) = settled.internal.get_mut(place).zip(state.internal.get(place))
                         {
                             *z = *kept;
                         }
@@ -128,28 +131,29 @@ impl<T: Tables> Model<T> {
                 crate::evaluate::force_of(self, &settled, &input).force
             };
             let (x, v) = (state.displacement, input.velocity);
-            output.force_by_displacement = (force(x + NEAR, v) - force(x - NEAR, v)) / (2.0 * NEAR);
-            output.force_by_velocity = (force(x, v + NEAR) - force(x, v - NEAR)) / (2.0 * NEAR);
+            output.d_force_d_displacement = (force(x + NEAR, v) - force(x - NEAR, v)) / (2.0 * NEAR);
+            output.d_force_d_velocity = (force(x, v + NEAR) - force(x, v - NEAR)) / (2.0 * NEAR);
             return output;
         }
         if e.has_series() {
             // Held long enough, series spring and inner springs are one behind the other, and both see the velocity.
             let k = e.paths.series_compliance.stiffness;
-            let (inner, primary) = (e.inner(&at), e.paths.fv_curve.at(input.velocity));
-            let share = k / (k + inner.by_x);
-            output.force_by_displacement += share * inner.by_x - k;
-            output.force_by_velocity += share * (primary.slope + inner.by_v) - e.paths.series_compliance.damping;
+            let (inner, primary) = (e.inner(&at), e.paths.fv_curve.evaluate(input.velocity));
+            let share = k / (k + inner.d_force_d_x);
+            output.d_force_d_displacement += share * inner.d_force_d_x - k;
+            output.d_force_d_velocity +=
+                share * (primary.derivative + inner.d_force_d_v) - e.paths.series_compliance.damping;
         }
         // A private state that is drawn to where it settles follows the input there.
-        e.each_memory(|place, element| {
-            let recall = element.recall(&outer, state.memory.get(place).copied().unwrap_or(0.0));
-            if element.keeps(&outer) {
+        e.each_stateful(|place, element| {
+            let response = element.evaluate(&outer, state.internal.get(place).copied().unwrap_or(0.0));
+            if element.is_path_dependent(&outer) {
                 // A travel in either direction, in the mean.
-                output.force_by_displacement += recall.by_memory * recall.rate_by_v;
-            } else if recall.rate_by_memory < 0.0 {
-                let follows = -recall.by_memory / recall.rate_by_memory;
-                output.force_by_displacement += follows * recall.rate_by_x;
-                output.force_by_velocity += follows * recall.rate_by_v;
+                output.d_force_d_displacement += response.d_force_d_z * response.d_rate_d_v;
+            } else if response.d_rate_d_z < 0.0 {
+                let follows = -response.d_force_d_z / response.d_rate_d_z;
+                output.d_force_d_displacement += follows * response.d_rate_d_x;
+                output.d_force_d_velocity += follows * response.d_rate_d_v;
             }
         });
         output
