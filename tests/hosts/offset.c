@@ -19,7 +19,7 @@ int main(int argc, char **argv)
     if (!bridge)
         return 2;
     for (i = 0; i < 4; i++) {
-        dashpot_corner_input rest = {0.0, 0.0, 0.0, 0.0, 0.0, DASHPOT_CORNER_KNOWS_JOUNCE, 0};
+        dashpot_corner_input rest = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, DASHPOT_CORNER_KNOWS_JOUNCE, 0};
 
         in[i] = rest;
         CHECK(dashpot_corner_load(&kernel[i], argv[1], &reason) == 0 && dashpot_corner_rest(&kernel[i], offset[i]) == 0);

@@ -83,7 +83,7 @@ fn page(case: &Case, language: Language) -> String {
         found: &case.found,
         records: &records,
         reading: Vec::new(),
-        over_whole_records: OfDiagnosis::of(
+        over_whole_records: OfDiagnosis::evaluate(
             &base(),
             &case.found.base,
             &case.found.improved,

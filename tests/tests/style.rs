@@ -24,10 +24,7 @@ const SURPLUS: &str = "words above a mean of 22 a sentence";
 
 /// What is still allowed: crate or document, rule, count.
 const ALLOWED: &[(&str, &str, usize)] = &[
-    ("src/bench", NAMES, 25),
-    ("src/bench", OPENINGS, 7),
-    ("src/bench", SUMMARIES, 13),
-    ("src/cli", NAMES, 8),
+    ("src/cli", NAMES, 1),
     ("src/cli", OPENINGS, 3),
     ("src/cli", SUMMARIES, 9),
     ("src/core", SUMMARIES, 3),
@@ -38,7 +35,10 @@ const ALLOWED: &[(&str, &str, usize)] = &[
     ("src/estimation", NAMES, 31),
     ("src/estimation", OPENINGS, 19),
     ("src/estimation", SUMMARIES, 37),
-    ("src/hosts", NAMES, 15),
+    ("src/gui", NAMES, 19),
+    ("src/gui", OPENINGS, 7),
+    ("src/gui", SUMMARIES, 13),
+    ("src/hosts", NAMES, 6),
     ("src/hosts", SUMMARIES, 19),
     ("src/identification", NAMES, 17),
     ("src/identification", OPENINGS, 11),
@@ -46,24 +46,23 @@ const ALLOWED: &[(&str, &str, usize)] = &[
     ("src/other_lab", NAMES, 13),
     ("src/other_lab", OPENINGS, 3),
     ("src/other_lab", SUMMARIES, 26),
-    ("src/output", NAMES, 3),
+    ("src/output", NAMES, 1),
     ("src/output", OPENINGS, 1),
     ("src/output", SUMMARIES, 2),
     ("src/proving", NAMES, 7),
     ("src/proving", OPENINGS, 4),
     ("src/proving", SUMMARIES, 8),
-    ("src/python", NAMES, 2),
     ("src/python", OPENINGS, 2),
     ("src/python", SUMMARIES, 12),
-    ("src/records", NAMES, 27),
+    ("src/records", NAMES, 2),
     ("src/records", OPENINGS, 9),
     ("src/records", SUMMARIES, 86),
-    ("src/report", NAMES, 13),
+    ("src/report", NAMES, 1),
     ("src/report", OPENINGS, 12),
     ("src/report", SUMMARIES, 19),
     ("src/rig", NAMES, 10),
     ("src/rig", SUMMARIES, 9),
-    ("src/simulation", NAMES, 16),
+    ("src/simulation", NAMES, 8),
     ("src/simulation", OPENINGS, 10),
     ("src/simulation", SUMMARIES, 25),
     ("tests", OPENINGS, 7),
@@ -92,7 +91,7 @@ const WORDS: &str = "
     larger smaller
     late early
     beside
-    bench proving worked
+    proving worked
     force_by force_by_x by_x by_v by_memory by_velocity by_displacement
     falls most_states
 ";

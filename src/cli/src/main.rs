@@ -77,7 +77,7 @@ fn main() -> ExitCode {
         Err(told) => return tell_usage(&told),
     };
     dashpot_output::set_force(cli.force);
-    dashpot_output::remember_inputs(inputs::named(&matches));
+    dashpot_output::register_inputs(inputs::named(&matches));
     if let Some(error) = dashpot_output::stdout_closed() {
         dashpot_output::warn(&format!("dashpot: {error}"));
         return ExitCode::from(2);

@@ -16,7 +16,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 pub use guard::set_force;
-pub use inputs::remember as remember_inputs;
+pub use inputs::register as register_inputs;
 pub use kind::{AUTHOR, GENERATOR, Kind, WRITTEN};
 pub use lock::FolderLock;
 pub use replace::replace_file;

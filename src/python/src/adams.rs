@@ -40,11 +40,11 @@ pub fn export_adams(
 ) -> PyResult<Vec<String>> {
     let length = millimetres(length).map_err(say::<ExportError>)?;
     let made = py.detach(|| -> anyhow::Result<_> {
-        let ready = Ready::of(&model.file.params, host_step, wheel_mass, for_step)?;
+        let ready = Ready::prepare(&model.file.params, host_step, wheel_mass, for_step)?;
         let prepared = model_file::prepared(&ready.params)?;
         let libraries = handed_out::adams_libraries(library.as_deref())?;
         let text = match ready.softened {
-            Some(_) => model_file::plain(&ready.params, &ready.told()),
+            Some(_) => model_file::plain(&ready.params, &ready.messages()),
             None => model.text_of_file().to_owned(),
         };
         let (replaced, chatters) = (ready.replaced(), ready.remarks());

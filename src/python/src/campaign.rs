@@ -125,7 +125,7 @@ impl Campaign {
         let read = one.as_ref().unwrap_or(&self.read);
         let of = Campaign { read: read.clone() };
         let channels = (0..read.records.len()).map(|k| of.channels(py, k)).collect::<PyResult<_>>()?;
-        let as_read = read.records.iter().map(|r| r.as_read.clone()).collect();
+        let as_read = read.records.iter().map(|r| r.original_fingerprint.clone()).collect();
         Ok((serde_json::to_string(read).map_err(raise::<RecordError>)?, channels, as_read, read.files.clone()))
     }
 
@@ -151,7 +151,7 @@ impl Campaign {
             record.velocity = always("velocity")?;
             record.force = always("force")?;
             (record.side_force, record.temperature) = (channel("side_force"), channel("temperature"));
-            record.as_read = as_read;
+            record.original_fingerprint = as_read;
             record.counted = Some(read.sign.counted());
         }
         say_again(&mut read);

@@ -19,9 +19,9 @@ pub fn check(
     for_step: Option<f64>,
 ) -> PyResult<(String, Vec<String>, String)> {
     let done = work::run(py, None, |_| -> anyhow::Result<(Figures, Vec<String>, String)> {
-        let ready = Ready::of(&model.file.params, host_step, wheel_mass, for_step)?;
-        let told = ready.told().into_iter().chain(ready.stiffness()?).collect();
-        Ok((ready.figures()?, told, model_file::plain(&ready.params, &ready.told())))
+        let ready = Ready::prepare(&model.file.params, host_step, wheel_mass, for_step)?;
+        let told = ready.messages().into_iter().chain(ready.stiffness()?).collect();
+        Ok((ready.figures()?, told, model_file::plain(&ready.params, &ready.messages())))
     })?;
     let (figures, told, text) = done.map_err(raise::<ModelError>)?;
     Ok((serde_json::to_string(&figures).map_err(raise::<ModelError>)?, told, text))

@@ -84,7 +84,7 @@ pub fn validate<'py>(
         let mut validation = figures(&read, &compared, windows.as_deref(), &[])?;
         let mut found = Rivals::default();
         if !against.is_empty() {
-            found = Rivals::of(&against, &model.file, &read, &|done, name| progress.say(done, name))?;
+            found = Rivals::compare(&against, &model.file, &read, &|done, name| progress.say(done, name))?;
             found.put_into(&mut validation, &compared);
         }
         let json = serde_json::to_string(&validation)?;

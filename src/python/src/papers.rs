@@ -65,7 +65,7 @@ impl Page {
             .filter(|_| self.is_file)
             .map(|model| MadeFrom::of_content(&self.model, model.text_of_file().as_bytes()));
         let files = self.files.iter().chain(files);
-        let known = model.into_iter().chain(files.filter_map(|path| MadeFrom::of(path))).collect();
+        let known = model.into_iter().chain(files.filter_map(|path| MadeFrom::read(path))).collect();
         Ok(Made { date, command: made::command_line(self.command.iter().cloned()), ..Made::of_known(known) })
     }
 
@@ -210,7 +210,7 @@ pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found
     let is_workbook = what == "workbook";
     let kind = if is_workbook { Kind::Workbook } else { Kind::Report };
     page.write(py, (&path, Some(kind)), &made, || {
-        let report = groups::page(&found.answers, Path::new(&page.model), made.clone(), words);
+        let report = groups::page(&found.results, Path::new(&page.model), made.clone(), words);
         if is_workbook {
             write_workbook(&report.workbook(), &path)
         } else {

@@ -129,7 +129,7 @@ impl Beside {
     ///
     /// # Errors
     /// The fault of lines that are too many to be stray ones.
-    pub fn tell(self, rows: &mut Rows) -> Result<(), RecordError> {
+    pub fn report(self, rows: &mut Rows) -> Result<(), RecordError> {
         for (line, text) in self.labels {
             rows.note("ignored", Sentence::from(phrases::BELOW_HEADING).with("line", line).with("text", text));
         }

@@ -74,7 +74,7 @@ pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> 
 pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     let Agreement { gain, explained, .. } = *agreement;
     let by = |cause: Template, figure: &'static str, value: String| {
-        Sentence::from(cause).with(figure, value).with_said("advice", phrases::READ_ONE_ONLY)
+        Sentence::from(cause).with(figure, value).with_sentence("advice", phrases::READ_ONE_ONLY)
     };
     if explained < 0.5 {
         return Some(by(phrases::OTHER_MOTION, "percent", format!("{:.0}", 100.0 * explained.max(0.0))));
@@ -92,7 +92,7 @@ pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     for (factor, cause) in slips {
         for slip in [factor, 1.0 / factor] {
             if (gain / slip - 1.0).abs() < 0.06 {
-                return Some(by(phrases::UNIT_SLIP, "gain", format!("{gain:.4}")).with_said("slip", cause));
+                return Some(by(phrases::UNIT_SLIP, "gain", format!("{gain:.4}")).with_sentence("slip", cause));
             }
         }
     }

@@ -23,7 +23,7 @@ pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
     let of_all = orders.first().copied().filter(|_| orders.len() == 1);
     let mut assumed = Vec::new();
     for (k, (options, test)) in tests.iter_mut().enumerate() {
-        let Dates { open: Some(open), decided, usual } = &test.dates else { continue };
+        let Dates { open: Some(open), decided, likely: usual } = &test.dates else { continue };
         match options.dates.or(*decided).or(of_all).or(*usual) {
             Some(order) if order != open.read => test.begins = test.begins.map(|begins| begins + open.shift),
             Some(_) => {}
@@ -57,7 +57,7 @@ pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
         .with("date", &open.text)
         .with("at", &tests[first].1.name)
         .with("read", clock::written(began).split(' ').next().unwrap_or_default())
-        .with_said("why", why);
+        .with_sentence("why", why);
     notes.push(Note { kind: "clock", text });
 }
 
@@ -74,7 +74,7 @@ mod tests {
                 let began = clock::begins(lines.lines()).unwrap();
                 let mut test = SineTest::default().samples();
                 test.begins = Some(began.at);
-                test.dates = Dates { usual, ..Dates::of_lines(lines.lines(), began.date) };
+                test.dates = Dates { likely: usual, ..Dates::of_lines(lines.lines(), began.date) };
                 (options, test)
             })
             .collect();
@@ -164,7 +164,7 @@ mod tests {
                 clock::seconds(cell).unwrap()
             })
             .collect();
-        dates.settle_column(&mut times);
+        dates.resolve_column(&mut times);
         assert_eq!((times[1] - times[0], clock::written(times[0]).as_str()), (2.0, "2026-11-03 23:59:59"));
         assert_eq!(dates.decided, Some(DateOrder::DayFirst));
     }

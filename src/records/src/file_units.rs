@@ -114,7 +114,7 @@ pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>
         all: records.len(),
         shown: shown.record.name.clone(),
         at: (velocity(level), shown.levels[&level].against),
-        usual: (velocity(beside), libm::exp(others.curve[&beside])),
+        expected: (velocity(beside), libm::exp(others.curve[&beside])),
         channel,
         written,
         likely,

@@ -235,7 +235,7 @@ fn by_list(
         split.without_test = list.without_test(&records.iter().collect::<Vec<_>>());
         split
             .sort(records, |record| list.group_of(record).map(str::to_owned), &mut groups)
-            .map_err(|first| GroupError::NotListed { list: list.said(), first })?;
+            .map_err(|first| GroupError::NotListed { list: list.describe(), first })?;
     }
     split.groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
     Ok(split)

@@ -32,7 +32,11 @@ pub fn matches(record: &Record, patterns: &[String]) -> bool {
 ///
 /// # Errors
 /// Where a pattern matches no test, or all tests are left out.
-pub fn held_out(campaign: &Campaign, patterns: &[String], purpose: &'static str) -> Result<Vec<bool>, HoldOutError> {
+pub fn select_hold_out(
+    campaign: &Campaign,
+    patterns: &[String],
+    purpose: &'static str,
+) -> Result<Vec<bool>, HoldOutError> {
     let records = &campaign.records;
     let out: Vec<bool> = records.iter().map(|r| matches(r, patterns)).collect();
     if out.iter().all(|o| *o) {
@@ -52,6 +56,6 @@ pub fn held_out(campaign: &Campaign, patterns: &[String], purpose: &'static str)
 /// # Errors
 /// As [`held_out`].
 pub fn kept<'a>(campaign: &'a Campaign, patterns: &[String]) -> Result<Vec<&'a Record>, HoldOutError> {
-    let out = held_out(campaign, patterns, "fit")?;
+    let out = select_hold_out(campaign, patterns, "fit")?;
     Ok(campaign.records.iter().zip(out).filter(|(_, out)| !out).map(|(record, _)| record).collect())
 }

@@ -70,7 +70,7 @@ impl Packet<'_> {
     fn dates(&self) -> Dates {
         let mut dates = Dates::default();
         (1..self.names.len()).for_each(|k| dates.see(self.said("Date", k)));
-        dates.usual = (self.said("Decimal_Separator", 1) == ",").then_some(DateOrder::DayFirst);
+        dates.likely = (self.said("Decimal_Separator", 1) == ",").then_some(DateOrder::DayFirst);
         dates
     }
 }
@@ -89,7 +89,7 @@ pub(crate) fn parse(
     let Some(first) = packets.first() else {
         return Err(RecordError::NoData { at: at.clone() });
     };
-    packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.at(at))?;
+    packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.into_error(at))?;
     let header = header(first, options);
     if !is_header(&header, options) {
         return Err(no_header(at, &first.names));

@@ -43,10 +43,10 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     let Settings { settings, open } = Settings::of(records, &motions, seen);
     let names: Vec<&str> = records.iter().map(|record| record.name.as_str()).collect();
     let told = settings.iter().enumerate().map(|(k, tests)| {
-        Sentence::from(phrases::SETTING).with("number", k + 1).with_said("names", together(&names, tests))
+        Sentence::from(phrases::SETTING).with("number", k + 1).with_sentence("names", together(&names, tests))
     });
     let open =
-        (!open.is_empty()).then(|| Sentence::from(phrases::SETTING_OPEN).with_said("names", listed(&names, &open)));
+        (!open.is_empty()).then(|| Sentence::from(phrases::SETTING_OPEN).with_sentence("names", listed(&names, &open)));
     let belong = (settings.len() > 1).then(|| {
         let belong = Sentence::from(phrases::SETTINGS);
         belong.with_list("settings", told.collect(), phrases::SEMICOLON).with_any("open", open)
@@ -65,7 +65,7 @@ fn listed(names: &[&str], tests: &[usize]) -> Sentence {
     let named = Sentence::list(tests.iter().take(NAMES).map(quoted).collect(), phrases::COMMA);
     match tests.len().saturating_sub(NAMES) {
         0 => named,
-        more => Sentence::from(phrases::AND_MORE).with_said("names", named).with("count", more),
+        more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
     }
 }
 

@@ -41,7 +41,7 @@ pub struct SignFinding {
 impl SignFinding {
     /// What every record of the campaign bears of it.
     pub fn counted(&self) -> Counted {
-        Counted { positive: self.positive, given: self.given }
+        Counted { positive: self.positive, is_stated: self.given }
     }
 }
 
@@ -95,12 +95,12 @@ pub(crate) fn settle(
     }
     let mut finding = direction(&evidence, standstill, options, notes);
     let cycles: Vec<(usize, Overtones)> =
-        motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::of(motion)?))).collect();
+        motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::measure(motion)?))).collect();
     let exchanged: Vec<(usize, Overtones)> = cycles.iter().copied().filter(|(_, o)| o.exchanged()).collect();
     // As read the damper takes energy out, so it may be one of a kind not known here: told, and left as it is.
     if 2 * exchanged.len() > cycles.len() {
         let text =
-            Sentence::from(phrases::EXCHANGED_DOUBT).with_said("exchanged", told_exchanged(&evidence, &exchanged));
+            Sentence::from(phrases::EXCHANGED_DOUBT).with_sentence("exchanged", told_exchanged(&evidence, &exchanged));
         notes.push(Note { kind: "exchanged", text });
         finding.reasons.push(phrases::MAYBE_EXCHANGED.into());
         finding.confidence = finding.confidence.min(0.5);
@@ -141,12 +141,12 @@ fn lateness(
     // Displacement and force exchanged turn the loop round, as a wrong sign or half a cycle of delay would; of these the wave form tells it.
     let exchanged: Vec<(usize, Overtones)> = feeding
         .iter()
-        .filter_map(|&i| Some((i, Overtones::of(&motions[i])?)))
+        .filter_map(|&i| Some((i, Overtones::measure(&motions[i])?)))
         .filter(|(_, overtones)| overtones.exchanged())
         .collect();
     if !feeding.is_empty() && 2 * exchanged.len() >= feeding.len() {
         let cause =
-            Sentence::from(phrases::EXCHANGED_FEED).with_said("exchanged", told_exchanged(evidence, &exchanged));
+            Sentence::from(phrases::EXCHANGED_FEED).with_sentence("exchanged", told_exchanged(evidence, &exchanged));
         let tests = exchanged.iter().map(|(i, _)| evidence[*i].name.clone()).collect();
         return Err(RecordError::Exchanged { cause, tests });
     }
@@ -163,7 +163,8 @@ fn lateness(
         match delay::cause(motions, &feeding) {
             Cause::Delay(late) => Some(late),
             Cause::Either(late) => {
-                let also = Sentence::from(phrases::OR_LATE).with_said("late", told(&late)).with("option", flag(&late));
+                let also =
+                    Sentence::from(phrases::OR_LATE).with_sentence("late", told(&late)).with("option", flag(&late));
                 return Err(energy_fed(evidence, standstill, Some(also)));
             }
             Cause::Sign => return Err(energy_fed(evidence, standstill, None)),
@@ -175,7 +176,7 @@ fn lateness(
         notes.push(Note {
             kind: "late",
             text: Sentence::from(phrases::LATE_NOT_MOVED)
-                .with_said("late", told(late))
+                .with_sentence("late", told(late))
                 .with_any("energy", energy)
                 .with("option", flag(late)),
         });
@@ -339,7 +340,7 @@ fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Se
     Sentence::from(phrases::EXCHANGED)
         .with("count", exchanged.len())
         .with("all", evidence.len())
-        .with_said("names", list(&names))
+        .with_sentence("names", list(&names))
         .with("test", shown)
         .with("of_force", percent(overtones.map(|o| o.force)))
         .with("of_displacement", percent(overtones.map(|o| o.displacement)))
@@ -352,7 +353,7 @@ fn list(names: &[&Evidence]) -> Sentence {
     let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
     match names.len().saturating_sub(NAMED) {
         0 => named,
-        more => Sentence::from(phrases::AND_MORE).with_said("names", named).with("count", more),
+        more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
     }
 }
 
@@ -371,8 +372,8 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
             .with("fewer", fewer.len())
             .with("count", evidence.len())
             .with("more", more)
-            .with_said("names", list(fewer))
-            .with_said("apart", phrases::APART)
+            .with_sentence("names", list(fewer))
+            .with_sentence("apart", phrases::APART)
             .with_any("also", also);
         return RecordError::FeedsEnergy { cause, tests };
     }
@@ -388,7 +389,7 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
     let cause = Sentence::from(phrases::ALL_FEED)
         .with("count", feeding.len())
         .with("correlation", format!("{:.2}", median(&mut powers.clone())))
-        .with_said("culprit", culprit)
+        .with_sentence("culprit", culprit)
         .with_any("also", also);
     RecordError::FeedsEnergy { cause, tests }
 }
@@ -413,7 +414,7 @@ fn direction(
                 Sentence::from(phrases::STANDSTILL)
                     .with("force", signed(force))
                     .with("error", newtons(uncertainty, 0))
-                    .with_said("verdict", verdict),
+                    .with_sentence("verdict", verdict),
             );
         }
         None => reasons.push(phrases::NO_STANDSTILL.into()),
@@ -437,7 +438,7 @@ fn direction(
         let said = Sentence::from(phrases::ASYMMETRY)
             .with("ratio", format!("{:.2}", libm::exp(ratio)))
             .with("error", format!("{:.1}", libm::exp(error)))
-            .with_said("verdict", verdict);
+            .with_sentence("verdict", verdict);
         reasons.push(said);
     }
     if gas.abs() > 1.0 && shape.abs() > 0.3 && gas.signum() != shape.signum() {

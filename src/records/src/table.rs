@@ -532,7 +532,7 @@ impl Rows {
     }
 
     fn charge(&self, charged: Result<(), Exhausted>) -> Result<(), RecordError> {
-        charged.map_err(|exhausted| exhausted.at(&self.at))
+        charged.map_err(|exhausted| exhausted.into_error(&self.at))
     }
 
     /// The tests that the rows hold. `sample_time` stands in for a missing time column.
@@ -562,7 +562,7 @@ impl Rows {
             notes.push(Note { kind: "converted", text });
         }
         if let Some(index) = self.layout.columns.iter().position(|c| c.clock) {
-            self.dates.settle_column(&mut self.values[index]);
+            self.dates.resolve_column(&mut self.values[index]);
             self.begins = clock::from_first(&mut self.values[index]).or(self.begins);
             notes.push(Note { kind: "converted", text: phrases::TIME_OF_DAY.into() });
         }

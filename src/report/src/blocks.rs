@@ -142,7 +142,7 @@ impl Column {
     }
 
     /// The same column under a group heading.
-    pub fn of(self, group: &'static str) -> Self {
+    pub fn in_group(self, group: &'static str) -> Self {
         Self { group, ..self }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::diagnosis::changed_name;
-use crate::numbers::share;
+use crate::numbers::fraction;
 use crate::plot::axes::{Axis, Marks, Plane, Series};
 use crate::plot::palette::Role;
 use crate::words::Words;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 fn finding(finding: &Finding, words: &Words) -> String {
-    words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &share(finding.confidence))])
+    words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &fraction(finding.confidence))])
 }
 
 /// The report for people.

@@ -46,11 +46,11 @@ pub struct CornerFigures {
     /// Energy taken with the curve, J.
     pub energy_fv_j: f64,
     /// Share of the time near which rig tests came.
-    pub share_inside_tests: Option<f64>,
+    pub fraction_inside_tests: Option<f64>,
     /// Velocities, m/s, at which the model's FV curve ends; none where it has no ends.
     pub curve_ends_m_s: Option<[f64; 2]>,
     /// Share of the time beyond them, where the curve goes straight on.
-    pub share_beyond_curve: f64,
+    pub fraction_beyond_curve: f64,
 }
 
 /// What was driven, in figures; its JSON form is what `dashpot manoeuvre` writes.
@@ -97,7 +97,7 @@ fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
 
 impl Covered {
     /// The loops of records.
-    pub fn of(records: &[Record]) -> Self {
+    pub fn from_records(records: &[Record]) -> Self {
         let points = |r: &Record| r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect();
         let loops: Vec<Vec<[f64; 2]>> = records.iter().map(points).collect();
         Covered { region: region(loops.iter().flatten().copied()), loops }
@@ -172,9 +172,9 @@ pub fn figures(
                     let (low, high) = models[i].elements().paths.fv_curve.range();
                     (low < high).then_some([low, high])
                 },
-                share_beyond_curve: points().filter(|[_, v]| !models[i].covers(*v)).count() as f64
+                fraction_beyond_curve: points().filter(|[_, v]| !models[i].covers(*v)).count() as f64
                     / model.samples.len().max(1) as f64,
-                share_inside_tests: near
+                fraction_inside_tests: near
                     .as_ref()
                     .map(|near| points().filter(|p| near(*p)).count() as f64 / model.samples.len() as f64),
             }
@@ -394,9 +394,9 @@ impl ManoeuvreInput<'_> {
         let mut columns = vec![Column::words(words.col_corner)];
         columns.extend([words.saw_displacement, words.saw_velocity].map(Column::figures));
         let two = [words.model, words.col_curve];
-        columns.extend(two.map(|name| Column::figures(name).of(words.group_largest_force)));
+        columns.extend(two.map(|name| Column::figures(name).in_group(words.group_largest_force)));
         columns.push(Column::figures(words.col_rms_difference));
-        columns.extend(two.map(|name| Column::figures(name).of(words.group_energy_j)));
+        columns.extend(two.map(|name| Column::figures(name).in_group(words.group_energy_j)));
         let near = self.covered.is_some();
         columns.extend(near.then(|| Column::figures(words.col_near_tests)));
         let rows = self.figures.corners.iter().map(|c| {
@@ -410,7 +410,7 @@ impl ManoeuvreInput<'_> {
                 Cell::number(c.energy_j, numbers::error),
                 Cell::number(c.energy_fv_j, numbers::error),
             ];
-            row.extend(near.then(|| Cell::number(100.0 * c.share_inside_tests.unwrap_or(0.0), numbers::error)));
+            row.extend(near.then(|| Cell::number(100.0 * c.fraction_inside_tests.unwrap_or(0.0), numbers::error)));
             row
         });
         Table { caption: words.corners_caption.to_owned(), columns, rows: rows.collect(), sortable: false }
@@ -439,11 +439,12 @@ pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
 
 /// That a damper leaves the velocities that its FV curve was identified at, where one does: the one that does so longest.
 pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
-    let share = |c: &&CornerFigures| c.share_beyond_curve;
-    let worst = f.corners.iter().max_by(|a, b| share(a).total_cmp(&share(b))).filter(|c| c.share_beyond_curve > 0.0)?;
+    let share = |c: &&CornerFigures| c.fraction_beyond_curve;
+    let worst =
+        f.corners.iter().max_by(|a, b| share(a).total_cmp(&share(b))).filter(|c| c.fraction_beyond_curve > 0.0)?;
     let range = |[low, high]: [f64; 2]| words.number(&format!("{} … {}", digits(1e3 * low, 4), digits(1e3 * high, 4)));
     let (saw, ends) = (range(worst.saw.velocity_m_s), range(worst.curve_ends_m_s?));
-    let share = digits(100.0 * worst.share_beyond_curve, 2);
+    let share = digits(100.0 * worst.fraction_beyond_curve, 2);
     let figures = [("corner", worst.corner), ("saw", saw.as_str()), ("ends", &ends), ("share", &share)];
     Some(words.fill(words.manoeuvre_beyond, &figures))
 }

@@ -47,7 +47,7 @@ pub fn digits(value: f64, significant: i32) -> String {
 
 /// A value with as many decimals as give `reference` three digits: figures compared with each other end at the same
 /// place, and what is nothing beside the reference reads as nothing.
-pub fn beside(value: f64, reference: f64) -> String {
+pub fn comparable(value: f64, reference: f64) -> String {
     let exponent = if reference == 0.0 { 0.0 } else { libm::log10(reference.abs()).floor() };
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
@@ -80,8 +80,8 @@ fn spaced(figures: String, unit: &str) -> String {
     if unit.is_empty() { figures } else { format!("{figures}\u{a0}{unit}") }
 }
 
-/// A share in percent, whole.
-pub fn share(value: f64) -> String {
+/// A fraction in percent, without decimals.
+pub fn fraction(value: f64) -> String {
     if value.is_finite() { format!("{}\u{a0}%", number(100.0 * value, 0)) } else { "–".into() }
 }
 
@@ -115,7 +115,10 @@ mod tests {
             assert_eq!(digits(value, 3), text);
         }
         assert_eq!(milli(0.05), "50.0");
-        assert_eq!([beside(-12.94, -12.94), beside(6.6e-13, -12.94), beside(1102.4, 999.0)], ["−12.9", "0.0", "1102"]);
+        assert_eq!(
+            [comparable(-12.94, -12.94), comparable(6.6e-13, -12.94), comparable(1102.4, 999.0)],
+            ["−12.9", "0.0", "1102"]
+        );
         assert_eq!([error(-1e-12), error(-0.04), error(0.997), error(23.46)], ["0.0", "−0.040", "1.0", "23.5"]);
         assert_eq!([force(0.0), force(3.04), force(13.4), force(-2100.6)], ["0", "3.0", "13", "−2101"]);
     }

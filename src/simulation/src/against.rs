@@ -78,7 +78,7 @@ impl Rivals {
     ///
     /// # Errors
     /// [`AgainstError`].
-    pub fn of(
+    pub fn compare(
         wanted: &[String],
         file: &ModelFile,
         campaign: &Campaign,

@@ -31,7 +31,7 @@ pub struct ImposedMotion {
 
 /// The answer of a model to a motion at one sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
+pub struct SimulatedSample {
     /// Time, s.
     pub time: f64,
     /// Displacement, m, extension positive.
@@ -192,7 +192,7 @@ impl ImposedMotion {
     ///
     /// # Errors
     /// Where the motion is so far from any damper's that a number overflows.
-    pub fn drive(&self, model: &Model) -> Result<Vec<Answer>, ImposeError> {
+    pub fn drive(&self, model: &Model) -> Result<Vec<SimulatedSample>, ImposeError> {
         self.drive_telling(model, &|_, _| {})
     }
 
@@ -200,7 +200,11 @@ impl ImposedMotion {
     ///
     /// # Errors
     /// Those of [`ImposedMotion::drive`].
-    pub fn drive_family(&self, family: &Family, setting: &dyn Fn(f64) -> f64) -> Result<Vec<Answer>, ImposeError> {
+    pub fn drive_family(
+        &self,
+        family: &Family,
+        setting: &dyn Fn(f64) -> f64,
+    ) -> Result<Vec<SimulatedSample>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
         let start = Some(setting(self.time.first().copied().unwrap_or(0.0)));
         let mut state = family.steady_state(&first, start);
@@ -218,7 +222,7 @@ impl ImposedMotion {
                 return Err(ImposeError::NotFinite(time, "force"));
             }
             let (displacement, velocity) = (state.displacement, self.velocity[i]);
-            answers.push(Answer { time, displacement, velocity, force: output.force });
+            answers.push(SimulatedSample { time, displacement, velocity, force: output.force });
         }
         Ok(answers)
     }
@@ -227,7 +231,11 @@ impl ImposedMotion {
     ///
     /// # Errors
     /// As [`ImposedMotion::drive`].
-    pub fn drive_telling(&self, model: &Model, tell: &dyn Fn(usize, usize)) -> Result<Vec<Answer>, ImposeError> {
+    pub fn drive_telling(
+        &self,
+        model: &Model,
+        tell: &dyn Fn(usize, usize),
+    ) -> Result<Vec<SimulatedSample>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
         let mut state = model.steady_state(&first);
         let mut force = dashpot_core::evaluate::force(model, &state, &first).force;
@@ -243,7 +251,7 @@ impl ImposedMotion {
             if !(state.is_finite() && force.is_finite()) {
                 return Err(ImposeError::NotFinite(time, "force"));
             }
-            answers.push(Answer { time, displacement: state.displacement, velocity: self.velocity[i], force });
+            answers.push(SimulatedSample { time, displacement: state.displacement, velocity: self.velocity[i], force });
         }
         Ok(answers)
     }

@@ -99,7 +99,7 @@ impl OfDiagnosis {
     ///
     /// # Errors
     /// As [`deviation`].
-    pub fn of(
+    pub fn evaluate(
         as_it_came: &Params,
         refitted: &Params,
         improved: &Params,

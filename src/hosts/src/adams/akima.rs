@@ -114,7 +114,7 @@ impl Difference {
     }
 
     /// In words.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         format!("at most {:.1} N (at {:.0} mm/s)", self.force, 1e3 * self.velocity)
     }
 }
@@ -215,7 +215,7 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
 
 /// The points of a file whose curve runs straight between them; of more than a model can hold, as many as it takes until the model's curve follows
 /// it, with what is left.
-pub fn read_straight(points: Curve) -> (Curve, Difference) {
+pub fn read_linear(points: Curve) -> (Curve, Difference) {
     if points.velocities.len() <= MAX_POINTS {
         return (points, Difference::default());
     }
@@ -323,7 +323,7 @@ mod tests {
         let velocities: Vec<f64> = (-300..=300).map(|i| 5e-3 * f64::from(i)).collect();
         let points = Curve { forces: velocities.iter().map(|v| force(*v)).collect(), velocities };
         for (curve, interpolation, left) in [read(points.clone()), {
-            let (curve, left) = read_straight(points.clone());
+            let (curve, left) = read_linear(points.clone());
             (curve, Interpolation::Linear, left)
         }] {
             assert!(curve.velocities.len() <= MAX_POINTS && left.is_small(), "{interpolation:?} {left:?}");

@@ -35,7 +35,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let constant = constant_force(&mut read);
     // A linear rate, or a spline that says it is straight, is not read by Akima.
     let (curve, interpolation, remark) = if read.straight {
-        let (curve, left) = akima::read_straight(read.curve);
+        let (curve, left) = akima::read_linear(read.curve);
         let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));
         (curve, Interpolation::Linear, remark)
     } else {
@@ -111,7 +111,7 @@ fn constant_too_large(named: &str, force: f64, error: anyhow::Error) -> anyhow::
 
 /// How far the model's curve follows the one that Adams makes of the file.
 fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
-    let so = format!("The model's curve differs from that of Adams by {}.", left.told());
+    let so = format!("The model's curve differs from that of Adams by {}.", left.describe());
     let reads = "Adams Car joins the points of the file by Akima's method (AKISPL).";
     if rows > MAX_POINTS {
         return format!("{reads} {}", fewer(rows, points, left));
@@ -132,7 +132,7 @@ fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
 fn fewer(rows: usize, points: usize, left: &Difference) -> String {
     format!(
         "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
-        left.told()
+        left.describe()
     )
 }
 

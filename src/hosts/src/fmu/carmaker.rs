@@ -71,7 +71,7 @@ pub fn plug_info(name: &str, guid: &str, shown: Option<&PlainCurve>, written: &s
     );
     if let Some(plain) = shown {
         let curve = plain.curve()?;
-        let _ = writeln!(out, "# {}", plain.told());
+        let _ = writeln!(out, "# {}", plain.note());
         if let Some(left_out) = not_in_the_equilibrium(plain) {
             let _ = writeln!(out, "# {left_out}");
         }
@@ -92,7 +92,7 @@ mod tests {
         let with = |elements: &str| {
             let text = format!("format = 1\nelements = [{elements}]\n");
             let file = dashpot_identification::model_file::of_text(&text, std::path::Path::new("m.toml")).unwrap();
-            let curve = PlainCurve::of(&file, false).unwrap().unwrap();
+            let curve = PlainCurve::from_model_file(&file, false).unwrap().unwrap();
             plug_info("front", "{1}", Some(&curve), "x").unwrap()
         };
         assert!(with("\"fv_curve\", \"gas_preload\"").contains("looks for its equilibrium with: gas_preload."));

@@ -36,7 +36,7 @@ impl Unit {
     }
 
     /// Whether an importer is told of it.
-    pub fn is_told(&self) -> bool {
+    pub fn is_declared(&self) -> bool {
         self.name != "-"
     }
 
@@ -99,7 +99,7 @@ pub struct HostUnits {
 
 impl HostUnits {
     /// Those that the scales stand for; a sign is no part of a unit. A scale with a motion ratio in it stands for none.
-    pub fn of(scales: Scales) -> HostUnits {
+    pub fn from_scales(scales: Scales) -> HostUnits {
         HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
     }
 
@@ -143,7 +143,7 @@ mod tests {
     use super::*;
 
     fn of(motion: f64, force: f64) -> HostUnits {
-        HostUnits::of(Scales { motion, force, position_offset: 0.0, start: 0.0 })
+        HostUnits::from_scales(Scales { motion, force, position_offset: 0.0, start: 0.0 })
     }
 
     #[test]
@@ -164,7 +164,7 @@ mod tests {
             let all = [units.displacement(), units.velocity(), units.force(), units.stiffness(), units.damping()];
             assert_eq!(all.clone().map(|u| u.name), names);
             assert_eq!(all.clone().map(|u| u.factor), factors, "{names:?}");
-            assert!(all.iter().all(|u| u.is_told() && u.dimensions().is_some()));
+            assert!(all.iter().all(|u| u.is_declared() && u.dimensions().is_some()));
         }
     }
 
@@ -178,7 +178,7 @@ mod tests {
         assert_eq!(units.force().name, "N");
         let units = of(0.001, 0.7);
         assert_eq!(
-            (units.displacement().name.as_str(), units.force().is_told(), units.damping().is_told()),
+            (units.displacement().name.as_str(), units.force().is_declared(), units.damping().is_declared()),
             ("mm", false, false)
         );
     }

@@ -196,9 +196,9 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         |scale: f64, positive: &'static str, negative: &'static str| if scale > 0.0 { positive } else { negative };
     let motion = sign(scales.motion, "extension positive", "compression positive");
     let force = sign(scales.force, "tension positive", "push positive");
-    let units = HostUnits::of(scales);
+    let units = HostUnits::from_scales(scales);
     // Where no unit is declared, the factor stands in words.
-    let untold = |unit: &Unit, words: String| if unit.is_told() { String::new() } else { words };
+    let untold = |unit: &Unit, words: String| if unit.is_declared() { String::new() } else { words };
     let (m, n) = (scales.motion.abs(), scales.force.abs());
     let of_displacement = untold(&units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
     let of_velocity = untold(&units.velocity(), format!("; 1 stands for {m:?} m/s of the damper"));

@@ -24,7 +24,7 @@ use super::derive;
 use super::error::RecordError;
 use super::noise;
 use super::numbers::{range, sample_time};
-use super::off::Off;
+use super::off::MeasurementError;
 use super::options::Options;
 use super::phrases;
 use super::record::Record;
@@ -103,7 +103,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         temperature: samples.temperature,
         setting,
         cycles,
-        given: Off::NONE,
+        stated_error: MeasurementError::NONE,
         notes: samples.notes,
     };
     let partnered = corrections::apply(&mut motion, options);
@@ -168,7 +168,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                         Sentence::from(phrases::VELOCITY_LATE)
                             .with("column", samples.heading(Channel::Velocity))
                             .with("lag", format!("{:.2}", 1e3 * agreement.lag.abs()))
-                            .with_said("side", if agreement.lag > 0.0 { phrases::BEHIND } else { phrases::AHEAD }),
+                            .with_sentence("side", if agreement.lag > 0.0 { phrases::BEHIND } else { phrases::AHEAD }),
                     );
                     return Ok(differentiated(samples, displacement));
                 }
@@ -240,7 +240,7 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
             .with("start", format!("{:.2}", 1e3 * initial))
             .with("offset", format!("{:.4}", 1e3 * removed))
             .with("drift", format!("{:.2}", 1e3 * removed * seconds))
-            .with_said("basis", basis),
+            .with_sentence("basis", basis),
     );
     (displacement, velocity, cycles)
 }
@@ -273,7 +273,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         temperature,
         setting,
         cycles,
-        given,
+        stated_error: given,
         mut notes,
     } = motion;
     if time.len() < FEWEST {
@@ -309,8 +309,8 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         side_force,
         temperature,
         notes,
-        as_read: None,
-        given,
+        original_fingerprint: None,
+        stated_error: given,
         counted: None,
     };
     take_mass(&mut record, given.mass_kg);

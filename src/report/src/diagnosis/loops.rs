@@ -1,7 +1,7 @@
 //! Loops of the tests with the largest disagreement, fitted and left out.
 
 use crate::blocks::{Block, Figure, Section};
-use crate::numbers::{digits, share};
+use crate::numbers::{digits, fraction};
 use crate::plot::before_after;
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
@@ -62,7 +62,7 @@ fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
 fn in_words(test: &TestOutcome, words: &Words) -> String {
     let gap = test.before_rmse_n - test.noise_n;
     let closed = if gap > 0.0 {
-        words.fill(words.loop_closed, &[("gap", &share((test.before_rmse_n - test.after_rmse_n) / gap))])
+        words.fill(words.loop_closed, &[("gap", &fraction((test.before_rmse_n - test.after_rmse_n) / gap))])
     } else {
         String::new()
     };

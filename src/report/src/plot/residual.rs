@@ -110,7 +110,7 @@ fn binned(
         bin.after += after;
         bin.noise += noise;
     }
-    let (low, high) = (axis.scale.of(axis.low), axis.scale.of(axis.high));
+    let (low, high) = (axis.scale.position(axis.low), axis.scale.position(axis.high));
     let middle = |k: usize| axis.scale.back(low + (k as f64 + 0.5) / bins as f64 * (high - low));
     sums.iter()
         .enumerate()

@@ -76,7 +76,7 @@ impl Ticks {
     }
 
     /// The same with the labels as a language writes numbers.
-    pub fn said(self, words: &Words) -> Self {
+    pub fn localized(self, words: &Words) -> Self {
         Self { at: self.at.into_iter().map(|(value, label)| (value, words.number(&label))).collect() }
     }
 }

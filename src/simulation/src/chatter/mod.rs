@@ -43,5 +43,5 @@ use dashpot_core::Params;
 
 /// What must be known beside an export of a damper: how it chatters, where it does in that host, and whether its step follows the mass inside.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
-    Ready::of(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
+    Ready::prepare(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }

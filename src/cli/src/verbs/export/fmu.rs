@@ -106,7 +106,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             );
         }
         if args.carmaker.is_some() && !args.hide_parameters {
-            curve = PlainCurve::of(&file, args.model_curve).with_context(|| path.display().to_string())?;
+            curve = PlainCurve::from_model_file(&file, args.model_curve).with_context(|| path.display().to_string())?;
         }
         model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
         let ready = args.host.ready(&file.params)?;
@@ -178,7 +178,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             &format!("{}: how CarMaker takes it; both go to its Plugins folder", path.display()),
         )?;
         if let Some(curve) = &curve {
-            dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.told()))?;
+            dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.note()))?;
             if let Some(left_out) = fmu::not_in_the_equilibrium(curve) {
                 dashpot_output::say(None, &format!("  {left_out}"))?;
             }

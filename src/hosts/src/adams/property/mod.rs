@@ -18,7 +18,7 @@ pub struct Curve {
 
 impl Curve {
     /// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.
-    pub fn of(params: &Params, model: &Model) -> Curve {
+    pub fn from_model(params: &Params, model: &Model) -> Curve {
         let fv = model.elements().paths.fv_curve;
         let velocities = if params.number(number!("fv_form")) == 0.0 {
             params.list(list!("fv_velocity")).to_vec()

@@ -163,7 +163,7 @@ impl App {
             Ask::Export(host) => session.export(host, first),
             Ask::Paper(paper) => session.write_paper(paper, first, self.view.language.words()),
             Ask::Text(_, text) => {
-                let kind = Kind::of(text.as_bytes());
+                let kind = Kind::detect(text.as_bytes());
                 self.told(&first, guarded::write(&first, kind, text.as_bytes()));
             }
             Ask::Picture(part) => {
@@ -179,7 +179,7 @@ impl App {
     fn told(&mut self, path: &Path, written: anyhow::Result<()>) {
         match written {
             Ok(()) => self.session.say(path.display().to_string()),
-            Err(error) => self.session.complain(outputs::told(&error)),
+            Err(error) => self.session.complain(outputs::error_sentence(&error)),
         }
     }
 
@@ -298,13 +298,13 @@ impl eframe::App for App {
 #[cfg(test)]
 mod waking {
     use super::*;
-    use crate::dialogs::Told;
+    use crate::dialogs::Message;
 
     /// What work brought is drawn, however often eframe runs the logic without a picture before it comes to one; then the window rests.
     #[test]
     fn a_call_is_not_forgotten_before_it_is_drawn() {
         let ctx = egui::Context::default();
-        let mut app = App::with_recent(&ctx, Box::new(Told::default()), Recent::read(None));
+        let mut app = App::with_recent(&ctx, Box::new(Message::default()), Recent::read(None));
         let input = egui::RawInput::default;
         let draws = |app: &mut App, rounds: usize| {
             for _ in 0..rounds {

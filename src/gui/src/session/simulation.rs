@@ -65,7 +65,7 @@ impl OfTest {
     }
 
     /// Of a whole test, or of its shown cycle alone, from oil that is warmer than the surroundings by `rise`, K.
-    pub fn of(model: &Model, record: &Record, seen: &Seen, rise: f64, quick: bool) -> OfTest {
+    pub fn simulate(model: &Model, record: &Record, seen: &Seen, rise: f64, quick: bool) -> OfTest {
         if quick {
             let forces = predict(model, &seen.cycle, &seen.cycle_motion, rise);
             OfTest::new(&forces, &seen.cycle, 0..seen.cycle_samples, seen.stride, seen.max_force)
@@ -177,7 +177,7 @@ pub fn simulate(wanted: &Wanted, outdated: &(dyn Fn() -> bool + Sync)) -> Option
     let all = wanted.loaded.campaign.records.par_iter().zip(&wanted.loaded.tests).enumerate();
     let rise = |k| wanted.loaded.warm.rise(&wanted.params, k);
     let tests: Option<Vec<OfTest>> = all
-        .map(|(k, (record, seen))| (!outdated()).then(|| OfTest::of(&model, record, seen, rise(k), wanted.quick)))
+        .map(|(k, (record, seen))| (!outdated()).then(|| OfTest::simulate(&model, record, seen, rise(k), wanted.quick)))
         .collect();
     Some(Simulated {
         params: wanted.params,

@@ -20,4 +20,4 @@ pub mod views;
 pub mod words;
 
 #[cfg(test)]
-mod worked;
+mod ui_tests;

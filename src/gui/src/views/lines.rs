@@ -137,7 +137,7 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
         let with =
             effect.filter(|_| place < EFFECTS).and_then(|(element, strength)| session.with_effect(element, strength));
         if let Some((params, model)) = with.and_then(|p| Some((p, Model::new(&p).ok()?))) {
-            let of = OfTest::of(&model, record, seen, loaded.warm.rise(&params, *test), true);
+            let of = OfTest::simulate(&model, record, seen, loaded.warm.rise(&params, *test), true);
             lines.push(over(Whose::Effect, &of.shown, of.stride));
         }
     }

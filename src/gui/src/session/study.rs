@@ -64,7 +64,7 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
             with.set(question.number, value(k)).ok()?;
             let model = Model::new(&with).ok()?;
             let rise = loaded.warm.rise(&with, question.test);
-            let force = OfTest::of(&model, record, seen, rise, true).shown;
+            let force = OfTest::simulate(&model, record, seen, rise, true).shown;
             let [area, gap] = figures(&force);
             Some(Member { value: value(k), force, area, gap })
         })

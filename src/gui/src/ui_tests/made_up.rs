@@ -1,7 +1,7 @@
 //! Records of a damper that the kernel itself makes, and a window without a screen.
 
 use crate::app::App;
-use crate::dialogs::Told;
+use crate::dialogs::Message;
 use crate::session::recent::Recent;
 use dashpot_core::number;
 use dashpot_core::step::step;
@@ -69,7 +69,7 @@ pub fn model(folder: &Path) -> PathBuf {
 /// A window of 1280 by 800 points without a screen; dialogs are answered with these paths, in order.
 pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
     Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
-        let mut app = App::with_recent(&creation.egui_ctx, Box::new(Told::naming(answers)), Recent::read(None));
+        let mut app = App::with_recent(&creation.egui_ctx, Box::new(Message::naming(answers)), Recent::read(None));
         app.view.language = crate::words::Language::English;
         app
     })

@@ -34,7 +34,7 @@ pub mod two_ways;
 pub mod velocities;
 pub mod verbs;
 
-use answers::{Answer, Answers};
+use answers::{Answers, Finding};
 use campaign::Loaded;
 use dashpot_core::Params;
 use dashpot_core::parameter::Element;
@@ -369,11 +369,11 @@ impl Session {
                 self.arrived = Some(Kind::Fit);
             }
             Outcome::Validated(validation, basis) => {
-                self.answers.validation = Some(Answer::new(validation, *basis));
+                self.answers.validation = Some(Finding::new(validation, *basis));
                 self.arrived = Some(Kind::Validate);
             }
             Outcome::Diagnosed(diagnosed, basis) => {
-                self.answers.diagnosis = Some(Answer::new(diagnosed, *basis));
+                self.answers.diagnosis = Some(Finding::new(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
             Outcome::Studied(study) => {
@@ -399,10 +399,10 @@ impl Session {
         if let Some(first) = loaded.paths.first() {
             self.recent.add(first);
         }
-        outputs::remember_inputs(&loaded);
+        outputs::register_inputs(&loaded);
         // What is kept beside the records is shown and can be changed.
         self.reading = loaded.options.clone();
-        if let Some(Ok(Some(profile))) = loaded.folder.as_ref().map(|folder| Profile::of(folder))
+        if let Some(Ok(Some(profile))) = loaded.folder.as_ref().map(|folder| Profile::read(folder))
             && let Ok(said) = profile.options()
         {
             self.reading = self.reading.over(&said);

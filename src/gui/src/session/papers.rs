@@ -5,7 +5,7 @@ use crate::session::answers::Diagnosed;
 use crate::session::campaign::Loaded;
 use crate::session::guarded::checked;
 use crate::session::model::Tuned;
-use crate::session::outputs::told;
+use crate::session::outputs::error_sentence;
 use crate::session::tasks::{Kind as Work, Outcome};
 use crate::session::verbs::compared;
 use dashpot_identification::validation::validate;
@@ -61,7 +61,7 @@ fn file_of(model: &Tuned) -> Option<PathBuf> {
 /// What a paper is made from. Reads every file once more, so beside the window.
 fn made<'a>(model: Option<&PathBuf>, campaigns: impl IntoIterator<Item = &'a Arc<Loaded>>) -> Made {
     let files: Vec<&PathBuf> = model.into_iter().chain(campaigns.into_iter().flat_map(|c| &c.campaign.files)).collect();
-    Made::of(files.into_iter().map(PathBuf::as_path))
+    Made::from_files(files.into_iter().map(PathBuf::as_path))
 }
 
 impl Session {
@@ -110,7 +110,8 @@ impl Session {
                 made: made(model_path.as_ref(), [&loaded]),
                 model_file: name,
                 data: loaded.named(),
-                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words).map_err(|e| told(&e))?
+                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words)
+                    .map_err(|e| error_sentence(&e))?
             };
             write(path, paper.kind(), |path| match paper.kind() {
                 Kind::Workbook => write_workbook(&dashpot_report::workbook(&input), path),
@@ -155,6 +156,6 @@ impl Session {
 
 /// Writes a file of a kind where nothing else would be lost.
 fn write(path: PathBuf, kind: Kind, write: impl FnOnce(&Path) -> anyhow::Result<()>) -> Result<Outcome, Sentence> {
-    checked(&path, kind).and_then(|()| write(&path)).map_err(|e| told(&e))?;
+    checked(&path, kind).and_then(|()| write(&path)).map_err(|e| error_sentence(&e))?;
     Ok(Outcome::Written(path, Vec::new()))
 }

@@ -1,7 +1,7 @@
 //! Another model in the place of the one on screen: asked for first where values set by hand would be lost, and undone like any change.
 
 use crate::session::Session;
-use crate::session::answers::{Answer, Fitted};
+use crate::session::answers::{Finding, Fitted};
 use crate::session::model::Tuned;
 use dashpot_core::Params;
 use dashpot_identification::model_file;
@@ -81,7 +81,7 @@ impl Session {
             Ok(model) => self.take_model(model),
             Err(error) => return self.complain(Sentence::as_it_is(error)),
         }
-        self.answers.fit = self.basis().map(|basis| Answer::new(fit, basis));
+        self.answers.fit = self.basis().map(|basis| Finding::new(fit, basis));
     }
 
     /// The model takes the place of the one on screen, which can be gone back to.

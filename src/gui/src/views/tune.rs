@@ -132,7 +132,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
     };
     let interval = model.interval(p.name, entry);
     let scale = Scale::of(&model.identified);
-    let reach = Reach::of(row, scale, identified, now, interval);
+    let reach = Reach::new(row, scale, identified, now, interval);
     let unit = units.shown(p.unit);
     let (identifier, name) = match p.shape {
         Shape::List(_) => {

@@ -12,7 +12,7 @@ use dashpot_identification::{Fit, Standing};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::inventory::{probability, status_text};
-use dashpot_report::numbers::{error, share, with_interval};
+use dashpot_report::numbers::{error, fraction, with_interval};
 use dashpot_report::parameters::assumed_of;
 use dashpot_report::quality;
 use eframe::egui::{self, RichText, Ui};
@@ -179,7 +179,7 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
         let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", said.word(finding.form)) };
         wrapped(
             ui,
-            RichText::new(format!("{}{form}, {} {}", said.named(finding.effect), share(finding.confidence), w.sure))
+            RichText::new(format!("{}{form}, {} {}", said.named(finding.effect), fraction(finding.confidence), w.sure))
                 .strong(),
         );
         wrapped(ui, RichText::new(said.word(finding.meaning)));

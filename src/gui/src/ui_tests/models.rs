@@ -126,7 +126,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
 
 #[test]
 fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
-    use crate::dialogs::Told;
+    use crate::dialogs::Message;
     use crate::session::recent::Recent;
     let folder = tempfile::tempdir().unwrap();
     campaign(folder.path(), 6);
@@ -137,7 +137,7 @@ fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
     let asked = std::rc::Rc::clone(&began);
     let mut harness =
         Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
-            let mut dialogs = Told::default();
+            let mut dialogs = Message::default();
             (dialogs.began, dialogs.without) = (asked, true);
             let mut app = App::with_recent(&creation.egui_ctx, Box::new(dialogs), Recent::read(None));
             app.view.language = Language::English;

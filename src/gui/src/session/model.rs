@@ -281,7 +281,7 @@ const SPREADS: f64 = 3.0;
 impl Reach {
     /// Of a number: what dampers show of it, the interval of the fit, the identified value and the present one all lie within, and the
     /// bounds of the table around.
-    pub fn of(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
+    pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
         let p = row.parameter;
         let usual = Number::try_from(*row).ok().and_then(|number| priors::of(number, scale));
         let (mut low, mut high, factors) = match usual {
@@ -452,7 +452,7 @@ mod tests {
     fn sliders_reach_from_the_usual_to_the_value() {
         for row in parameter::table().filter(|r| matches!(r.parameter.shape, Shape::Scalar)) {
             let default = row.parameter.default[0];
-            let reach = Reach::of(&row, Scale::CAR, default, default, None);
+            let reach = Reach::new(&row, Scale::CAR, default, default, None);
             assert!(reach.low <= default && default <= reach.high, "{} {reach:?}", row.parameter.name);
             assert!(reach.low.is_finite() && reach.high.is_finite() && reach.low <= reach.high);
             assert!((0.0..=1.0).contains(&reach.place(default)));

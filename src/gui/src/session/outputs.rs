@@ -11,7 +11,7 @@ use dashpot_records::{Profile, Sentence, profile};
 use std::path::{Path, PathBuf};
 
 /// The error with its causes in one sentence.
-pub fn told(error: &anyhow::Error) -> Sentence {
+pub fn error_sentence(error: &anyhow::Error) -> Sentence {
     Sentence::as_it_is(format!("{error:#}"))
 }
 
@@ -29,7 +29,7 @@ impl Session {
                 true
             }
             Err(error) => {
-                self.complain(told(&error));
+                self.complain(error_sentence(&error));
                 false
             }
         }
@@ -49,7 +49,7 @@ impl Session {
                 true
             }
             Err(error) => {
-                self.complain(told(&error));
+                self.complain(error_sentence(&error));
                 false
             }
         }
@@ -72,7 +72,7 @@ impl Session {
         let export = Export { host, params: *model.params(), text: model.text(), name: model.name() };
         self.begin(Work::Write, move |report| {
             report(0.1, None);
-            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| told(&e))
+            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| error_sentence(&e))
         });
     }
 }
@@ -90,6 +90,6 @@ pub fn table(heading: [&str; 2], lines: &[(String, Vec<[f64; 2]>)]) -> String {
 }
 
 /// The campaign's own records are never replaced: the outputs know them as inputs of this run.
-pub fn remember_inputs(loaded: &Loaded) {
-    dashpot_output::remember_inputs(loaded.paths.iter().cloned());
+pub fn register_inputs(loaded: &Loaded) {
+    dashpot_output::register_inputs(loaded.paths.iter().cloned());
 }

@@ -20,16 +20,16 @@ pub struct Basis {
 }
 
 /// An answer with what it was computed from.
-pub struct Answer<T> {
+pub struct Finding<T> {
     /// What was found.
     pub found: T,
     basis: Basis,
 }
 
-impl<T> Answer<T> {
+impl<T> Finding<T> {
     /// An answer that was computed from this.
-    pub fn new(found: T, basis: Basis) -> Answer<T> {
-        Answer { found, basis }
+    pub fn new(found: T, basis: Basis) -> Finding<T> {
+        Finding { found, basis }
     }
 
     /// Whether model, records or ticked tests are others by now.
@@ -62,11 +62,11 @@ pub struct Diagnosed {
 #[derive(Default)]
 pub struct Answers {
     /// Of a fit: choices, estimates, notes.
-    pub fit: Option<Answer<Fitted>>,
+    pub fit: Option<Finding<Fitted>>,
     /// Of a validation.
-    pub validation: Option<Answer<Box<Validation>>>,
+    pub validation: Option<Finding<Box<Validation>>>,
     /// Of a diagnosis.
-    pub diagnosis: Option<Answer<Diagnosed>>,
+    pub diagnosis: Option<Finding<Diagnosed>>,
 }
 
 impl Session {

@@ -339,7 +339,7 @@ fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
     let after = harness.state().session.campaign.as_ref().unwrap().tests[0].max_force;
     assert!((after / before - 2.0).abs() < 1e-6, "{before} {after}");
     press(&mut harness, "Keep as campaign.toml");
-    let profile = dashpot_records::Profile::of(folder.path()).unwrap().unwrap();
+    let profile = dashpot_records::Profile::read(folder.path()).unwrap().unwrap();
     assert_eq!((profile.gain, profile.subfolders, profile.dates.as_deref()), (2.0, true, Some("day-first")));
     // A test that is excluded is out when the folder is read anew.
     harness.state_mut().session.exclude(0);
@@ -631,7 +631,7 @@ fn everything_that_can_be_used_has_a_name_for_a_screen_reader() {
 /// How long the window takes, on a campaign and a model of one's own: reading and preparing the records until the first loops can be
 /// drawn; from a slider's move until loops and errors of all tests are there; a frame meanwhile, without the graphics card.
 ///
-/// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-bench latency -- --ignored --nocapture`
+/// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-gui latency -- --ignored --nocapture`
 #[test]
 #[ignore = "measures, and needs a campaign and a model"]
 fn latency() {

@@ -56,8 +56,9 @@ impl Session {
             let options = DiagnosisOptions { reference: good, ..DiagnosisOptions::default() };
             let found = diagnose(&records, &left_out, &params, &options, &|done, text| report(done, Some(text)))
                 .map_err(|e| e.sentence())?;
-            let over_whole_records = OfDiagnosis::of(&params, &found.base, &found.improved, &found.measured, &records)
-                .map_err(Sentence::as_it_is)?;
+            let over_whole_records =
+                OfDiagnosis::evaluate(&params, &found.base, &found.improved, &found.measured, &records)
+                    .map_err(Sentence::as_it_is)?;
             let diagnosed = Diagnosed { found: Box::new(found), left_out, over_whole_records, reference };
             Ok(Outcome::Diagnosed(diagnosed, Box::new(basis)))
         });

@@ -141,7 +141,7 @@ impl Dialogs for Native {
 
 /// Answers given beforehand, for tests.
 #[derive(Default)]
-pub struct Told {
+pub struct Message {
     paths: Vec<Vec<PathBuf>>,
     asked: Vec<Ask>,
     /// Where each question began.
@@ -150,14 +150,14 @@ pub struct Told {
     pub without: bool,
 }
 
-impl Told {
+impl Message {
     /// What will be named, question by question; nothing stands for a user who thinks better of it.
-    pub fn naming(paths: Vec<Vec<PathBuf>>) -> Told {
-        Told { paths, ..Told::default() }
+    pub fn naming(paths: Vec<Vec<PathBuf>>) -> Message {
+        Message { paths, ..Message::default() }
     }
 }
 
-impl Dialogs for Told {
+impl Dialogs for Message {
     fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker) {
         self.asked.push(ask);
         self.began.borrow_mut().push(from);

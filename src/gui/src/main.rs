@@ -3,9 +3,9 @@
 // Windows opens no console beside it.
 #![cfg_attr(windows, windows_subsystem = "windows")]
 
-use dashpot_bench::app::App;
-use dashpot_bench::dialogs::Native;
-use dashpot_bench::drawing;
+use dashpot_gui::app::App;
+use dashpot_gui::dialogs::Native;
+use dashpot_gui::drawing;
 use eframe::egui;
 use std::path::PathBuf;
 use std::process::ExitCode;
