@@ -223,6 +223,7 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
         ("oil_chambers", 1.0),
         ("oil_compression", 0.01),
         ("valve_form", 1.0),
+        ("substeps", 1.0),
         ("valve_opening_force", 1.0),
         ("valve_time", 1e-4),
         ("valve_width", 117.724),
@@ -283,5 +284,51 @@ fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves()
                 state = next;
             }
         }
+    }
+}
+
+/// At 12 octaves above the opening force the conductance of the valve ends: its last cubic overshot there, and the force grew without bound.
+#[test]
+fn a_valve_with_play_stays_finite_where_the_table_of_its_conductance_ends() {
+    let mut p = params(&[
+        ("fv_form", 1.0),
+        ("fv_rebound_c1", 0.0),
+        ("fv_rebound_c2", 65_299.979_846_651_82),
+        ("fv_rebound_v1", 1e-4),
+        ("fv_rebound_v2", 1.349_979_142_151_949_6),
+        ("fv_compression_c1", 0.0),
+        ("fv_compression_v1", 1e-4),
+        ("series_stiffness", 13_528_254.996_659_78),
+        ("series_damping", 0.0),
+        ("internal_mass", 18.024_711_347_724_97),
+        ("bushing_hardening", 0.208_488_299_321_777_61),
+        ("oil_compression", 10.230_837_495_698_886),
+        ("oil_chambers", 0.0),
+        ("bushing_loss_time", 1e-4),
+        ("bushing_slip", 1e-6),
+        ("bushing_stop", 1e-5),
+        ("bushing_slow_stiffness", 0.0),
+        ("bushing_slow_time", 1e-3),
+        ("bushing_loss_stiffness", 0.0),
+        ("fv_rebound_c3", 0.0),
+        ("fv_compression_c2", 0.0),
+        ("oil_stiffness", 2e4),
+        ("oil_shortening", -50.0),
+        ("valve_hysteresis_share", 0.0),
+        ("valve_opening_force", 22.816_146_833_670_334),
+        ("valve_closing_ratio", 0.3),
+        ("valve_time", 0.018_250_951_997_511_87),
+        ("valve_width", 21_164.946_943_126_226),
+        ("valve_form", 1.0),
+        ("substeps", 1.0),
+    ]);
+    p.disable_all();
+    for element in ["fv_curve", "series_compliance", "bushing", "oil_compressibility", "valve_hysteresis"] {
+        p.enable(dashpot_core::parameter::Element::find(element).unwrap(), true);
+    }
+    let motion = sine(0.088_091_738_380_431_94, 20.362_525_465_433_194);
+    for dt in [1e-3, 1e-2] {
+        let points: Vec<_> = (0..600).map(|i| motion(f64::from(i) * dt)).collect();
+        run(&p, &points, dt, false).unwrap();
     }
 }

@@ -131,14 +131,19 @@ impl Hypothesis {
         self.place_of(&Free::Rig(artefact)).map(|place| theta[place])
     }
 
+    /// The segment with the motion at which the force that was read was made.
+    fn delayed<'a>(&self, test: &'a Test, theta: &[f64]) -> Cow<'a, Segment> {
+        match self.of_the_rig(Artefact::Delay, theta) {
+            Some(tau) => Cow::Owned(earlier(&test.segment, tau)),
+            None => Cow::Borrowed(&test.segment),
+        }
+    }
+
     /// The segment as the damper went through it when it made the forces that were read: with the temperatures that its own
     /// heating gives it, where `place` counts the test, earlier where the force channel is late, at finer steps where
     /// it is filtered.
     fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
-        let mut segment = Cow::Borrowed(&test.segment);
-        if let Some(tau) = self.of_the_rig(Artefact::Delay, theta) {
-            segment = Cow::Owned(earlier(&segment, tau));
-        }
+        let mut segment = self.delayed(test, theta);
         let free = |free| self.exponential(&free, theta);
         if let (Some(heating), Some(place), Some(cooling), Some(capacity)) =
             (&self.heating, place, free(Free::Cooling), free(Free::HeatCapacity))
@@ -183,11 +188,21 @@ impl Hypothesis {
         }
     }
 
+    /// What the measurement adds, in the order in which it does: a mass between damper and load cell, then what the load cell and its amplifier do. All
+    /// of it is delayed with the channel.
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
-        for (number, value) in self.numbers.iter().zip(theta) {
-            if let Free::Rig(artefact) = number.free {
-                artefact.apply(*value, &test.segment, forces);
-            }
+        let of_number = |(number, value): (&Number, &f64)| match number.free {
+            Free::Rig(artefact) => Some((artefact, *value)),
+            _ => None,
+        };
+        let mut faults: Vec<(Artefact, f64)> = self.numbers.iter().zip(theta).filter_map(of_number).collect();
+        if faults.is_empty() {
+            return;
+        }
+        faults.sort_by_key(|(artefact, _)| artefact.position_in_channel());
+        let segment = self.delayed(test, theta);
+        for (artefact, value) in faults {
+            artefact.apply(value, &segment, forces);
         }
     }
 

@@ -25,17 +25,23 @@ pub struct Effort {
     pub renews: bool,
     /// How exactly it is taken.
     pub derivatives: Accuracy,
+    /// How the residuals are integrated.
+    pub residuals: Accuracy,
 }
 
 impl Effort {
     /// To see which explanations are worth more.
-    pub const LOOK: Effort = Effort { steps: 4, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap };
+    pub const LOOK: Effort =
+        Effort { steps: 4, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap, residuals: Accuracy::Single };
     /// To compare explanations.
-    pub const COMPARE: Effort = Effort { steps: 10, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap };
+    pub const COMPARE: Effort =
+        Effort { steps: 10, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap, residuals: Accuracy::Single };
     /// To judge the likely ones.
-    pub const JUDGE: Effort = Effort { steps: 8, tolerance: 1e-3, renews: true, derivatives: Accuracy::Cheap };
+    pub const JUDGE: Effort =
+        Effort { steps: 8, tolerance: 1e-3, renews: true, derivatives: Accuracy::Cheap, residuals: Accuracy::Single };
     /// For the result.
-    pub const FINE: Effort = Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Single };
+    pub const FINE: Effort =
+        Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Single, residuals: Accuracy::Fine };
 }
 
 /// Where a refit ended.
@@ -118,7 +124,9 @@ pub fn refit(
     jacobian: Option<DMatrix<f64>>,
     effort: Effort,
 ) -> Option<Refit> {
-    refit_by(hypothesis, tests, start, jacobian, effort, &|theta| hypothesis.residual(tests, theta))
+    refit_by(hypothesis, tests, start, jacobian, effort, &|theta| {
+        hypothesis.residual_by(effort.residuals, tests, theta)
+    })
 }
 
 /// The same with residuals of one's choice.

@@ -383,6 +383,13 @@ fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> b
     }
 }
 
+/// What every damper has, with its numbers: where the most probable structure lacks it, no test shows it. Effects of one row are alternatives.
+const IN_EVERY_DAMPER: [(&[&str], &[Number]); 3] = [
+    (&["series_compliance"], &[number!("series_stiffness"), number!("internal_mass"), number!("series_damping")]),
+    (&["gas_preload"], &[number!("gas_force")]),
+    (&["coulomb_friction", "stribeck_friction", "presliding_friction"], &[number!("coulomb_force")]),
+];
+
 /// Temperature by which log posteriors are divided before they become probabilities: the table holds the best structures alone, and the
 /// form error is correlated between tests.
 pub const TEMPERATURE: f64 = 2.0;
@@ -414,6 +421,13 @@ fn fit_thesis(
     found.inventory = inventory;
     if best.hypothesis.base.is_on(element!("series_compliance")) && !of_the_rig::tells_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
+    }
+    for (effects, numbers) in IN_EVERY_DAMPER {
+        let is_in = best.components.iter().any(|c| effects.contains(&c.effect));
+        let is_tried = Element::find(effects[0]).is_ok_and(allowed);
+        for number in numbers.iter().filter(|_| !is_in && is_tried) {
+            found.leave_out(*number, phrases::NO_TEST);
+        }
     }
     let situation = Situation::new(&best.hypothesis.base, records, tests);
     if !effects_can_be_shown("side_force_friction", &situation, about) && allowed(element!("side_force_friction")) {

@@ -108,6 +108,18 @@ impl Artefact {
         (if matches!(self, Artefact::LowPass | Artefact::Mass) { 0.0 } else { -most }, most)
     }
 
+    /// Position between the damper and the record: mechanical parts, then the load cell, then its gain, then its zero.
+    pub fn position_in_channel(self) -> u8 {
+        match self {
+            Artefact::Mass | Artefact::Guide(_) | Artefact::GuideAlong(_) => 0,
+            Artefact::Ring(_) | Artefact::RingAcross(_) => 1,
+            Artefact::Loop(_) => 2,
+            Artefact::GainDrift => 3,
+            Artefact::Offset | Artefact::Step(_) | Artefact::Drift | Artefact::WarmUp(_) => 4,
+            Artefact::Delay | Artefact::LowPass => 5,
+        }
+    }
+
     /// What the force at the samples of a test becomes; late by a time it is that of an earlier motion
     /// ([`earlier`]), and behind a filter what [`low_pass`] makes of it at finer steps.
     pub fn apply(self, value: f64, segment: &Segment, forces: &mut [f64]) {

@@ -84,13 +84,14 @@ impl Evidence {
         -OBSERVATIONS * whole * libm::log(scale)
     }
 
-    /// Cost of one free number.
+    /// Cost of one free number: half the logarithm of the number of tests, where that is many; with few, what a number gains by chance (one,
+    /// Akaike, IEEE Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
-        0.5 * libm::log((self.mean_squares.len() as f64).max(1.0))
+        (0.5 * libm::log((self.mean_squares.len() as f64).max(1.0))).max(1.0)
     }
 
     /// Log evidence.
-    pub fn log(&self) -> f64 {
+    pub fn log_evidence(&self) -> f64 {
         self.log_likelihood() - self.numbers * self.per_number() - self.implausibility
     }
 }
@@ -136,15 +137,17 @@ mod tests {
     #[test]
     fn a_smaller_residual_is_more_evidence_and_numbers_cost() {
         let (much, little) = (evidence(&[9.0; 30], 0.0), evidence(&[1.1; 30], 1.0));
-        assert!(little.log() > much.log() + 10.0);
-        assert!(evidence(&[1.1; 30], 4.0).log() < little.log() - 4.0);
-        let gain = |tests: usize| evidence(&vec![1.1; tests], 1.0).log() - evidence(&vec![9.0; tests], 0.0).log();
+        assert!(little.log_evidence() > much.log_evidence() + 10.0);
+        assert!(evidence(&[1.1; 30], 4.0).log_evidence() < little.log_evidence() - 4.0);
+        let gain = |tests: usize| {
+            evidence(&vec![1.1; tests], 1.0).log_evidence() - evidence(&vec![9.0; tests], 0.0).log_evidence()
+        };
         assert!(gain(30) > gain(10) + 5.0);
     }
 
     #[test]
     fn a_residual_within_noise_cannot_be_improved() {
-        assert_eq!(evidence(&[1.0; 30], 0.0).log(), evidence(&[0.5; 30], 0.0).log());
+        assert_eq!(evidence(&[1.0; 30], 0.0).log_evidence(), evidence(&[0.5; 30], 0.0).log_evidence());
     }
 
     #[test]
@@ -152,7 +155,7 @@ mod tests {
         let with = |bulk: f64, wild: f64| {
             let mut all = vec![bulk; 30];
             all[0] = wild;
-            evidence(&all, 0.0).log()
+            evidence(&all, 0.0).log_evidence()
         };
         assert!(with(1.0, 50.0) > with(1.5, 50.0) + 10.0);
         assert!(with(1.5, 1.5) > with(1.5, 50.0) + 5.0);

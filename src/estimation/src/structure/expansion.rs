@@ -98,7 +98,7 @@ pub fn expand(
         let candidate = &list[screened[place].candidate];
         let numbers = from.numbers() + Component::of_candidate(candidate).numbers;
         let hypothesis = &screened[place].hypothesis;
-        Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers).log() + prior_with(candidate)
+        Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers).log_evidence() + prior_with(candidate)
     };
     let mut trials: Vec<Trial> = halve(entrants, &field, &posterior)
         .into_iter()

@@ -6,8 +6,9 @@ const COMMON: f64 = 2.0;
 const EVEN: f64 = 0.0;
 /// An effect that a damper in twenty has, as a fault or by design.
 const RARE: f64 = -3.0;
-/// A fault of the measurement: rigs are checked more often than dampers.
-const FAULT: f64 = -3.5;
+/// Faults of the measurement have a rate that differs from rig to rig: beta distributed, with these two counts. So the first has log odds of
+/// −3.5 (rigs are checked more often than dampers), and a rig that has one is likelier to have another.
+const FAULTS: [f64; 2] = [0.3, 10.0];
 
 /// Effects that are more frequent than [`RARE`], with their log odds. Friction, gas and a soft series path are in every damper; gas
 /// columns and springs in every monotube; the rest is a fault or a design of few.
@@ -47,42 +48,63 @@ fn log_prior_odds_of_change(name: &str) -> f64 {
     CHANGES.iter().find(|(known, _)| *known == name).map_or(CHANGE, |(_, odds)| *odds)
 }
 
-/// Prior log odds of an effect.
-fn log_prior_odds(effect: &str, form: &str, is_of_measurement: bool) -> f64 {
+/// Prior log odds of an effect of the damper, or of a change.
+fn log_prior_odds(effect: &str, form: &str) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
     }
-    let frequent = FREQUENT.iter().find(|(name, _)| *name == effect);
-    frequent.map_or(if is_of_measurement { FAULT } else { RARE }, |(_, odds)| *odds)
+    FREQUENT.iter().find(|(name, _)| *name == effect).map_or(RARE, |(_, odds)| *odds)
+}
+
+/// Prior log odds of so many faults of the measurement (Pólya's urn).
+fn log_prior_odds_of_faults(count: usize) -> f64 {
+    let [with, without] = FAULTS;
+    (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
 /// Whether an effect is a fault or a design of few.
 pub fn is_rare(effect: &str, form: &str) -> bool {
-    form != "changed" && log_prior_odds(effect, form, false) <= RARE
+    form != "changed" && log_prior_odds(effect, form) <= RARE
 }
 
 /// Effects of which one is enough: a second of a group is as rare as a fault.
 const ALTERNATIVES: [&[&str]; 2] =
     [&["coulomb_friction", "presliding_friction", "stribeck_friction"], &["parallel_spring", "gas_spring"]];
 
+/// Whether a damper has one of two effects in place of the other.
+pub fn are_alternatives(effect: &str, other: &str) -> bool {
+    ALTERNATIVES.iter().any(|group| group.contains(&effect) && group.contains(&other))
+}
+
 /// Log prior odds of a set of effects: each with its name, its form and whether it is an error of the measurement.
 pub fn log_prior(effects: &[(&'static str, &'static str, bool)]) -> f64 {
-    let each: f64 = effects.iter().map(|(effect, form, fault)| log_prior_odds(effect, form, *fault)).sum();
+    let is_fault = |(_, form, fault): &&(&str, &str, bool)| *fault && *form != "changed";
+    let faults = log_prior_odds_of_faults(effects.iter().filter(is_fault).count());
+    let each: f64 = effects.iter().filter(|e| !is_fault(e)).map(|(effect, form, _)| log_prior_odds(effect, form)).sum();
     let further = |group: &&[&str]| {
         let own: Vec<f64> = effects
             .iter()
             .filter(|(effect, form, _)| group.contains(effect) && *form != "changed")
-            .map(|(effect, form, fault)| log_prior_odds(effect, form, *fault))
+            .map(|(effect, form, _)| log_prior_odds(effect, form))
             .collect();
         let best = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if own.len() < 2 { 0.0 } else { RARE * (own.len() - 1) as f64 - (own.iter().sum::<f64>() - best) }
     };
-    each + ALTERNATIVES.iter().map(further).sum::<f64>()
+    faults + each + ALTERNATIVES.iter().map(further).sum::<f64>()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_fault_of_the_rig_is_rarer_than_one_of_the_damper_and_the_next_less_so() {
+        let of = |count: usize| {
+            log_prior(&[("channel_delay", "", true), ("force_drift", "", true), ("gain_drift", "", true)][..count])
+        };
+        assert!(of(1) < RARE && of(1) > RARE - 1.0);
+        assert!(of(2) < of(1) - 1.0 && of(3) < of(2) - 0.5 && of(2) - of(1) > of(1));
+    }
 
     #[test]
     fn a_second_friction_is_rare_and_a_first_one_common() {

@@ -96,6 +96,10 @@ fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> 
     Some(DVector::from_vec(list))
 }
 
+/// Logarithm of the largest factor by which a start is scaled to the strength that the residual asks for. A larger one leaves the range in which
+/// the response is proportional.
+const FURTHEST: f64 = 3.0;
+
 /// Judges every start of every candidate.
 pub fn screen(
     hypothesis: &Hypothesis,
@@ -122,7 +126,7 @@ pub fn screen(
                 Some(added) => added,
                 None => &at.residual - nearby.residual(&extended, tests, &theta)?,
             };
-            let taken_up = projection.answer(&change);
+            let mut taken_up = projection.answer(&change);
             let response = projection.rest_of(&change, &taken_up);
             let visible = response.norm_squared();
             let moved = start.moves_the_base();
@@ -138,9 +142,21 @@ pub fn screen(
                     used = value / theta[first];
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
-                } else {
-                    // Its strength hides in a shape: what any strength could gain says whether to look closer.
-                    gain = gain.max(if strength > 0.0 { left.dot(&response).powi(2) / visible } else { 0.0 });
+                } else if strength > 0.0 {
+                    // Many responses are proportional to such a number too; whether this one is, its own response there says.
+                    let mut scaled = theta.clone();
+                    scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
+                    if let Some(residual) = nearby.residual(&extended, tests, &scaled) {
+                        let change = &at.residual - residual;
+                        let taken_up_there = projection.answer(&change);
+                        let response = projection.rest_of(&change, &taken_up_there);
+                        let gain_there = 2.0 * left.dot(&response) - response.norm_squared();
+                        if gain_there > gain {
+                            (gain, taken_up, theta) = (gain_there, taken_up_there, scaled);
+                        }
+                    }
+                    // Otherwise its strength hides in a shape: what any strength could gain says whether to look closer.
+                    gain = gain.max(left.dot(&response).powi(2) / visible);
                 }
             }
             for (i, d) in (&answer - taken_up * used).iter().enumerate() {

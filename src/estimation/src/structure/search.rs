@@ -7,7 +7,7 @@ use super::budget::Budget;
 use super::context::{Form, SearchContext, Structure};
 use super::evidence::log_sum_exp;
 use super::expansion::{Expansion, Trial, expand};
-use super::prior_odds::is_rare;
+use super::prior_odds::{are_alternatives, is_rare};
 use super::starts::Start;
 use crate::cancel;
 use crate::refit::Effort;
@@ -48,14 +48,15 @@ const RISE: f64 = 0.5;
 const PROMISING: f64 = 25.0;
 /// Forms of an effect that are tried again.
 const FORMS: usize = 2;
-/// Log posterior that a removal may cost for the effect's rivals to be tried in its place.
+/// Log posterior that a removal may cost for every promising effect to be tried in its place; beyond it, only the effect's alternatives are.
 const CONTESTED: f64 = 12.0;
 /// How far, in units of the log posterior, a structure with one more effect, or with another in its place, may lie behind the best to be
 /// refined: more points on the FV curve and a removal gain about so much.
 const ADDED: f64 = 3.0;
 const SWAPPED: f64 = 2.0;
-/// Rounds of add, remove and swap.
-const ROUNDS: usize = 8;
+/// Most rounds of add, remove and swap: a guard. A search that begins from the records alone needs up to a dozen for four faults of the
+/// measurement beside a friction and a spring; it ends by itself where no move is better.
+const ROUNDS: usize = 24;
 
 impl StructureSearch {
     /// Searches from starts made of the records alone, and then from the given model where that is more probable than what was found: so the
@@ -189,18 +190,18 @@ impl StructureSearch {
     fn swap(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, done: &mut BTreeSet<Vec<Form>>) -> bool {
         for place in 0..self.best.components.len() {
             let Some(less) = self.best.without(place, context.tests, Effort::JUDGE) else { continue };
-            if self.best.log_posterior - less.log_posterior > CONTESTED
+            let is_needed = self.best.log_posterior - less.log_posterior > CONTESTED
                 && self.best.components.len() > 1
-                && self.best.components[place].form.is_empty()
-            {
-                continue;
-            }
+                && self.best.components[place].form.is_empty();
             if !done.insert(less.key()) {
                 continue;
             }
             let own = self.best.components[place].effect;
-            let is_tried =
-                |c: &Candidate| c.unnamed.is_none() && (c.effect == own || forms.contains(&(c.effect, c.form)));
+            let is_tried = |c: &Candidate| {
+                let is_promising =
+                    if is_needed { are_alternatives(own, c.effect) } else { forms.contains(&(c.effect, c.form)) };
+                c.unnamed.is_none() && (c.effect == own || is_promising)
+            };
             let Some(Expansion { trials, .. }) = expand(context, &less, &is_tried, Budget::RIVALS) else { continue };
             self.note(&trials);
             self.rivals.extend(trials.iter().filter(|t| t.form.0 != own).take(2).cloned());

@@ -1,6 +1,6 @@
 //! Friction of rod, piston and guides.
 
-use super::{Candidate, Start, candidate, held, linear, log};
+use super::{Candidate, Start, above, candidate, held, linear, log};
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
@@ -18,6 +18,23 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             vec![linear(number!("coulomb_force"), (3.0, 200.0)), held(number!("coulomb_steepness"), (100.0, 1e4), 0.7)],
             vec![Start::at(&[20.0, 1000.0])],
         ));
+    }
+    // Level and peak in one, where no other element carries the level (form of the thesis).
+    if !s.base.is_on(element!("coulomb_friction")) && !s.base.is_on(element!("presliding_friction")) {
+        let peak = |level: f64, velocity: f64| Start::at(&[level, 1.25 * level, velocity]);
+        all.push(Candidate {
+            form: "simplified",
+            fixed: vec![(number!("stribeck_form"), 0.0)],
+            ..candidate(
+                &[element!("stribeck_friction")],
+                vec![
+                    linear(number!("stribeck_coulomb_force"), (3.0, 200.0)),
+                    above(number!("stribeck_breakaway_force"), number!("stribeck_coulomb_force"), (3.0, 300.0)),
+                    held(number!("stribeck_breakaway_velocity"), (3e-4, 0.05), 0.7),
+                ],
+                [0.002, 0.006, 0.02].map(|velocity| peak(20.0, velocity)).to_vec(),
+            )
+        });
     }
     // The peak alone, above the level that another element carries.
     let rise = s.base.number(number!("coulomb_steepness")).clamp(200.0, 5000.0);

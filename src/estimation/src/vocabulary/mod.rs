@@ -134,12 +134,12 @@ impl Fresh {
     /// Factor by which its number grows with the damper.
     fn factor(&self, scale: Scale) -> f64 {
         match &self.free {
-            Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => scale.of_number(*number),
+            Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
+                scale.of_number(*number)
+            }
             Free::Model(Unknown::Rise { .. }) | Free::HeatCapacity => scale.force(),
             Free::Rig(artefact) => scale.of_artefact(*artefact),
-            Free::Model(Unknown::Above(..) | Unknown::Entry(..)) | Free::Cooling | Free::Shift(_) | Free::Curve(_) => {
-                1.0
-            }
+            Free::Model(Unknown::Entry(..)) | Free::Cooling | Free::Shift(_) | Free::Curve(_) => 1.0,
         }
     }
 
@@ -189,6 +189,11 @@ fn held(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
 
 fn linear(number: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Linear(number)), plausible)
+}
+
+/// A force above another one, by a ratio that is free.
+fn above(number: Number, below: Number, plausible: (f64, f64)) -> Fresh {
+    fresh(Free::Model(Unknown::Above(number, below)), plausible)
 }
 
 /// Near an expected value by nature: `deviation` in its own unit.

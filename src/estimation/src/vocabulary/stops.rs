@@ -39,7 +39,7 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
             continue;
         }
         let hidden = excess(&s.base, side);
-        let clearances = [0.5, 0.7, 0.85].map(|share| share * reach);
+        let clearances = [0.4, 0.5, 0.6, 0.7, 0.8, 0.9].map(|share| share * reach);
         all.push(Candidate {
             form: "rubber",
             ..candidate(
