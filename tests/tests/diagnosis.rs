@@ -165,8 +165,10 @@ fn late(record: &Record, delay: f64) -> Record {
     Record { force: record.time.iter().map(|t| at(t - delay)).collect(), ..record.clone() }
 }
 
-/// What a diagnosis finds the rig to add is in no damper, but in the improved model's file: whoever reads the same records with it meets the rig
-/// again otherwise, and takes it for something that the model lacks.
+/// What a diagnosis finds the rig to add is in no damper, but in the improved model's file.
+///
+/// Whoever reads the same records with it meets the rig again otherwise, and takes it for something that the model
+/// lacks.
 #[test]
 fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
     let model = base();
@@ -194,7 +196,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     assert_eq!(again.verdict, Verdict::NothingMissing, "{}", told(&again));
 }
 
-/// The same records give the same effects from whatever model one starts, and the same residual.
+/// Records have one set of effects and one residual, from whatever model a search starts.
 #[test]
 fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     let mut truth = base();

@@ -37,8 +37,10 @@ fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Opti
     kernel_campaign::campaign(params, &tests, seed, noise)
 }
 
-/// The default model without the viscous term (a free FV curve takes that up), its FV table at the velocities that a fit
-/// of this campaign will choose: a table at other places is another curve between them.
+/// The default model without the viscous term, with its FV table at the velocities that a fit of this campaign will
+/// choose.
+///
+/// A free FV curve absorbs the viscous term. A table at other velocities is another curve between them.
 fn truth() -> Params {
     let mut params = Params::new();
     params.enable(element!("viscous_friction"), false);
@@ -100,7 +102,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     assert!((0.90..=0.99).contains(&share), "all parameters together: {hits} of {count}");
 }
 
-/// The same measured later and later, by a rig that is off.
+/// The campaign measured with growing delays, by a rig with errors.
 fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Record> {
     for (k, record) in records.iter_mut().enumerate() {
         // One after the other: all but the last are shorter.

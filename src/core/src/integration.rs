@@ -305,8 +305,10 @@ fn even(times: f64, frequency: f64, swings: f64) -> f64 {
     times * EVEN * frequency * libm::pow(swings, 1.6)
 }
 
-/// Least mean derivative of the FV curve from rest to fractions of its range, N s/m: the damping of the mass at the
-/// velocities of its swing.
+/// Least mean derivative of the FV curve from rest to fractions of its range, N s/m.
+///
+/// It is the damping of the mass at the velocities of its swing. The mean to the whole range alone would overestimate
+/// the damping of a curve that is level about rest.
 ///
 /// The mean to the whole range alone would overestimate the damping of a curve that is level about rest.
 fn least_derivative(elements: &Elements) -> f64 {

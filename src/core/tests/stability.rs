@@ -198,8 +198,7 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     }
 }
 
-/// A column of which one chamber is forty times as long as the other at one end of the motion, behind a strongly
-/// damped series path.
+/// A column with one chamber forty times as long as the other, behind a strongly damped series path.
 ///
 /// The damping hides the effect of the column and of a delayed valve. The method of fourth order combined its stages
 /// to 1325 m of oil, and four steps later the mass left at 18 km/s.

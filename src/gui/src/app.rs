@@ -57,7 +57,7 @@ impl App {
         App::with_recent(ctx, dialogs, Recent::read(Recent::place()))
     }
 
-    /// The same with a list of recent campaigns of one's own.
+    /// Opens the window with a list of recent campaigns of one's own.
     pub fn with_recent(ctx: &egui::Context, dialogs: Box<dyn Dialogs>, recent: Recent) -> App {
         let called = Arc::new(AtomicBool::new(false));
         let (own, calls) = (ctx.clone(), called.clone());
@@ -327,7 +327,9 @@ mod pictures {
     use super::*;
     use eframe::egui::Color32;
 
-    /// On a screen of two pixels a point, the part of a window that a plot covers, and no more where it reaches over the edge.
+    /// The part of a window that a plot covers, on a screen of two pixels a point.
+    ///
+    /// It ends where the plot reaches over the edge.
     #[test]
     fn the_picture_of_a_plot_holds_its_pixels() {
         let colour = |x: usize, y: usize| Color32::from_rgb(10 * x as u8, 20 * y as u8, 7);

@@ -78,7 +78,9 @@ pub trait Dialogs {
     fn answer(&mut self) -> Option<(Ask, Reply)>;
 }
 
-/// A dialog that is closed sooner was never shown: no hand is so fast, and a portal that is missing or has no backend fails within this.
+/// A dialog that is closed sooner was never shown.
+///
+/// No hand is so fast, and a portal that is missing or has no backend fails within this.
 const SHOWN: Duration = Duration::from_millis(800);
 
 /// Whether the system may show dialogs: over the desktop portal, which is called over D-Bus, or by zenity. Windows and macOS always do.

@@ -18,8 +18,10 @@ pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
     if four_corners { format!("dashpot vehicle, four dampers ({stem})") } else { format!("dashpot {stem}") }
 }
 
-/// The static library that an FMU can be compiled from: beside the program, where cargo puts it, or in `lib` beside the program's folder, where the
-/// packages have it. Where it is in neither, the first, which is then no file.
+/// The static library that an FMU can be compiled from.
+///
+/// Beside the program, where cargo puts it, or in `lib` beside the program's folder, where the packages have it.
+/// Where it is in neither, the first, which is then no file.
 ///
 /// # Errors
 /// Where the program's own place is not known.
@@ -63,7 +65,9 @@ pub struct PropertyFile {
     pub remarks: Vec<String>,
 }
 
-/// The property file of a model by the name of the file to write; `own` asks for the model's own curve where the file has a plain one too.
+/// The property file of a model by the name of the file to write.
+///
+/// `own` asks for the model's own curve where the file has a plain one too.
 ///
 /// `named` is what the model is called (left out where it is no ASCII, which these files are), `text` the model file; `chatters` says of
 /// the curve alone, which is all that the file holds, whether it chatters.

@@ -54,7 +54,7 @@ impl Case {
         self
     }
 
-    /// The same damper without what is hidden, on the same tests in the same order, with other noise: what it is compared with.
+    /// The reference: the damper without the injected effect, on the same tests in the same order, with other noise.
     #[must_use]
     pub fn reference(&self) -> Case {
         Case { effects: Vec::new(), noise_seed: self.noise_seed ^ 0x5265_6665_7265_6e63, ..self.clone() }

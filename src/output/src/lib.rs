@@ -39,7 +39,7 @@ pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()
     check_each(paths.into_iter().map(|path| (path, None)))
 }
 
-/// As [`check`], knowing what will be written: a file of another kind is refused before the work, not after it.
+/// Checks outputs and their kinds before the work: a file of another kind is rejected.
 ///
 /// # Errors
 /// As [`check`], and where a file of another kind is there already.

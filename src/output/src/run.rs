@@ -26,8 +26,10 @@ impl Drop for Before {
     }
 }
 
-/// Does work that writes files in this thread: with `force` they may replace anything, without it none of the files that it reads, as if these
-/// had been named to the command.
+/// Does work that writes files in this thread.
+///
+/// With `force` they may replace anything, without it none of the files that it reads, as if these had been named to
+/// the command.
 pub fn as_a_run<'a, T>(force: bool, reads: impl IntoIterator<Item = &'a Path>, work: impl FnOnce() -> T) -> T {
     let reads = reads.into_iter().filter_map(|path| std::fs::canonicalize(path).ok()).collect();
     let _before = Before(Some(RUN.replace(Run { force, reads })));

@@ -111,7 +111,9 @@ pub fn import_dpr(path: PathBuf) -> PyResult<String> {
     of_property_file(&path).map(|made| made.text).map_err(raise::<ModelError>)
 }
 
-/// The model of a table of peak forces: the text of its file, which side was taken as rebound, and whether the table's forces speak against that.
+/// The model of a table of peak forces.
+///
+/// The text of its file, which side was taken as rebound, and whether the table's forces speak against that.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn import_peaks(

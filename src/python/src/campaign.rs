@@ -43,8 +43,9 @@ impl Campaign {
 /// What makes a campaign again.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
-/// Takes sentences apart that were kept in English, so that reports say them in other languages: those of reading, and of the fit whose findings
-/// were taken out of records.
+/// Takes sentences apart that were kept in English, so that reports say them in other languages.
+///
+/// Those of reading, and of the fit whose findings were taken out of records.
 static KEPT: LazyLock<Reader> = LazyLock::new(|| {
     let templates = [dashpot_records::templates(), dashpot_identification::templates()].concat();
     let texts = dashpot_records::texts().into_iter().chain(dashpot_identification::texts());
@@ -114,8 +115,9 @@ impl Campaign {
         Ok(channels)
     }
 
-    /// All that is needed to make this campaign [again](Campaign::again), with one of its tests where one is named: what was found, as JSON, the
-    /// channels of every test, and the fingerprints that tests had when they were read.
+    /// All that is needed to make this campaign [again](Campaign::again), with one of its tests where one is named.
+    ///
+    /// What was found, as JSON, the channels of every test, and the fingerprints that tests had when they were read.
     #[pyo3(signature = (only=None))]
     fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
         let one = only.map(|index| {

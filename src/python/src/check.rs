@@ -7,8 +7,10 @@ use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Figures, Ready};
 use pyo3::prelude::*;
 
-/// Whether a damper chatters in a host; returns what `dashpot check --json` writes, what the command says, and the text of the model file of the
-/// damper as the host gets it.
+/// Whether a damper chatters in a host.
+///
+/// Returns what `dashpot check --json` writes, what the command says, and the text of the model file of the damper as
+/// the host gets it.
 #[pyfunction]
 #[pyo3(signature = (model, host_step, wheel_mass, for_step=None))]
 pub fn check(

@@ -28,13 +28,13 @@ const CHUNK: usize = 64;
 
 /// One number for all dampers, or one for each.
 enum Channel<'py> {
-    /// The same for all.
+    /// One value for all dampers.
     One(f64),
     /// One each.
     Each(PyReadonlyArray1<'py, f64>),
 }
 
-/// The same, without Python.
+/// The values without Python objects.
 #[derive(Clone, Copy)]
 enum Values<'a> {
     One(f64),

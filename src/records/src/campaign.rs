@@ -182,7 +182,9 @@ pub fn load(
 /// Notes of a test that concern its file, or what counts as a test.
 const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "settings"];
 
-/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else; so it does what is wrong with a file.
+/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
+///
+/// So it does what is wrong with a file.
 fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {

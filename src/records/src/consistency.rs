@@ -58,7 +58,9 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
 
 /// Fraction of a sample by which a velocity may lag behind the displacement, or lead it: the two are converted one after the other.
 const LAG_OF_SAMPLE: f64 = 0.25;
-/// Phase by which it may, rad: a hundredth opens the force loop by 1 %, as much as the noise of good rigs; half a sample is within twice that.
+/// Phase by which it may, rad.
+///
+/// A hundredth opens the force loop by 1 %, as much as the noise of good rigs; half a sample is within twice that.
 const LAG_OF_PHASE: f64 = 0.02;
 /// Fraction of the displacement's variance that a velocity must explain for its lag to be known.
 const SAME_MOTION: f64 = 0.98;

@@ -69,8 +69,11 @@ pub fn text(bytes: &[u8]) -> String {
     decode(bytes).0.trim_start_matches('\u{feff}').to_owned()
 }
 
-/// Text of a file in UTF-8 or UTF-16 with byte order mark, else read in the code page of western Windows (old exports, for µ and °; a
-/// spreadsheet that saves no UTF-8), which is a guess. Where the page has no character it is Latin-1.
+/// Decodes a file in UTF-8 or UTF-16 with byte order mark, else in the code page of western Windows, which is a
+/// guess.
+///
+/// Old exports use it for µ and °, and so do spreadsheets that save no UTF-8. Where the page has no character it is
+/// Latin-1.
 fn decode(bytes: &[u8]) -> (Cow<'_, str>, bool) {
     let (text, guessed) = characters(bytes);
     // Old Macintosh programs end lines by a carriage return alone.
@@ -167,7 +170,7 @@ fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     (numbers.or(commented), first_line)
 }
 
-/// The same text with tabs between the columns, where blanks are there: two and more, or any. Figures stand closer than names.
+/// Replaces blanks between columns by tabs: two and more, or any. Figures stand closer than names.
 fn with_tabs(text: &str, any: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
@@ -191,8 +194,9 @@ fn with_tabs(text: &str, any: bool) -> String {
     out
 }
 
-/// Parts names that a single blank separates, as in the plain files of MTS stations: there are as many as units below them, and so that
-/// most of them are known.
+/// Parts names that a single blank separates, as in the plain files of MTS stations.
+///
+/// There are as many as units below them, and so that most of them are known.
 fn part_names(found: &mut Start, text: &str) {
     /// Columns of such a file.
     const MOST: usize = 32;
@@ -503,8 +507,9 @@ fn sample_time<'a>(above: impl Iterator<Item = &'a str>) -> Option<f64> {
 
 /// Headers that an acquisition writes again before every block of rows, as MTS stations do.
 struct Blocks {
-    /// Lines, from 0 and in order, of the text between a block of rows and the next: from the first line that is no row to
-    /// the last line before the next row.
+    /// Lines, from 0 and in order, of the text between a block of rows and the next.
+    ///
+    /// From the first line that is no row to the last line before the next row.
     headers: Vec<std::ops::Range<usize>>,
     next: usize,
     /// Whether the row to come is the first below a header.

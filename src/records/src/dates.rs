@@ -1,6 +1,8 @@
-//! Whether the day or the month comes first in the dates of the files: 3/11/2026 is the third of November in Europe and the eleventh of March
-//! in America. What the user says counts; then other dates, of the same file and of its campaign, of which only one reading is a date
-//! (13/11/2026); then how the file writes numbers; then which reading lets the tests lie close together. What is left is assumed, and said.
+//! Whether the day or the month comes first in the dates of the files.
+//!
+//! 3/11/2026 is the third of November in Europe and the eleventh of March in America. What the user says counts; then
+//! other dates, of the same file and of its campaign, of which only one reading is a date (13/11/2026); then how the
+//! file writes numbers; then which reading lets the tests lie close together. What is left is assumed, and said.
 
 use super::clock::{self, DAY};
 use super::date_order::DateOrder;
@@ -12,8 +14,10 @@ use super::samples::Samples;
 use super::sentence::{Sentence, Template};
 use std::collections::BTreeSet;
 
-/// How much closer together the tests of a campaign must lie by one reading than by the other to speak for it, as times, and the least distance
-/// by the other one, s: a campaign takes days, and a month read as a day scatters it over the year.
+/// How much closer together the tests of a campaign must lie by one reading than by the other to decide, as a ratio.
+///
+/// The second number is the least distance by the other reading, s. A campaign takes days, and a month read as a day
+/// scatters it over the year.
 const CLOSER: f64 = 5.0;
 const APART: f64 = 20.0 * DAY;
 

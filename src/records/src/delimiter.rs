@@ -2,8 +2,9 @@
 
 use csv::ReaderBuilder;
 
-/// Delimiters understood, in the order in which they are tried: a comma may also be a decimal comma, so it comes last but for
-/// the bar, which hardly any program writes.
+/// Delimiters understood, in the order in which they are tried.
+///
+/// A comma may also be a decimal comma, so it comes last but for the bar, which hardly any program writes.
 pub(crate) const ALL: [u8; 4] = [b'\t', b';', b',', b'|'];
 
 /// The delimiter of a short table by its heading: the one that makes most columns, a comma where none is there.

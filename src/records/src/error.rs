@@ -620,7 +620,7 @@ impl RecordError {
         }
     }
 
-    /// As [`RecordError::sentence`] where the campaign does without the file or test: what it asks of the user is left out.
+    /// The sentence of an error if the campaign does without the file or test; it asks nothing of the user.
     pub(crate) fn fault(&self) -> Sentence {
         match self {
             RecordError::Header { at, found, near, .. } => {

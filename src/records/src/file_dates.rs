@@ -60,8 +60,10 @@ impl Dates {
         }
     }
 
-    /// Takes the other order for the times of a column, s, where the order is open and they lie closer together by it: no test goes on for a
-    /// month. Dates that only one order reads stay.
+    /// Takes the other order for the times of a column, s, where the order is open and they lie closer together by
+    /// it.
+    ///
+    /// No test goes on for a month. Dates that only one order reads stay.
     pub fn resolve_column(&mut self, times: &mut [f64]) {
         let Some(open) = self.open.as_mut().filter(|_| self.decided.is_none()) else { return };
         let other: Vec<f64> = times.iter().map(|time| clock::swapped(*time).unwrap_or(*time)).collect();

@@ -1,4 +1,6 @@
-//! The list of a laboratory that says of each test, or of each damper's folder, which gas pressure, clicks or serial number it has:
+//! The list of a laboratory that says of each test, or of each damper's folder, which gas pressure, clicks or serial
+//! number it has.
+//!
 //! `dashpot diagnose --group tests.csv:clicks`.
 
 use crate::delimiter;

@@ -18,8 +18,9 @@ use super::unit::Unit;
 const KIND: &str = "a LabVIEW measurement file";
 /// Ends a heading.
 const END: &str = "***End_of_Header***";
-/// How far a packet may begin from where the one before ended and still go on with it, as a share of its length: clocks of
-/// packets are read once a packet.
+/// How far a packet may begin from where the one before ended and still go on with it, as a share of its length.
+///
+/// Clocks of packets are read once a packet.
 const TOGETHER: f64 = 0.02;
 
 /// Whether a text is such a file.

@@ -1,4 +1,6 @@
-//! Puts the records of a campaign on one clock where their files bear date and time, so that heat and drifts carry over from file to file.
+//! Puts the records of a campaign on one clock if their files have date and time.
+//!
+//! Heat and drifts then carry over from file to file.
 
 use super::clock::{DAY, written};
 use super::phrases;

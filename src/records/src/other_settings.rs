@@ -1,7 +1,9 @@
-//! Tests of one motion with another force: several dampers in one folder, or one damper at several settings (clicks of an adjuster, current
-//! of a valve). One model cannot hold them, and of a fit to all of them nothing is true of any. Which of them belong together is told by their
-//! forces: in every motion the settings stand in the same order, and a test of a motion of its own belongs to the setting whose forces it has at
-//! the velocities that both reach.
+//! Tests of one motion with another force.
+//!
+//! Several dampers in one folder, or one damper at several settings (clicks of an adjuster, current of a valve). One
+//! model cannot hold them, and of a fit to all of them nothing is true of any. Which of them belong together is told
+//! by their forces: in every motion the settings stand in the same order, and a test of a motion of its own belongs
+//! to the setting whose forces it has at the velocities that both reach.
 
 use super::at_speed::{Levels, levels};
 use super::glob;
@@ -10,14 +12,17 @@ use super::phrases;
 use super::record::{Note, Record};
 use super::sentence::Sentence;
 
-/// Share by which stroke and peak velocity of the same motion may differ, and by which part of its stroke its middle: drives keep them better.
+/// Share by which stroke and peak velocity of the same motion may differ, and by which part of its stroke its middle.
+///
+/// Drives keep them better.
 const SAME: f64 = 0.1;
 /// How many times the one's force against the motion must be the other's. Warm oil, a break-in and the rig's own scatter make a quarter.
 const TIMES: f64 = 1.5;
 /// Steps of force at which settings are parted, as ratios, the finest first: clicks of an adjuster are closer than [`TIMES`]. A fine step is
 /// taken only where it finds as many settings in every motion, which what warms up or wears does not make.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
-/// How many times as far in force as the nearest setting the next one must be for a test of another motion to belong to the nearest.
+/// Ratio of the distances in force to the next and the nearest setting from which a test of another motion belongs to
+/// the nearest.
 const NEARER: f64 = 2.0;
 /// Difference of side force, N, and of temperature, K, from which two tests of one damper may differ so much.
 const SIDE_FORCE: f64 = 20.0;
@@ -249,7 +254,7 @@ mod tests {
     use crate::at_speed::in_the_middle;
     use crate::fixtures::sine_record;
 
-    /// The same sines with a damper of each of these strengths.
+    /// Sines with a damper of each of these strengths.
     fn campaign(strengths: &[f64]) -> Vec<Record> {
         let plan = [(0.02, 0.05), (0.02, 0.2), (0.005, 0.2), (0.02, 0.5)];
         let all = strengths.iter().flat_map(|strength| plan.map(|(amplitude, speed)| (*strength, amplitude, speed)));
@@ -280,7 +285,7 @@ mod tests {
         assert!(said(&odd).contains("t7"), "{}", said(&odd));
     }
 
-    /// As [`campaign`], with names that bear the click, in an order that mixes them.
+    /// A campaign whose names contain the click, in an order that mixes them.
     fn clicks(strengths: &[f64]) -> Vec<Record> {
         let mut records = campaign(strengths);
         for (k, record) in records.iter_mut().enumerate() {

@@ -1,5 +1,6 @@
-//! Tables of peak force over peak velocity (PVP, CVP), as rigs and suppliers hand them on: velocity and force, or velocity with
-//! a column for rebound and one for compression. Text or a workbook.
+//! Tables of peak force over peak velocity (PVP, CVP), as rigs and suppliers hand them on.
+//!
+//! Velocity and force, or velocity with a column for rebound and one for compression. Text or a workbook.
 
 use std::path::Path;
 
@@ -51,8 +52,9 @@ pub enum StrokeSource {
 }
 
 impl Peaks {
-    /// Velocity, m/s, and the force in rebound over that in compression there: where both sides have the highest velocity that both
-    /// reach, along straight lines between the points.
+    /// Velocity, m/s, and the force in rebound over that in compression there.
+    ///
+    /// Where both sides have the highest velocity that both reach, along straight lines between the points.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
             let mut points: Vec<(f64, f64)> = self

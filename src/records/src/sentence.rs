@@ -102,8 +102,9 @@ const AS_IT_IS: Template = Template("{text}");
 const NAMES: &[&str] =
     &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
 
-/// Whether what stands at a place of a sentence is a number, which every language writes in its own way: a number alone, with a sign, or with
-/// a unit behind it. A name, an option of the command or a version is none.
+/// Whether what stands at a place of a sentence is a number, which every language writes in its own way.
+///
+/// A number alone, with a sign, or with a unit behind it. A name, an option of the command or a version is none.
 pub fn is_number(place: &str, text: &str) -> bool {
     let unsigned = text.trim_start_matches(['+', '-', '±', '\u{2212}']);
     let (figures, unit) = unsigned.split_once(char::is_whitespace).unwrap_or((unsigned, ""));
@@ -201,8 +202,10 @@ impl Sentence {
         self
     }
 
-    /// The sentence with every text as `translated` has it, and what stands at a place as `value` writes it, which gets the place and the
-    /// value; what `translated` does not know stays English. A place without a value is left empty.
+    /// Formats the sentence in a language.
+    ///
+    /// `translated` returns the translation of a text; unknown texts stay English. `value` formats a value, from its
+    /// name and the value itself. A placeholder without a value is left empty.
     pub fn to_text(
         &self,
         translated: &dyn Fn(&str) -> Option<&'static str>,

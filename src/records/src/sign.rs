@@ -47,8 +47,10 @@ impl SignFinding {
 
 /// Uncertainty of the standstill force from hysteresis, as a share of half the force range of the test.
 const HYSTERESIS: f64 = 0.1;
-/// Share of the rigs whose force was set to zero with the damper in it, or never, so that the force at standstill tells nothing of gas: a
-/// guess on the safe side. Without it one number would be certain, whatever was done to the rig.
+/// Fraction of the rigs whose force was zeroed with the damper mounted, or never.
+///
+/// Their force at standstill says nothing about the gas. This is a guess on the safe side. Without it one number
+/// would be certain, whatever was done to the rig.
 const TARED: f64 = 0.05;
 /// Logarithm of the force in rebound over that in compression of passenger-car dampers, and how much it scatters from damper to damper.
 const USUAL_RATIO: f64 = 0.6;
@@ -245,8 +247,10 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     (weights > 0.0).then(|| (sum / weights, spread / weights))
 }
 
-/// Share of a test's peak velocity from which on it counts as fast, and the shares between which it counts as slow: far enough apart for a
-/// damper's force to grow by more than hysteresis, and the slow one clear of the turning points, where friction changes its sign.
+/// Share of a test's peak velocity from which on it counts as fast, and the shares between which it counts as slow.
+///
+/// Far enough apart for a damper's force to grow by more than hysteresis, and the slow one clear of the turning
+/// points, where friction changes its sign.
 const FAST: f64 = 0.9;
 const SLOW: [f64; 2] = [0.15, 0.35];
 /// Samples that a force at some speed needs.
@@ -288,8 +292,9 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     Some([of(true)?, of(false)?])
 }
 
-/// How much more the force grows at positive than at negative velocity, as a logarithm, and how well that is known: the median of the faster
-/// tests. Hysteresis is of one kind in all of them, so that more tests make it no surer.
+/// How much more the force grows at positive than at negative velocity, as a logarithm, and how well that is known.
+///
+/// The median of the faster tests. Hysteresis is of one kind in all of them, so that more tests make it no surer.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()
@@ -307,8 +312,10 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     (!ratios.is_empty()).then(|| (median(&mut ratios), median(&mut errors)))
 }
 
-/// Logarithm of the odds that a force at standstill is tension positive: of a gas force of any size that pushes the rod out, seen through an
-/// error that is normal. In one rig of [`TARED`] it tells nothing, so that it alone is never surer than that.
+/// Logarithm of the odds that a force at standstill is tension positive.
+///
+/// Of a gas force of any size that pushes the rod out, seen through an error that is normal. In one rig of [`TARED`]
+/// it tells nothing, so that it alone is never surer than that.
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     // The logistic curve that keeps within 0.01 of the normal one.
     let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));

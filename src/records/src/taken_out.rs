@@ -1,4 +1,4 @@
-//! What a fit found the measurement to be off by, taken out of a record, so that a model is compared with what the damper did.
+//! Corrects a record by the measurement error that a fit found, so that the model is compared with the damper alone.
 
 use super::earlier::Earlier;
 pub use super::off::MeasurementError;

@@ -115,8 +115,10 @@ impl Sieve {
         self.faults.is_empty()
     }
 
-    /// The first fault where nothing usable is left, or where at least as many tests as are left have one that a wrong
-    /// column, unit or sign would give all of them.
+    /// Returns the first fault if nothing usable remains, or if at least as many tests have a systematic fault as
+    /// remain.
+    ///
+    /// A wrong column, unit or sign would give all of them such a fault.
     pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
         let doubtful = |error: &RecordError| error.reach() == Reach::TestUnlessMost;
         let first = if usable == 0 {

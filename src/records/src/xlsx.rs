@@ -297,7 +297,9 @@ fn is_figure(cell: Option<&Data>) -> bool {
     }
 }
 
-/// The time, s, of a cell that holds a date or a time, or the text of one: with a date since 1970, else since midnight.
+/// The time, s, of a cell that holds a date or a time, or the text of one.
+///
+/// With a date since 1970, else since midnight.
 fn clock_of(cell: &Data) -> Option<f64> {
     match cell {
         Data::DateTime(date) => Some(day_of(date).unwrap_or(0.0) + within_day(date)),

@@ -74,8 +74,9 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
     Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
-/// Errors of one row per amplitude and per peak velocity, before and after an improvement of the model, which stands in the
-/// places of the curve and the model.
+/// Errors by amplitude and peak velocity, before and after an improvement of the model.
+///
+/// They replace the columns of the curve and the model.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
     let about = |text: &str, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();

@@ -85,7 +85,9 @@ const SIZE: [f64; 2] = [880.0, 400.0];
 /// Groups that have a hue each; further ones are drawn in grey.
 const HUES: usize = 8;
 
-/// The FV curves of all groups over each other, with that of the reference: friction and gas included, as far as the tests of each reach.
+/// The FV curves of all groups over each other, with that of the reference.
+///
+/// Friction and gas included, as far as the tests of each reach.
 fn curves(answers: &Answers, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());

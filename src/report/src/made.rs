@@ -1,5 +1,7 @@
-//! What a report was made from, so that it can be made again: version, command, files with their hashes, and a date where one
-//! is given. The clock is not read: the same input gives the same bytes.
+//! What a report was made from, so that it can be made again.
+//!
+//! Version, command, files with their hashes, and a date where one is given. The clock is not read: the same input
+//! gives the same bytes.
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;

@@ -1,5 +1,7 @@
-//! What a manoeuvre shows: the forces of the dampers with the model and with its FV curve alone, the road, the chassis, the
-//! region that the dampers saw, and the vehicle.
+//! What a manoeuvre shows.
+//!
+//! The forces of the dampers with the model and with its FV curve alone, the road, the chassis, the region that the
+//! dampers saw, and the vehicle.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -37,7 +39,9 @@ pub struct CornerFigures {
     pub largest_force_fv_n: f64,
     /// rms of the difference of the two forces, N, free of what the exchange adds to them ([`Figures::quiet_step_s`]).
     pub rms_force_difference_n: f64,
-    /// rms of what the exchange in the host's step adds to the force with the model and with the curve, N; none where it does not chatter.
+    /// rms of what the exchange in the host's step adds to the force with the model and with the curve, N.
+    ///
+    /// None where it does not chatter.
     pub rms_chatter_n: Option<[f64; 2]>,
     /// rms of the force with the model about its mean, N.
     pub rms_force_n: f64,
@@ -66,12 +70,14 @@ pub struct Figures {
     pub rms_heave_acceleration_m_s2: [f64; 2],
     /// m, free of what the exchange adds.
     pub rms_heave_difference_m: f64,
-    /// Step, s, in which model and curve were compared because the exchange of force and motion chatters with one of them in the
-    /// host's; none where it does not.
+    /// Step, s, in which model and curve were compared because the exchange of force and motion chatters with one of
+    /// them in the host's.
+    ///
+    /// None where it does not.
     pub quiet_step_s: Option<f64>,
     /// Largest c h / m.
     pub coupling: f64,
-    /// The same where dampers move.
+    /// Note for moving dampers.
     pub coupling_moving: f64,
     /// Region that rig tests covered.
     pub rig_tests: Option<Region>,

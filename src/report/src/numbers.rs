@@ -10,7 +10,9 @@ pub fn force(newton: f64) -> String {
     number(newton, places(newton, 0))
 }
 
-/// A difference of forces, N: to a tenth, or two digits of one below 1 N, which may be all that a small damper is off by.
+/// A difference of forces, N.
+///
+/// To a tenth, or two digits of one below 1 N, which may be all that a small damper is off by.
 pub fn error(newton: f64) -> String {
     number(newton, places(newton, 1))
 }
@@ -45,8 +47,9 @@ pub fn digits(value: f64, significant: i32) -> String {
     format!("{}\u{b7}10{}", mantissa.replace('-', "\u{2212}"), superscript(exponent))
 }
 
-/// A value with as many decimals as give `reference` three digits: figures compared with each other end at the same
-/// place, and what is nothing beside the reference reads as nothing.
+/// A value with as many decimals as give `reference` three digits.
+///
+/// Figures compared with each other end at the same place, and what is nothing beside the reference reads as nothing.
 pub fn comparable(value: f64, reference: f64) -> String {
     let exponent = if reference == 0.0 { 0.0 } else { libm::log10(reference.abs()).floor() };
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)

@@ -1,5 +1,6 @@
-//! The tables of a report as one workbook for Excel: a sheet a table, behind a first sheet that says what they are and what
-//! they were made from.
+//! The tables of a report as one workbook for Excel.
+//!
+//! A sheet a table, behind a first sheet that says what they are and what they were made from.
 //!
 //! A number is a number with all its digits, shown with those of the page. The same input gives the same bytes: the date in the
 //! file's properties is fixed, and the one that a reader sees is that of the report.

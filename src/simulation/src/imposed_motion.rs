@@ -8,8 +8,10 @@ use dashpot_records::MotionRecord;
 /// Most rows that a motion is sampled to: some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
-/// Samples from one word about the progress to the next: some hundredths of a second, so that work asked to stop ends at once to the eye, and
-/// telling costs nothing beside it.
+/// Samples from one word about the progress to the next.
+///
+/// Some hundredths of a second, so that work asked to stop ends at once to the eye, and telling costs nothing beside
+/// it.
 pub const TELL: usize = 16_384;
 
 /// A motion with which a model can be driven.
@@ -106,9 +108,10 @@ impl ImposedMotion {
         Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, initial_position })
     }
 
-    /// The same motion at a fixed step, s, from its first time on: displacement and velocity from the cubic through
-    /// displacement and velocity of the neighbouring samples, the path that the kernel itself takes between two steps;
-    /// side force and temperature run straight.
+    /// The same motion at a fixed step, s, from its first time on.
+    ///
+    /// Displacement and velocity from the cubic through displacement and velocity of the neighbouring samples, the
+    /// path that the kernel itself takes between two steps; side force and temperature run straight.
     ///
     /// # Errors
     /// Where the step is not above zero, longer than the motion, or makes too many rows.
@@ -196,7 +199,7 @@ impl ImposedMotion {
         self.drive_telling(model, &|_, _| {})
     }
 
-    /// The same of a damper that depends on a setting: `setting` is that which is commanded in the step that ends at a time, s.
+    /// Drives a damper that depends on a setting: `setting` is the command in the step that ends at a time, s.
     ///
     /// # Errors
     /// Those of [`ImposedMotion::drive`].
@@ -227,7 +230,7 @@ impl ImposedMotion {
         Ok(answers)
     }
 
-    /// The same, telling every [`TELL`] samples how many of how many are done.
+    /// Drives a damper and reports every [`TELL`] samples how many are done.
     ///
     /// # Errors
     /// As [`ImposedMotion::drive`].
@@ -265,7 +268,9 @@ fn hermite(x: [f64; 2], v: [f64; 2], h: f64, s: f64) -> (f64, f64) {
 }
 
 /// Slopes at the samples of the cubic spline through them, not-a-knot at both ends (de Boor, A Practical Guide to
-/// Splines, 1978, IV); of the parabola through three samples, of the line through two.
+/// Splines, 1978, IV).
+///
+/// Of the parabola through three samples, of the line through two.
 fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
     let n = t.len();
     let h: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();

@@ -6,8 +6,10 @@ use dashpot_core::{Input, Model, State};
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Forces of the model at the samples of a record, driven by its smoothed motion (see [`dashpot_records::smoothing::smooth`]) from the settled
-/// state, with oil that is warmer than the surroundings by `rise`, K ([`WarmStarts`](crate::warm_starts::WarmStarts)).
+/// Forces of the model at the samples of a record, driven by its smoothed motion from the steady state.
+///
+/// See [`dashpot_records::smoothing::smooth`]. The oil is warmer than the surroundings by `rise`, K
+/// ([`WarmStarts`](crate::warm_starts::WarmStarts)).
 pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Vec<f64> {
     let n = record.time.len();
     let input = |i: usize| Input {
@@ -50,7 +52,9 @@ pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     velocities.iter().map(|v| [*v, at(*v)]).filter(|p| p[1].is_finite()).collect()
 }
 
-/// The same from one velocity to another on the other side of zero: close near zero, where friction and bleed make the shape.
+/// Velocities from one to another on the other side of zero.
+///
+/// They are close near zero, where friction and bleed make the shape.
 pub fn between_velocities(model: &Model, low: f64, high: f64) -> Vec<[f64; 2]> {
     /// Points to each side of zero.
     const POINTS: i32 = 120;

@@ -8,8 +8,9 @@ use dashpot_core::family::Definition;
 use dashpot_core::{Input, Model, Params};
 use nalgebra::DMatrix;
 
-/// Largest step times rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis (Hairer & Wanner, *Solving Ordinary
-/// Differential Equations II*, IV.2).
+/// Largest step times rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis.
+///
+/// Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2.
 const RUNGE_KUTTA: f64 = 2.785;
 /// Rate, 1/s, from which a host's usual step, 1 ms, is too long for that method.
 const STIFF: f64 = RUNGE_KUTTA / 1e-3;

@@ -19,8 +19,9 @@ impl WarmStarts {
         WarmStarts(Heating::new(records, &[]))
     }
 
-    /// Rise of the oil's temperature, K, with which record `place` begins; nothing where the model computes no heat, or where every record has
-    /// a clock of its own.
+    /// Rise of the oil's temperature, K, with which record `place` begins.
+    ///
+    /// Nothing where the model computes no heat, or where every record has a clock of its own.
     pub fn rise(&self, params: &Params, place: usize) -> f64 {
         let heats = params.is_on(element!("temperature_fade")) && params.number(number!("fade_source")) == 1.0;
         if !heats {

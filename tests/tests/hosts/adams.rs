@@ -257,8 +257,10 @@ fn every_element_of_the_model_agrees() {
     }
 }
 
-/// LINEAR (mode 7) sees the damper without dry friction: the eigenvalues are those of the kernel's own slopes, and not those of a damper that its stuck
-/// friction locks, which the same matrix has in dynamics.
+/// LINEAR (mode 7) sees the damper without dry friction.
+///
+/// The eigenvalues are those of the kernel's own slopes, and not those of a damper that its stuck friction locks,
+/// which the same matrix has in dynamics.
 #[test]
 fn a_linearisation_is_not_locked_by_stuck_friction() {
     const MASS: f64 = 40.0;

@@ -206,8 +206,9 @@ fn outside_adams_it_loads_and_answers_its_selftest() {
     }
 }
 
-/// A solver that has loaded its utilities for itself alone, as an interpreter's extension does: they are in the process, and not in
-/// the global scope.
+/// A solver that has loaded its utilities for itself alone, as an interpreter's extension does.
+///
+/// They are in the process, and not in the global scope.
 #[test]
 fn utilities_loaded_for_another_library_alone_are_found() {
     const UTILITIES: &str = "#include <stdio.h>\nvoid c_errmes(int e, const char *t, int id, const char *s) { (void)id; printf(\"%d %s %s\\n\", e, s, t); }\n";

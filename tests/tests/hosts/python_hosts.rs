@@ -1,5 +1,7 @@
-//! The examples in Python on multibody programs that nobody here wrote: a mass dropped on spring and damper is where the kernel says,
-//! stepped so finely that the host's own method no longer matters.
+//! The examples in Python on multibody programs that nobody here wrote.
+//!
+//! A mass dropped on spring and damper is where the kernel says, stepped so finely that the host's own method no
+//! longer matters.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_tests::library::{root, shared, succeed};

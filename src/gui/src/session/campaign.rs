@@ -143,7 +143,7 @@ impl Loaded {
         self.as_read.as_deref().unwrap_or(&self.campaign)
     }
 
-    /// The same with records out of which something was taken, and the note that says so.
+    /// The campaign with corrected records, and the note that says so.
     pub fn seen_as(&self, records: Vec<Record>, note: Option<Note>) -> Loaded {
         let mut campaign = self.as_read().clone();
         let as_read = note.is_some().then(|| Box::new(campaign.clone()));

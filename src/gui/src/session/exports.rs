@@ -15,7 +15,7 @@ use std::path::Path;
 pub enum Host {
     /// One damper as an FMU, FMI 2.0.
     Fmu,
-    /// The same, FMI 3.0.
+    /// An FMU of FMI 3.0.
     Fmu3,
     /// Four dampers of a vehicle as an FMU, FMI 2.0: what VI-CarRealTime takes.
     Vehicle,

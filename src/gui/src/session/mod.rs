@@ -205,8 +205,9 @@ impl Session {
         self.order(false);
     }
 
-    /// Takes out of the open records what the model's fit found them to be off by, as the verbs of the command do; a model without
-    /// such a finding gets them as they were read.
+    /// Takes out of the open records what the model's fit found them to be off by, as the verbs of the command do.
+    ///
+    /// A model without such a finding gets them as they were read.
     fn see_as_the_fit_saw(&mut self) {
         let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
         let others = self.reference.as_ref();

@@ -198,8 +198,9 @@ impl Tuned {
         changed
     }
 
-    /// The text of the model file: that of the fit where nothing was changed since, else the values with a note that they were
-    /// tuned by hand.
+    /// The text of the model file.
+    ///
+    /// That of the fit where nothing was changed since, else the values with a note that they were tuned by hand.
     pub fn text(&self) -> String {
         match &self.text {
             Some(text) if !self.is_tuned() => text.clone(),
@@ -279,8 +280,9 @@ pub struct Reach {
 const SPREADS: f64 = 3.0;
 
 impl Reach {
-    /// Of a number: what dampers show of it, the interval of the fit, the identified value and the present one all lie within, and the
-    /// bounds of the table around.
+    /// The range of a slider, which contains prior, interval, identified and present value.
+    ///
+    /// It lies within the bounds of the table.
     pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
         let p = row.parameter;
         let usual = Number::try_from(*row).ok().and_then(|number| priors::of(number, scale));

@@ -1,4 +1,6 @@
-//! Another model in the place of the one on screen: asked for first where values set by hand would be lost, and undone like any change.
+//! Another model in the place of the one on screen.
+//!
+//! Asked for first where values set by hand would be lost, and undone like any change.
 
 use crate::session::Session;
 use crate::session::answers::{Finding, Fitted};

@@ -43,7 +43,7 @@ pub struct OfTest {
     pub stride: usize,
     /// Mean of |computed − measured|, N.
     pub mean_error: f64,
-    /// The same in percent of the largest measured force.
+    /// Error in percent of the largest measured force.
     pub percent: f64,
     /// Root mean square of computed − measured, N.
     pub rmse: f64,

@@ -12,7 +12,9 @@ pub struct Place {
     pub difference: f64,
 }
 
-/// Places along a cycle: as many as a thinned slow cycle of 300 samples fills with two samples of each way, even where it is fastest.
+/// Places along a cycle.
+///
+/// As many as a thinned slow cycle of 300 samples fills with two samples of each way, even where it is fastest.
 const PLACES: usize = 24;
 /// Share of the travel at either end that is left out: there the way turns, and friction turns with it.
 const ENDS: f64 = 0.08;

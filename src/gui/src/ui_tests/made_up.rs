@@ -28,7 +28,7 @@ pub fn campaign(folder: &Path, count: usize) {
     campaign_of(&truth(), folder, count);
 }
 
-/// The same tests of another damper.
+/// The tests of another damper.
 pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
     let model = Model::new(damper).unwrap();
     for k in 0..count {

@@ -628,8 +628,10 @@ fn everything_that_can_be_used_has_a_name_for_a_screen_reader() {
     }
 }
 
-/// How long the window takes, on a campaign and a model of one's own: reading and preparing the records until the first loops can be
-/// drawn; from a slider's move until loops and errors of all tests are there; a frame meanwhile, without the graphics card.
+/// How long the window takes, on a campaign and a model of one's own.
+///
+/// Reading and preparing the records until the first loops can be drawn; from a slider's move until loops and errors
+/// of all tests are there; a frame meanwhile, without the graphics card.
 ///
 /// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-gui latency -- --ignored --nocapture`
 #[test]

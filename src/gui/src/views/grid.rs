@@ -1,4 +1,6 @@
-//! Where the lines and numbers of a plot's axes stand: at 1, 2 or 5 times a power of ten, so that a plot of any width has numbers to read.
+//! Where the lines and numbers of a plot's axes stand.
+//!
+//! At 1, 2 or 5 times a power of ten, so that a plot of any width has numbers to read.
 //!
 //! Steps of ten alone leave a narrow plot of ±25 mm with nothing but its zero.
 
@@ -7,11 +9,15 @@ use egui_plot::{AxisHints, GridInput, GridMark, Plot};
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot): five letters have room, and longer numbers get more.
+/// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot).
+///
+/// Five letters have room, and longer numbers get more.
 const ACROSS: f64 = 5.5;
-/// Distances, px, between which the numbers of the lower axis come up; egui_plot's own 60 to 80 leave a window of 1280 px with zeros alone.
+/// Distances, px, between which the numbers of the lower axis come up.
+///
+/// Egui_plot's own 60 to 80 leave a window of 1280 px with zeros alone.
 const COME_UP: std::ops::RangeInclusive<f32> = 34.0..=43.0;
-/// The same up the other axis, where a number needs a line's height alone: below 30 px they fade.
+/// Distances of the numbers of the upright axis, where a number needs a line's height alone: below 30 px they fade.
 const UPWARDS: f64 = 4.0;
 
 /// Width of a digit in the font of the axes, px; a little more than the widest one has.

@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub enum Whose {
     /// The rig's.
     Measured,
-    /// The same test of the campaign compared with.
+    /// The corresponding test of the reference campaign.
     Reference,
     /// The identified model's, where it was tuned since.
     Identified,

@@ -126,7 +126,9 @@ pub fn colour(hex: &str) -> Color32 {
     Color32::from_hex(hex).unwrap_or(Color32::GRAY)
 }
 
-/// Hues of the measured tests: after Okabe & Ito, *Color Universal Design*, 2008, apart for colour-blind readers too; a dark and a light
+/// Hues of the measured tests.
+///
+/// After Okabe & Ito, *Color Universal Design*, 2008, apart for colour-blind readers too; a dark and a light
 /// background take the same.
 const HUES: [Color32; 8] = [
     Color32::from_rgb(0, 114, 178),

@@ -250,8 +250,9 @@ pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
     response.response.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, format!("{title}: {shown}")));
 }
 
-/// What both ways of a cycle have in common over displacement, and half of what they do not: gas and springs, drag and friction where the
-/// test is slow.
+/// What both ways of a cycle have in common over displacement, and half of what they do not.
+///
+/// Gas and springs, drag and friction where the test is slow.
 pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
     let words = view.words();
     let units = view.units;
@@ -478,8 +479,9 @@ impl Stop {
     }
 }
 
-/// Moves a point of the curve to a velocity, m/s, and a force of the damper, N; where the neighbors are in the way it stops beside them. Returns
-/// whether it moved, and why it stopped.
+/// Moves a point of the curve to a velocity, m/s, and a force of the damper, N.
+///
+/// Where the neighbors are in the way it stops beside them. Returns whether it moved, and why it stopped.
 pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity: bool) -> (bool, Option<Stop>) {
     let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
     let (velocities, forces) = (model.params().list(velocity).to_vec(), model.params().list(force).to_vec());

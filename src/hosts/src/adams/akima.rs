@@ -10,8 +10,9 @@ use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST};
 const SHARE: f64 = 0.005;
 /// N: where a side has hardly any force, less than a load cell shows.
 const LEAST: f64 = 1.0;
-/// Where points are added, they are until this part of the tolerance is left: a file that is read and written again then lies inside it, and comes
-/// back with the points that it had.
+/// Where points are added, they are until this part of the tolerance is left.
+///
+/// A file that is read and written again then lies inside it, and comes back with the points that it had.
 const ADDED: f64 = 0.5;
 /// Places between two points at which curves are compared.
 const PLACES: usize = 24;
@@ -185,7 +186,9 @@ pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) 
     (curve, left)
 }
 
-/// The points of a file, and as many between them as it takes until a model's curve follows Akima's; how the model is to read them, and what is left.
+/// The points of a file, and as many between them as it takes until a model's curve follows Akima's.
+///
+/// How the model is to read them, and what is left.
 pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let allowed = tolerance(&points);
     let akima = Read::new(&points, Reading::Akima);
@@ -213,8 +216,9 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     (curve, interpolation, left)
 }
 
-/// The points of a file whose curve runs straight between them; of more than a model can hold, as many as it takes until the model's curve follows
-/// it, with what is left.
+/// The points of a file whose curve runs straight between them.
+///
+/// Of more than a model can hold, as many as it takes until the model's curve follows it, with what is left.
 pub fn read_linear(points: Curve) -> (Curve, Difference) {
     if points.velocities.len() <= MAX_POINTS {
         return (points, Difference::default());

@@ -88,8 +88,9 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
 /// Share of the largest force below which a force at rest is rounding.
 const AT_REST: f64 = 1e-6;
 
-/// Moves the force that the curve has at rest from the curve to the gas force, and says so: a damper at rest has none of its curve, and what pushes or
-/// pulls there does so at every speed.
+/// Moves the force that the curve has at rest from the curve to the gas force, and says so.
+///
+/// A damper at rest has none of its curve, and what pushes or pulls there does so at every speed.
 fn constant_force(read: &mut property::Properties) -> Option<String> {
     let rest = akima::at_rest(&read.curve, read.straight);
     let largest = read.curve.forces.iter().fold(0.0f64, |most, f| most.max(f.abs()));

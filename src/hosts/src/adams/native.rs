@@ -1,5 +1,7 @@
-//! The damper from Adams's own elements, without a routine: splines for primary damper, parallel spring and friction, and two differential
-//! equations for the internal mass; a third one for friction that turns over within a short travel.
+//! The damper from Adams's own elements, without a routine.
+//!
+//! Splines for primary damper, parallel spring and friction, and two differential equations for the internal mass; a
+//! third one for friction that turns over within a short travel.
 //!
 //! The mass is no PART: a part has a place in the model, which a text that knows nothing of the model cannot give, and a joint to the tube that
 //! is violated wherever that place is wrong. By its equations it moves along the line between the damper's markers, as the kernel has it. Its

@@ -53,8 +53,10 @@ const WINDOW_NO_CYCLE: f64 = 0.017;
 /// Share of samples with a shorter window up to which nothing is said: of a smooth motion some thousandths get one by chance.
 const BY_CHANCE: f64 = 0.01;
 
-/// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where the
-/// setting of a motion that goes on changes.
+/// Sorts the rows and splits the record into tests.
+///
+/// Missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where
+/// the setting of a motion that goes on changes.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
     swapped::refuse(&samples, options)?;

@@ -135,7 +135,7 @@ pub enum Marks {
     Both,
     /// Marked alone: each is a result by itself.
     Dots,
-    /// The same, larger, so that dots on top leave them visible.
+    /// A larger dot, which stays visible under dots on top.
     LargeDots,
 }
 

@@ -59,7 +59,7 @@ pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
     map(validation, [words.plot_error_map, &note], words, both)
 }
 
-/// The same of one of the two forces: the model's, or the one beside it.
+/// The overview of one of the two forces: the model's, or the one compared with it.
 pub fn error_map_of(
     validation: &Validation,
     title: &str,

@@ -16,8 +16,10 @@ pub const TRUTH_FILE: &str = "truth.toml";
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";
 
 impl HiddenCampaign {
-    /// Writes the campaign as [`crate::Campaign::write`] does, and beside the records a folder [`SEALED_FOLDER`] with
-    /// `truth.toml` and `clean_force.csv` (header `test,force_N`; the test's name stands in its first line only).
+    /// Writes the campaign and a sealed folder with the truth.
+    ///
+    /// The records are those of [`crate::Campaign::write`]. The folder [`SEALED_FOLDER`] has `truth.toml` and
+    /// `clean_force.csv` (header `test,force_N`; the test's name stands in its first line only).
     ///
     /// # Errors
     /// As [`crate::Campaign::write`].

@@ -19,8 +19,9 @@ impl<F: Fn(f64) -> (f64, f64)> Motion for F {
     }
 }
 
-/// Runs the model from the settled state and returns the force at each multiple of `dt`, `steps + 1` values; every
-/// interval is divided into `parts` Radau steps.
+/// Runs the model from the settled state and returns the force at each multiple of `dt`, `steps + 1` values.
+///
+/// Every interval is divided into `parts` Radau steps.
 pub fn reference_forces(model: &Model, motion: &impl Motion, dt: f64, steps: usize, parts: usize) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.at(t);

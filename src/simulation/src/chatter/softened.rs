@@ -83,8 +83,10 @@ const FINE: f64 = 1e-4;
 /// Elements that turn at once: no damper has more.
 const MOST: usize = FRICTION.len() + 1;
 
-/// The damper with its steep friction as presliding friction, which acts like a stiff spring where the other jumps, and with side-force friction that
-/// turns less steeply; `None` where no steep friction is what chatters, or that would not help.
+/// Replaces steep friction by presliding friction and flattens side-force friction; `None` if that would not help.
+///
+/// Presliding friction acts like a stiff spring where the other jumps. The result is `None`, too, where no steep
+/// friction chatters.
 ///
 /// # Errors
 /// Parameters that make no model.

@@ -105,8 +105,10 @@ pub fn length_in_metres(word: &str) -> anyhow::Result<f64> {
     units::length(word)
 }
 
-/// A note as it may stand in a comment: in one line, without what neither form of file may hold, and in ASCII, which is what hosts read for
-/// certain. A note names parts of a file that somebody else wrote.
+/// A note as it may stand in a comment.
+///
+/// In one line, without what neither form of file may hold, and in ASCII, which is what hosts read for certain. A
+/// note names parts of a file that somebody else wrote.
 fn as_comment(note: &str) -> String {
     let ascii = |c: char| match c {
         '·' => '*',
