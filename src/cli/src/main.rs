@@ -119,7 +119,7 @@ fn ended(done: anyhow::Result<()>) -> ExitCode {
         // A reader that has read enough, such as `head`, is no error.
         Err(error) if is_closed_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            dashpot_output::warn(&format!("dashpot: {}", dashpot_output::told_once(&error)));
+            dashpot_output::warn(&format!("dashpot: {}", dashpot_output::format_once(&error)));
             ExitCode::from(2)
         }
     }

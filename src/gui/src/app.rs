@@ -108,7 +108,7 @@ impl App {
         self.stay_awake(ui.ctx());
         // An answer that came is shown; with a fit it was not asked for the panel before.
         if let Some(Work::Fit | Work::Validate | Work::Diagnose) = self.session.arrived.take() {
-            self.view.side = Side::Answer;
+            self.view.side = Side::Result;
         }
         bar::keys(ui, &mut self.session, &mut self.view);
         let (session, view) = (&mut self.session, &mut self.view);
@@ -220,7 +220,7 @@ fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
 
 fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
-    let sides = [(Side::Tune, w.tune), (Side::Answer, w.answer), (Side::Records, w.records), (Side::Study, w.study)];
+    let sides = [(Side::Tune, w.tune), (Side::Result, w.result), (Side::Records, w.records), (Side::Study, w.study)];
     ui.horizontal_wrapped(|ui| {
         for (side, text) in sides {
             ui.selectable_value(&mut view.side, side, text);
@@ -229,7 +229,7 @@ fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
     ui.separator();
     within(ui, |ui| match view.side {
         Side::Tune => tune::show(ui, session, view),
-        Side::Answer => answer::show(ui, session, view),
+        Side::Result => answer::show(ui, session, view),
         Side::Records => records::show(ui, session, view),
         Side::Study => study::show(ui, session, view),
     });

@@ -19,7 +19,7 @@ mod sensors;
 mod trace;
 
 pub use campaign::{Accuracy, Campaign, TestRecord, Truth};
-pub use case::{Case, HiddenEffect};
+pub use case::{Case, InjectedEffect};
 pub use folder::TRUTH_FILE;
 pub use jet::Jet;
 pub use plant::Kind;

@@ -1,5 +1,6 @@
 //! Where results go, for all verbs: files replaced as a whole and only by their own kind, or standard output for `-`.
 
+mod format;
 mod guard;
 mod inputs;
 mod kind;
@@ -8,13 +9,13 @@ mod replace;
 mod run;
 mod stdout;
 mod terminal;
-mod told;
 
 use anyhow::{Context as _, bail};
 use replace::{folder_of, try_folder, write_file};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
+pub use format::format_once;
 pub use guard::set_force;
 pub use inputs::register as register_inputs;
 pub use kind::{AUTHOR, GENERATOR, Kind, WRITTEN};
@@ -23,7 +24,6 @@ pub use replace::replace_file;
 pub use run::as_a_run;
 pub use stdout::closed as stdout_closed;
 pub use terminal::{printable, warn};
-pub use told::told_once;
 
 /// Whether the path stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {

@@ -59,7 +59,7 @@ mod tests {
         std::fs::write(&read, model).unwrap();
         std::fs::write(&other, "a,b\n1,2\n").unwrap();
         let refusal = as_a_run(false, [read.as_path()], || write(&read, model)).unwrap_err();
-        assert!(crate::told_once(&refusal).contains("is read by this run"), "{refusal:?}");
+        assert!(crate::format_once(&refusal).contains("is read by this run"), "{refusal:?}");
         as_a_run(true, [read.as_path()], || {
             write(&read, model).unwrap();
             write(&other, model).unwrap();

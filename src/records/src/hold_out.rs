@@ -7,7 +7,7 @@ use super::{Campaign, Record, glob};
 pub enum HoldOutError {
     /// Every test matches.
     #[error("--hold-out leaves no test to {purpose}; it matches all {count}")]
-    LeavesNone {
+    NoTestsRemain {
         /// What the tests are for.
         purpose: &'static str,
         /// How many there are.
@@ -40,7 +40,7 @@ pub fn select_hold_out(
     let records = &campaign.records;
     let out: Vec<bool> = records.iter().map(|r| matches(r, patterns)).collect();
     if out.iter().all(|o| *o) {
-        return Err(HoldOutError::LeavesNone { purpose, count: out.len() });
+        return Err(HoldOutError::NoTestsRemain { purpose, count: out.len() });
     }
     match patterns.iter().find(|p| !records.iter().any(|r| glob::matches(p, &r.name))) {
         Some(pattern) => {

@@ -451,7 +451,7 @@ impl Session {
 
     /// Values of an effect beside the present ones, for a look at what it would do.
     pub fn with_effect(&self, element: Element, strength: f64) -> Option<Params> {
-        Some(model::with_usual(self.model.as_ref()?.params(), element, strength))
+        Some(model::with_prior(self.model.as_ref()?.params(), element, strength))
     }
 
     /// What the last fit says of its numbers.

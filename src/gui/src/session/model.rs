@@ -321,7 +321,7 @@ impl Reach {
 }
 
 /// What dampers show of a number: the middle two thirds.
-pub fn usual_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
+pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
     Some(match priors::of(Number::try_from(*row).ok()?, scale)? {
         Usual::Size(median, factor) => [median / factor, median * factor],
         Usual::Strength(median, factor) => [0.0, median * factor],
@@ -330,7 +330,7 @@ pub fn usual_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
 }
 
 /// What an effect usually is: the numbers of an element that dampers with it show, where its own default is another.
-pub fn with_usual(params: &Params, element: Element, strength: f64) -> Params {
+pub fn with_prior(params: &Params, element: Element, strength: f64) -> Params {
     let mut with = *params;
     with.enable(element, true);
     let scale = Scale::of(params);

@@ -410,7 +410,7 @@ fn every_language_draws_every_view() {
     for (_, language) in Language::ALL {
         harness.state_mut().view.language = language;
         let words = crate::words::texts(language);
-        for side in [words.tune, words.answer, words.records, words.study] {
+        for side in [words.tune, words.result, words.records, words.study] {
             harness.step();
             harness.step();
             press(&mut harness, side);

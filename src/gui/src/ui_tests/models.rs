@@ -102,7 +102,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     }
     // The panel opens with one sentence that says good or bad.
     harness.step();
-    assert_eq!(harness.state().view.side, crate::views::Side::Answer);
+    assert_eq!(harness.state().view.side, crate::views::Side::Result);
     let quality = harness.state().session.answers.fit.as_ref().unwrap().found.quality.unwrap();
     for (_, language) in Language::ALL.iter().rev() {
         harness.state_mut().view.language = *language;
@@ -179,7 +179,7 @@ fn tabs_stand_still_and_no_letter_is_smaller_than_eleven() {
     let mut harness = opened(folder.path(), 6, vec![]);
     let places = |harness: &Harness<'_, App>, language: Language| {
         let w = crate::words::texts(language);
-        [w.tune, w.answer, w.records, w.study].map(|text| widget(harness, Role::Button, text).rect())
+        [w.tune, w.result, w.records, w.study].map(|text| widget(harness, Role::Button, text).rect())
     };
     for (_, language) in Language::ALL {
         harness.state_mut().view.language = language;
@@ -187,7 +187,7 @@ fn tabs_stand_still_and_no_letter_is_smaller_than_eleven() {
         harness.step();
         let first = places(&harness, language);
         let w = crate::words::texts(language);
-        for side in [w.tune, w.answer, w.records, w.study] {
+        for side in [w.tune, w.result, w.records, w.study] {
             press(&mut harness, side);
             harness.step();
             for (a, b) in first.iter().zip(places(&harness, language)) {

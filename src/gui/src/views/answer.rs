@@ -25,13 +25,13 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             && session.answers.validation.is_none()
             && session.answers.diagnosis.is_none();
         if nothing {
-            wrapped(ui, RichText::new(w.no_answer));
+            wrapped(ui, RichText::new(w.no_result));
         }
         let mut take = false;
         let free = session.task.is_none();
         if let Some(answer) = &session.answers.diagnosis {
             let (found, old) = (&answer.found.found, answer.is_old(session));
-            heading(ui, w.diagnosis_answer, old, w);
+            heading(ui, w.diagnosis_result, old, w);
             wrapped(ui, RichText::new(headline(found, view.language.words())).strong());
             // Above the details, which are more than the window holds.
             ui.horizontal_wrapped(|ui| {
@@ -45,7 +45,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         }
         if let Some(answer) = &session.answers.validation {
             let old = answer.is_old(session);
-            heading(ui, w.validation_answer, old, w);
+            heading(ui, w.validation_result, old, w);
             validation(ui, &answer.found, w);
             let offered = [(w.write_report, Paper::ValidationReport), (w.save_tables, Paper::ValidationTables)];
             ui.horizontal_wrapped(|ui| papers(ui, free && !old, view, &offered));
@@ -53,7 +53,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         }
         if let Some(answer) = &session.answers.fit {
             let old = answer.is_old(session);
-            heading(ui, w.fit_answer, old, w);
+            heading(ui, w.fit_result, old, w);
             // Above the numbers, which are more than the window holds.
             let said = view.language.words();
             if let Some(quality) = &answer.found.quality {
@@ -72,7 +72,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
 fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
     ui.heading(title);
     if old {
-        let text = RichText::new(format!("⚠ {}", w.old_answer)).color(ui.visuals().warn_fg_color);
+        let text = RichText::new(format!("⚠ {}", w.old_result)).color(ui.visuals().warn_fg_color);
         ui.add(egui::Label::new(text).wrap());
     }
 }

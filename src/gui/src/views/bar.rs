@@ -59,12 +59,12 @@ pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
 }
 
 fn validate(session: &mut Session, view: &mut View) {
-    view.side = Side::Answer;
+    view.side = Side::Result;
     session.validate();
 }
 
 fn diagnose(session: &mut Session, view: &mut View) {
-    view.side = Side::Answer;
+    view.side = Side::Result;
     session.diagnose();
 }
 

@@ -45,7 +45,7 @@ pub enum Side {
     #[default]
     Tune,
     /// Answers of the verbs.
-    Answer,
+    Result,
     /// How records are read.
     Records,
     /// Families of loops.

@@ -131,7 +131,7 @@ fn table(ui: &mut Ui, study: &Study, units: Units, w: &Words) {
 
 fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
     let Some(model) = &session.model else { return };
-    ui.heading(w.effect_look);
+    ui.heading(w.effect_inspect);
     ui.add(egui::Label::new(RichText::new(w.effect_hint).weak()).wrap());
     let mut chosen = view.effect.map(|(element, _)| element);
     let list = ComboBox::from_id_salt("effect")
@@ -144,7 +144,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
                     .on_hover_text(w.meaning(element.group().meaning));
             }
         });
-    named_list(list, w.effect_look);
+    named_list(list, w.effect_inspect);
     let mut strength = view.effect.map_or(1.0, |(_, s)| s);
     if chosen.is_some() {
         let slider = ui.add(Slider::new(&mut strength, 0.05..=10.0).logarithmic(true).text(w.strength));

@@ -1,7 +1,7 @@
 //! Elements on and off, and a slider for every number, with what dampers show and what the fit left open marked.
 
 use crate::session::Session;
-use crate::session::model::{Reach, Tuned, usual_band};
+use crate::session::model::{Reach, Tuned, prior_band};
 use crate::session::replacing::Replacement;
 use crate::units::{Units, read};
 use crate::views::{View, named_list, translate_name};
@@ -33,7 +33,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     });
     errors(ui, session, w);
     if let Some(refused) = session.model.as_ref().and_then(|m| m.refused.clone()) {
-        ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.refused));
+        ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.rejected));
     }
     // What the file gives for an element that is off, and would be had by switching it on.
     for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
@@ -76,7 +76,7 @@ const IDENTIFIED: Color32 = Color32::from_rgb(213, 94, 0);
 
 fn legend(ui: &mut Ui, w: &Words) {
     ui.horizontal_wrapped(|ui| {
-        for (colour, text) in [(USUAL, w.usual), (INTERVAL, w.interval), (IDENTIFIED, w.identified)] {
+        for (colour, text) in [(USUAL, w.prior), (INTERVAL, w.interval), (IDENTIFIED, w.identified)] {
             ui.label(RichText::new("▬").color(colour));
             ui.label(RichText::new(text).small());
         }
@@ -165,7 +165,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
         let slider = slider.logarithmic(reach.factors).smallest_positive(reach.low.max(1e-300)).show_value(false);
         let slider = ui.add(slider.clamping(SliderClamping::Never));
         slider.widget_info(|| WidgetInfo::slider(true, unit.factor * value, format!("{name} {}", unit.symbol)));
-        marks(ui, slider.rect, &reach, usual_band(row, scale), interval.filter(|_| !loose), mark);
+        marks(ui, slider.rect, &reach, prior_band(row, scale), interval.filter(|_| !loose), mark);
         let mut in_unit = unit.factor * value;
         let speed = (in_unit.abs() * 0.005).max(1e-9);
         let field =

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use super::{HiddenCampaign, Truth};
+use super::{InjectedCampaign, Truth};
 use crate::RigError;
 use crate::files::replace_file;
 
@@ -15,7 +15,7 @@ pub const TRUTH_FILE: &str = "truth.toml";
 /// Forces without noise: one line per sample, records one after the other in the order of their names.
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";
 
-impl HiddenCampaign {
+impl InjectedCampaign {
     /// Writes the campaign and a sealed folder with the truth.
     ///
     /// The records are those of [`crate::Campaign::write`]. The folder [`SEALED_FOLDER`] has `truth.toml` and

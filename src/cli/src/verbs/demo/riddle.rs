@@ -12,7 +12,7 @@ use dashpot_records::hold_out;
 use dashpot_report::diagnosis::picture;
 use dashpot_report::words::EN;
 use dashpot_report::{Print, replace_file};
-use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
+use dashpot_rig::{CHECK_PREFIX, InjectedCase, Options, Plan};
 use std::path::{Path, PathBuf};
 
 /// What is hidden, and how strongly.
@@ -26,7 +26,7 @@ pub fn write(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     let records = in_folder("records");
     std::fs::create_dir_all(&folder).with_context(|| format!("making the folder {}", folder.display()))?;
     say("4. Another damper hides something that its model will lack. What it is lies sealed beside the records.")?;
-    let case = HiddenCase {
+    let case = InjectedCase {
         effects: vec![(HIDDEN.0.to_owned(), HIDDEN.1)],
         plan: Plan::default(),
         options: Options { seed, ..Options::default() },

@@ -126,7 +126,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         None => Inputs::Unspecified,
     };
     if inputs == Inputs::Unspecified {
-        notes.push(fmu::INPUTS_ARE_HELD.to_owned());
+        notes.push(fmu::INPUTS_HAVE_ZERO_ORDER_HOLD.to_owned());
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
