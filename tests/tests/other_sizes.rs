@@ -42,7 +42,6 @@ fn fitted(records: &[Record]) -> Fit {
 }
 
 #[test]
-#[ignore = "fails: misfits differ by 3 % where 2 % are allowed"]
 fn a_fit_of_scaled_forces_is_the_scaled_fit() {
     let mut truth = base();
     truth.enable(element!("coulomb_friction"), false);
@@ -72,14 +71,24 @@ fn diagnosed(records: &[Record], model: &Params) -> Diagnosis {
 }
 
 #[test]
-#[ignore = "fails: a moving mass in a damper of 10 N cannot be told apart"]
 fn what_is_hidden_in_a_damper_of_another_size_has_the_same_name() {
-    let hidden: [(&str, &[(&str, f64)]); 3] = [
+    has_the_same_name(&[
         ("presliding_friction", &[("presliding_force", 25.0), ("presliding_length", 4e-4)]),
-        ("moving_mass", &[("moving_mass", 2.0)]),
         ("free_play", &[("free_play_gap", 4e-4), ("free_play_force", 8.0)]),
-    ];
-    for (effect, numbers) in hidden {
+    ]);
+}
+
+#[test]
+#[ignore = "fails: the prior of the internal mass is 2.3 times that of the same damper at a car's size, and holds the moving mass as well"]
+fn a_mass_in_a_damper_of_another_size_has_the_same_name() {
+    has_the_same_name(&[("moving_mass", &[("moving_mass", 2.0)])]);
+}
+
+/// Effects that are hidden in a damper, with their numbers.
+type Hidden<'a> = (&'a str, &'a [(&'a str, f64)]);
+
+fn has_the_same_name(hidden: &[Hidden]) {
+    for (effect, numbers) in hidden.iter().copied() {
         let mut truth = base();
         truth.enable(Element::find(effect).unwrap(), true);
         for (name, value) in numbers {

@@ -5,6 +5,7 @@
 use dashpot_core::{Params, parameter};
 use dashpot_core::{element, number};
 use dashpot_diagnosis::{Diagnosis, EFFECTS, Options, choose_held_out, diagnose};
+use dashpot_estimation::priors::PRIORS;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::validation::validate;
 use dashpot_identification::{FitOptions, fit};
@@ -419,7 +420,9 @@ fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
         let words = code.parse::<Language>().unwrap().words();
         let page = render(&ReportInput::of(&case.model, &case.campaign, &compared, &validation, words).unwrap());
         let all = visible(&page).into_iter().chain(reading::sentences(&case.campaign, words));
-        all.map(|text| text.replace(&case.folder, "").replace('\u{a0}', " ")).collect()
+        let plain = |text: String| text.replace(&case.folder, "").replace('\u{a0}', " ");
+        // A publication is cited as it is called.
+        all.map(|text| PRIORS.iter().fold(plain(text), |text, prior| text.replace(prior.citation(), ""))).collect()
     }
 }
 

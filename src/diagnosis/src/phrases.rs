@@ -129,6 +129,7 @@ dashpot_records::phrases! {
 pub(super) const FORMS: &[&str] = &[
     "changed",
     "full",
+    "simplified",
     "slips from the first",
     "bends before it slips",
     "relaxes",

@@ -181,6 +181,11 @@ pub fn guess(segments: &[Segment]) -> Params {
     let set = |p: &mut Params, number: Number, value: f64| {
         let _ = p.set(number, number.inside(value));
     };
+    // Defaults are those of a car's damper: a mass of 0.5 kg in a damper of twenty times the force would be held near there.
+    let scale = size(segments);
+    for number in dashpot_core::parameter::table().filter_map(|row| Number::try_from(row).ok()) {
+        set(&mut p, number, scale.of_number(number) * number.default());
+    }
     let _ = p.set_list(list!("fv_velocity"), &v);
     let _ = p.set_list(list!("fv_force"), &f);
     p.enable(element!("fv_curve"), true);

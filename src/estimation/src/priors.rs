@@ -21,6 +21,13 @@ pub struct Prior {
     pub source: &'static str,
 }
 
+impl Prior {
+    /// The publication that it is from: a source without the description of what it holds for.
+    pub fn citation(&self) -> &'static str {
+        self.source.rsplit_once(": ").map_or(self.source, |(_, citation)| citation)
+    }
+}
+
 const fn row(number: Number, usual: Usual, source: &'static str) -> Prior {
     Prior { number, usual, source }
 }

@@ -41,7 +41,7 @@ impl Effort {
         Effort { steps: 8, tolerance: 1e-3, renews: true, derivatives: Accuracy::Cheap, residuals: Accuracy::Single };
     /// For the result.
     pub const FINE: Effort =
-        Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Single, residuals: Accuracy::Fine };
+        Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Fine, residuals: Accuracy::Fine };
 }
 
 /// Where a refit ended.

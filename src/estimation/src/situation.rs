@@ -44,6 +44,8 @@ pub struct Situation {
     pub clock_span: f64,
     /// Times between tests at which a load cell may have been zeroed, s; empty without a campaign clock.
     pub pauses: Vec<u32>,
+    /// Delay of the force channel by a first look, s; 0 where none stood out.
+    pub apparent_delay: f64,
     /// Span of the side forces, N.
     pub side_force_span: f64,
     /// Highest speeds in rebound and compression, m/s, positive.
@@ -159,6 +161,7 @@ impl Situation {
             temperature: temperatures.map_or(20.0, |(low, high)| 0.5 * (low + high)),
             clock_span: clock.1 - clock.0,
             pauses,
+            apparent_delay: records.first().map_or(0.0, |record| record.apparent_delay_s),
             side_force_span: side.1 - side.0,
             fastest: [fastest.1.max(0.0), (-fastest.0).max(0.0)],
             slowing: slowing(tests, v),

@@ -56,8 +56,6 @@ pub struct FitOptions {
     pub family: Family,
     /// Elements that may be used; all that dampers usually have where `None`.
     pub elements: Option<Vec<String>>,
-    /// How late the force channel is by a first look at the records, s, where that stood out.
-    pub late: Option<f64>,
 }
 
 /// Why there is no fit.

@@ -13,7 +13,6 @@
 //! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
 //! | [`suite`] | the cases of the benchmark |
 //! | [`split`] | which seeds a figure may come from, and the ledger of those that were opened |
-//! | [`calibrate`] | what the probabilities of the rule are worth, from cases whose truth is known |
 //! | [`score`] | the table of figures and the confusion matrix |
 
 pub mod asked;

@@ -154,6 +154,7 @@ pub fn load(
         .map(|motion| {
             let mut record = cleaning::finish(motion)?;
             record.counted = Some(counted);
+            record.apparent_delay_s = delay.map_or(0.0, |delay| delay.seconds);
             plausibility::refuse_absurd(&record, options)?;
             Ok(record)
         })

@@ -69,6 +69,9 @@ pub struct Record {
     /// What the user said the measurement to be off by, and what was taken out of it therefore: a delay and a mass.
     #[serde(skip)]
     pub stated_error: MeasurementError,
+    /// Delay of its force channel by a first look at its campaign, s; 0 where none stood out.
+    #[serde(skip)]
+    pub apparent_delay_s: f64,
     /// How its file was read to count; `None` of a record that was in no file.
     #[serde(skip)]
     pub counted: Option<Counted>,

@@ -24,6 +24,7 @@ pub fn taken_out(record: &Record, off: &MeasurementError) -> Record {
         *force = (*force - off.zero_n_per_s * clock) / (1.0 + off.gain_per_s * clock);
     }
     take_mass(&mut right, off.mass_kg);
+    right.apparent_delay_s -= if right.apparent_delay_s == 0.0 { 0.0 } else { off.delay_s };
     right.original_fingerprint = Some(record.fingerprint());
     right.notes.push(Note { kind: "corrected", text: phrases::TAKEN_OUT.into() });
     right

@@ -85,7 +85,7 @@ pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words
     });
     // Where the value is neither, a fit left it there: between what dampers show and what the records hardly say.
     let source = match (prior, median) {
-        (Some(prior), Some(median)) if is(median) => words.fill(words.assumed_usual, &[("source", prior.source)]),
+        (Some(prior), Some(median)) if is(median) => words.fill(words.assumed_usual, &[("source", prior.citation())]),
         _ if row.parameter.default.first().is_some_and(|default| is(*default)) => words.assumed_default.to_owned(),
         _ => words.assumed_held.to_owned(),
     };

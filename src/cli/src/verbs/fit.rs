@@ -209,7 +209,6 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             Kind::Comparison(name) => return literature(args, &campaign, name, on_stdout > 0),
         },
         elements: args.elements.clone(),
-        late: campaign.delay.map(|delay| delay.seconds),
     };
     let records = kept(&campaign, &args.hold_out)?;
     let found = identify(&records, &options, &args.output)?;

@@ -83,7 +83,9 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
         }
         Free::Rig(artefact) => {
             let ((low, high), factor) = (artefact.bounds(), Scale::of(base).of_artefact(*artefact));
-            let bounds = (factor * low, factor * high);
+            // A delay that stood out at once may be far beyond those of filters: it is searched as far about where it was seen.
+            let about = if (low..=high).contains(&value) { 0.0 } else { value };
+            let bounds = (factor * low + about, factor * high + about);
             Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds, prior: None }
         }
         Free::Cooling | Free::HeatCapacity => {

@@ -8,9 +8,10 @@ use dashpot_core::Params;
 use dashpot_core::parameter::{Element, Number, Row, Shape, table};
 use dashpot_core::{element, list, number};
 
-/// Factor by which the internal mass may leave that of the model: two standard deviations of what dampers show. A rod does not get heavier, so
+/// Factor by which the internal mass may exceed that of the model: two standard deviations of what dampers show. A rod does not get heavier, so
 /// that records which ask for more than that disagree with the model, and the mass has a name; free, it would take up any mass of the rig. Held
-/// to what the rods of one laboratory have, whatever the model says, it would make a mass of the rig of every heavier rod.
+/// to what the rods of one laboratory have, whatever the model says, it would make a mass of the rig of every heavier rod. Downward its prior
+/// is enough: a lighter rod takes nothing up.
 const NEAR: f64 = 1.8 * 1.8;
 /// Least mass, kg, that it may go to and from in a damper of a car: below it no record tells one from another.
 const LEAST: f64 = 0.05;
@@ -20,7 +21,7 @@ fn internal_mass(base: &Params) -> FreeNumber {
     let own = base.number(number!("internal_mass")).max(least);
     let mut from = *base;
     let _ = from.set(number!("internal_mass"), own);
-    let bounds = (libm::log((own / NEAR).max(least)), libm::log(own * NEAR));
+    let bounds = (libm::log(least), libm::log(own * NEAR));
     FreeNumber { bounds, ..number(&from, Unknown::Log(number!("internal_mass"))) }
 }
 

@@ -46,7 +46,12 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
     // The base takes a late force for a soft mount.
     let stiffer = || Start::moving(&[1e-3], &[(number!("series_stiffness"), 3.0)]);
     all.push(Candidate {
-        starts: vec![Start::at(&[3e-4]), Start::at(&[-3e-4]), stiffer()],
+        starts: [3e-4, -3e-4, s.apparent_delay]
+            .into_iter()
+            .filter(|delay| *delay != 0.0)
+            .map(|delay| Start::at(&[delay]))
+            .chain([stiffer()])
+            .collect(),
         ..added(Artefact::Delay, (-4.9e-3, 4.9e-3), &[])
     });
     all.push(Candidate {

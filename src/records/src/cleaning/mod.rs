@@ -312,6 +312,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         temperature,
         notes,
         original_fingerprint: None,
+        apparent_delay_s: 0.0,
         stated_error: given,
         counted: None,
     };

@@ -721,6 +721,7 @@ pub const ALL: &[Said] = &[
     ],
     // Forms of effects.
     ["full", "vollständig", "complète", "完整"],
+    ["simplified", "vereinfacht", "simplifiée", "简化"],
     ["changed", "geändert", "changé", "已变化"],
     ["slips from the first", "gleitet von Anfang an", "glisse dès le début", "一开始即滑移"],
     ["bends before it slips", "biegt sich, bevor es gleitet", "fléchit avant de glisser", "先变形后滑移"],
