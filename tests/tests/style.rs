@@ -189,6 +189,8 @@ impl Findings {
             self.add(name, SENTENCES, case);
         }
         let total: usize = lengths.iter().sum();
+        let mean = total as f64 / lengths.len().max(1) as f64;
+        println!("{name}: {} sentences of {mean:.1} words in the mean", lengths.len());
         for _ in MEAN_WORDS * lengths.len()..total {
             self.add(name, SURPLUS, String::new());
         }
