@@ -25,7 +25,6 @@ const SURPLUS: &str = "words above a mean of 22 a sentence";
 /// What is still allowed: crate or document, rule, count.
 const ALLOWED: &[(&str, &str, usize)] = &[
     ("src/cli", NAMES, 1),
-    ("src/cli", OPENINGS, 3),
     ("src/cli", SUMMARIES, 9),
     ("src/diagnosis", NAMES, 16),
     ("src/diagnosis", OPENINGS, 4),
@@ -46,8 +45,6 @@ const ALLOWED: &[(&str, &str, usize)] = &[
     ("src/report", NAMES, 1),
     ("src/rig", NAMES, 7),
     ("src/simulation", NAMES, 8),
-    ("src/simulation", OPENINGS, 2),
-    ("src/simulation", SUMMARIES, 1),
 ];
 
 /// Words of the glossary's left column. A name is split into its words; an entry of several words matches that sequence.

@@ -108,7 +108,7 @@ impl ImposedMotion {
         Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, initial_position })
     }
 
-    /// The same motion at a fixed step, s, from its first time on.
+    /// Resamples the motion at a fixed step, s, from its first time on.
     ///
     /// Displacement and velocity from the cubic through displacement and velocity of the neighbouring samples, the
     /// path that the kernel itself takes between two steps; side force and temperature run straight.

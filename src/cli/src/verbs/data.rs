@@ -169,7 +169,7 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// The same, without what the model's own fit found these records to be off by.
+    /// Loads the campaign, corrected by the measurement error that the model's own fit found in these records.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
         let mut campaign = self.load()?;
         let note = model.identification.right(&mut campaign.records);
@@ -183,7 +183,7 @@ impl DataArgs {
         Ok(self.read(paths, &self.options()?)?)
     }
 
-    /// The same by options that were made of these.
+    /// Reads paths with options that were made of these.
     pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
         let progress = Progress::new("reading");
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;

@@ -180,7 +180,7 @@ const QUIET: f64 = 0.5;
 /// Most parts of a host step: a curve so steep that it chatters in them is a jump, which no step is short enough for.
 const MOST_PARTS: f64 = 64.0;
 
-/// The same sets of dampers in shorter steps, where one of the `runs` of `dt` chatters.
+/// Runs the sets of dampers in shorter steps, if one of the `runs` of `dt` chatters.
 ///
 /// What they differ by is then that of the dampers and not of the exchange.
 ///

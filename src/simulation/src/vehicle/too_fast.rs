@@ -135,7 +135,9 @@ impl Car {
     }
 }
 
-/// What is to blame where a vehicle with dampers of this steepest slope at the wheel, N s/m, left the road in steps of this length.
+/// The cause of a vehicle leaving the road in steps of this length.
+///
+/// The steepest derivative of its dampers at the wheel is in N s/m.
 pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     if !car.swings_up(slope, step) {
         return TooFast { blame: Blame::Neither, step, longest: step };
