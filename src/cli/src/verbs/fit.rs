@@ -1,6 +1,6 @@
 //! `dashpot fit`: records in, model file out.
 
-use super::data::{DataArgs, is_said_first, name_of};
+use super::data::{DataArgs, is_shown_first, name_of};
 use crate::page::TextArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
@@ -133,7 +133,7 @@ fn short(value: f64) -> String {
 /// What the reader found in the records.
 fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
     say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
-    for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
+    for note in campaign.notes.iter().filter(|n| !is_shown_first(n)) {
         say(&format!("note: {}", note.text))?;
     }
     for line in repairs(campaign) {
