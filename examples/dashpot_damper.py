@@ -13,7 +13,7 @@ class Model(c.Structure):
 
 class State(c.Structure):
     _fields_ = [("displacement", c.c_double), ("velocity", c.c_double), ("mass_displacement", c.c_double),
-                ("mass_velocity", c.c_double), ("memory", c.c_double * 8),
+                ("mass_velocity", c.c_double), ("internal", c.c_double * 8),
                 ("layout", c.c_double), ("reserved", c.c_double), ("commands", c.c_double * 20)]
 
 
@@ -24,7 +24,7 @@ class Input(c.Structure):
 
 class Output(c.Structure):
     _fields_ = [(n, c.c_double) for n in (
-        "force", "force_by_displacement", "force_by_velocity", "primary_force", "spring_force", "friction_force", "gas_force",
+        "force", "d_force_d_displacement", "d_force_d_velocity", "primary_force", "spring_force", "friction_force", "gas_force",
         "series_deflection", "stop_force", "oil_temperature")]
 
 

@@ -24,19 +24,19 @@ class Drop(LeafSystem):
 
     def asked(self, x):
         state = State(x[0], x[1], x[0] + x[2], x[3])
-        state.memory[:] = x[4:]
+        state.internal[:] = x[4:]
         return self.damper.evaluate(state, x[0], x[1])
 
     def start(self):
         settled = self.damper.state
-        return [DROP, 0.0, settled.mass_displacement - settled.displacement, settled.mass_velocity, *settled.memory]
+        return [DROP, 0.0, settled.mass_displacement - settled.displacement, settled.mass_velocity, *settled.internal]
 
     def DoCalcTimeDerivatives(self, context, derivatives):
         x = context.get_continuous_state_vector().CopyToVector()
         force, rate = self.asked(x)
         pull = STIFFNESS * x[0] + force - self.rest
         derivatives.SetFromVector(
-            [x[1], -pull / MASS, rate.mass_displacement - x[1], rate.mass_velocity, *rate.memory])
+            [x[1], -pull / MASS, rate.mass_displacement - x[1], rate.mass_velocity, *rate.internal])
 
 
 drop = Drop(Damper(sys.argv[1], sys.argv[2], DROP))

@@ -6,7 +6,7 @@
  *   ./skyhook examples/semi_active.toml 4        four corners, each at a setting of its own
  *
  * The controller wants the force of a dashpot between the body and the sky, as far as a damper can give it, and finds the setting by one step of Newton's
- * method with dashpot_force_by_setting(). Prints rms of the body's acceleration (weighted bands as well) and of the tire's deflection. */
+ * method with dashpot_d_force_d_setting(). Prints rms of the body's acceleration (weighted bands as well) and of the tire's deflection. */
 #include "dashpot.h"
 #include <math.h>
 #include <stdio.h>
@@ -52,7 +52,7 @@ static double command(const dashpot_state *state, const struct corner *corner, c
     dashpot_input at = dashpot_input_with_setting(dashpot_input_motion(corner->body - corner->wheel, rate), corner->setting);
     double gain, wanted = SKY * corner->body_rate, setting = low;
 
-    check(dashpot_force_by_setting(&model, state, &at, STEP, &gain));
+    check(dashpot_d_force_d_setting(&model, state, &at, STEP, &gain));
     /* Only where it takes energy can a damper give what is wanted; else it is as soft as it can be. */
     if (wanted * rate > 0.0)
         setting = fabs(gain) > 1.0 ? corner->setting + (wanted - force) / gain : high;

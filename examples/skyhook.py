@@ -17,7 +17,7 @@ def command(damper: Damper, motion: tuple[float, float], body_rate: float, setti
     """The setting at which the damper gives the force that the sky would, where it can."""
     gain, wanted = c.c_double(), SKY * body_rate
     at = damper.motion(*motion, setting)
-    damper.check(damper.library.dashpot_force_by_setting(
+    damper.check(damper.library.dashpot_d_force_d_setting(
         c.byref(damper.model), c.byref(damper.state), c.byref(at), c.c_double(STEP), c.byref(gain)))
     chosen = low
     if wanted * motion[1] > 0.0:

@@ -112,7 +112,7 @@ static double implicit_step(struct body *body, dashpot_state *state, double t, d
         input = motion(&next, t + dt);
         check(dashpot_step(&model, state, &input, dt, &reached, &output));
         off = next.velocity - body->velocity - dt * acceleration(&next, t + dt, output.force, rest);
-        slope = 1.0 + dt / MASS * (output.force_by_velocity + dt * (output.force_by_displacement + STIFFNESS));
+        slope = 1.0 + dt / MASS * (output.d_force_d_velocity + dt * (output.d_force_d_displacement + STIFFNESS));
         if (fabs(off) < 1e-10)
             break;
         next.velocity -= off / slope;

@@ -16,39 +16,39 @@
 //     while (running)
 //         dashpot_force(&model, &state, velocity, dt, &force);   // m/s and s in, N out
 //
-// Every function answers with a status that a program should look at: 0 is success, positive is a warning,
-// negative is a refusal; dashpot_status_text() says it in words.
+// Every function returns a status that a program should check: 0 is success, positive is a warning,
+// negative is an error. dashpot_status_text() returns the message.
 //
 // Units and signs. SI throughout: m, m/s, N, kg, s; temperature in degrees Celsius. Extension (rebound) velocity is
-// positive, compression negative. Tension is positive: a damper that resists extension answers with a positive
-// force, gas that pushes the rod out is a negative one. This is stated here once and holds everywhere below.
+// positive, compression negative. Tension is positive: a damper that resists extension has a positive
+// force, and gas that pushes the rod out a negative one. This is stated here once and holds everywhere below.
 //
 // Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
-// program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object whose names are local
-// but for dashpot_*; a build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
-// import no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
-// runtime has; there is no allocator, file, lock or thread behind them.
+// program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object. All its names are local,
+// except dashpot_*. A build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
+// import only memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
+// runtime has. They use no allocator, file, lock or thread.
 //
-// Memory. The library allocates nothing and keeps nothing: all blocks are the caller's, as globals, on the stack or
+// Memory. The library allocates nothing and stores nothing. The caller owns all blocks, as globals, on the stack or
 // on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may
-// be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
-// sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
+// be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16. The compiler
+// ensures that. (Before C++17, new guarantees only the alignment of malloc, which is 16 on 64-bit systems.)
 //
-// Sizes. A state is 272 bytes, an output 80, a parameter set 16 KB, a model 48 KB. No function takes more than 16 KB of the
-// caller's stack (dashpot_jacobian() 14 KB, a step 12 KB); keep models and parameter sets off a small stack. A list has at
-// most 63 numbers (capacity in dashpot_parameter says it for each row), a name 47 characters, a file as many bytes as it has.
+// Sizes. A state is 272 bytes, an output 80, a parameter set 16 KB, a model 48 KB. No function uses more than 16 KB of the
+// caller's stack (dashpot_jacobian() 14 KB, a step 12 KB). Keep models and parameter sets off a small stack. A list has at
+// most 63 numbers (see capacity in dashpot_parameter), a name 47 characters. The size of a file is not limited.
 //
-// Null. No pointer may be null but these: fault of dashpot_params_read(), values of dashpot_params_get_list() (only the length is
-// told), and an array of no elements.
+// Null. Only these pointers may be null: fault of dashpot_params_read(), values of dashpot_params_get_list() (which then returns only
+// the length), and an array of no elements.
 //
-// Refusals. A function that returns a negative status has changed nothing: outputs and state are as they were.
-// Refused are null pointers, addresses that are not aligned, structures of another size, another interface version,
-// blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (DASHPOT_BAD_INPUT says which).
-// An answer that is not a refusal is finite in all its numbers.
+// Errors. A function that returns a negative status leaves outputs and state unchanged.
+// These are errors: null pointers, addresses that are not aligned, structures of another size, another interface version,
+// blocks that were never initialized, and numbers that are NaN, infinite or absurdly large (see DASHPOT_BAD_INPUT).
+// After any other status all outputs are finite.
 //
 // Threads. There is no hidden state. Functions may run at the same time in any number of threads as long as no two
 // of them write the same block and none writes what another reads. One model serves any number of dampers; each
-// damper needs its own state. Every call takes a bounded time, takes no lock and leaves the floating-point mode alone.
+// damper needs its own state. Every call returns in bounded time, uses no lock and preserves the floating-point mode.
 //
 // Results are the same to the last bit on every 64-bit platform, whatever compiler built the host.
 
@@ -74,11 +74,11 @@ extern "C" {
 // ==============================================================================================================
 
 // The interface version counts changes of the structures and functions below. Programs built for one interface version run
-// with every library of the same interface version; with another one every function that takes a parameter set refuses it
+// with every library of the same interface version. With another one every function that takes a parameter set rejects it
 // (DASHPOT_ABI_MISMATCH), and the program has to be built again. Parameters and elements may be added within one
-// interface version: a model file or a program that does not name them gets what it got before. The version of the
-// library tells results apart: from one to the next the digits of a force may change within the accuracy promised. States and
-// models are not exchanged between versions; parameter sets are exchanged as model files.
+// interface version. A model file or a program that does not name them gets the same results as before. The digits of a force may
+// change from one library version to the next, within the stated accuracy. Do not exchange states and
+// models between versions; exchange parameter sets as model files.
 
 // Version of this interface.
 #define DASHPOT_ABI_VERSION 9
@@ -103,13 +103,13 @@ const char *dashpot_version(void);
 // Status
 // ==============================================================================================================
 
-// Every function returns a status: 0 success, positive a warning (the result is there and usable), negative a refusal
-// (nothing was changed). Warnings are bits and may come together. Numbers keep their meaning for ever.
+// Every function returns a status: 0 success, positive a warning (the result is usable), negative an error
+// (nothing was changed). Warnings are bits and may be combined. Numbers never change their meaning.
 
 // Success.
 #define DASHPOT_OK 0
 
-// Warning bit: the velocity lies outside the identified force-velocity curve, which is prolonged straight.
+// Warning bit: the velocity lies outside the identified force-velocity curve, which is extrapolated linearly.
 #define DASHPOT_OUTSIDE_RANGE 1
 
 // Warning bit: the step is longer than 0.01 s; fast motion inside it is not resolved.
@@ -130,14 +130,15 @@ const char *dashpot_version(void);
 // abi_version is not the interface version of this library.
 #define DASHPOT_ABI_MISMATCH -4
 
-// The parameters or the model were not initialised, or by another build of the library.
-#define DASHPOT_NOT_SET -5
+// The parameters or the model were not initialized, or by another build of the library.
+#define DASHPOT_NOT_INITIALIZED -5
 
-// An input is NaN or infinite, or far beyond all dampers: displacement and velocity (m, m/s) together above 1000, side force
-// above 1e9 N, temperature above 1e5 degrees.
+// An input is NaN, infinite, or far beyond all dampers.
+//
+// The limits are 1000 for displacement plus velocity (m, m/s), 1e9 N for the side force and 1e5 degrees for the temperature.
 #define DASHPOT_BAD_INPUT -6
 
-// The state holds NaN, infinity or a number beyond 1e60: it was not initialised.
+// The state holds NaN, infinity or a number beyond 1e60: it was not initialized.
 #define DASHPOT_BAD_STATE -7
 
 // dt is NaN, negative, above 100 s, or above 0 but below 1e-15 s.
@@ -170,14 +171,14 @@ const char *dashpot_version(void);
 // A list of velocities or displacements does not increase.
 #define DASHPOT_NOT_INCREASING -17
 
-// A list of forces falls: the damper would push where it should resist.
-#define DASHPOT_FALLS -18
+// A list of forces decreases: the damper would push where it should resist.
+#define DASHPOT_FORCE_DECREASES -18
 
-// A limit that must lie above another does not.
+// A limit that must exceed another does not.
 #define DASHPOT_ORDER -19
 
 // The caller's array is too short.
-#define DASHPOT_TOO_SHORT -20
+#define DASHPOT_BUFFER_TOO_SHORT -20
 
 // A line of the model file is not of the form name = value.
 #define DASHPOT_FILE_SYNTAX -21
@@ -212,33 +213,34 @@ const char *dashpot_version(void);
 // Free play or a bushing is on, and series_compliance, which they belong to, is off.
 #define DASHPOT_NEEDS_SERIES -31
 
-// Two points of a curve are nearer than 1e-6 m/s or m.
+// Two points of a curve are closer than 1e-6 m/s or m.
 #define DASHPOT_TOO_CLOSE -32
 
 // A curve rises from one point to the next by more than 1e8 N s/m or N/m.
 #define DASHPOT_TOO_STEEP -33
 
-// The step cannot be computed in numbers of this size: an input or a state is far from what a damper meets.
+// The step cannot be computed: an input or a state is far outside the range of dampers.
 #define DASHPOT_NOT_COMPUTABLE -34
 
 // The model has no state with this number.
 #define DASHPOT_NO_SUCH_STATE -35
 
-// Model file: it was cut off; it ends before the [...] that its first comment announces.
+// The model file is truncated: it ends before the [...] that its first comment announces.
 #define DASHPOT_FILE_CUT_OFF -36
 
-// A parameter is far larger or smaller than goes with the others. What has a force in its unit may be a thousandth to a hundred
-// times what it may be in a car's damper, if all such numbers are of one size: a rod of 1 g goes with a damper of 10 N, not with
-// one of 1 kN.
+// The parameter's magnitude is inconsistent with the others.
+//
+// Parameters with a force in their unit may be a thousandth to a hundred times those of a car's damper, if all have
+// one scale. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
 #define DASHPOT_OUT_OF_PROPORTION -37
 
-// Model file: a table is named as an element; parameters stand above the first [table].
+// A table of the model file is named as an element; parameters belong above the first [table].
 #define DASHPOT_FILE_ELEMENT_TABLE -38
 
-// The grid of a setting is not 2 to 8 increasing numbers, or something of a setting is given and no grid.
+// The grid of a setting is not 2 to 8 increasing numbers, or a setting is used without a grid.
 #define DASHPOT_SETTING_GRID -39
 
-// Not one value for each setting of the grid.
+// The number of values differs from the number of settings in the grid.
 #define DASHPOT_SETTING_COUNT -40
 
 // A parameter that cannot depend on the setting: a word, a list other than fv_force, or one of the integration.
@@ -247,11 +249,12 @@ const char *dashpot_version(void);
 // More than 32 numbers depend on the setting.
 #define DASHPOT_SETTING_TOO_MANY -42
 
-// A number is 0 at one setting and not at another, and with it a state is there or not.
+// A number is 0 at one setting only, so that a state exists at some settings and not at others.
 #define DASHPOT_SETTING_STATES -43
 
-// The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
-// parameter's name: "fv_force" "falls from one point to the next; ...".
+// Returns the message of a status. Never null; valid as long as the library is loaded.
+//
+// A message about a parameter continues the parameter's name: "fv_force" "falls from one point to the next; ...".
 const char *dashpot_status_text(int32_t status);
 
 
@@ -273,23 +276,21 @@ typedef struct DASHPOT_ALIGNED(16) dashpot_params {
   uint64_t opaque[2047];
 } dashpot_params;
 
-// What was refused, and where.
+// An error and its position.
 typedef struct dashpot_fault {
-  // What: a status; 0 when nothing was refused.
+  // The status; 0 without an error.
   int32_t status;
-  // Line of the model file, from 1; 0 where no line is to blame.
+  // Line of the model file, from 1; 0 if no line is at fault.
   uint32_t line;
-  // Name of the parameter or element, zero-terminated; empty where none is to blame.
+  // Name of the parameter or element, zero-terminated; empty if none is at fault.
   char parameter[48];
 } dashpot_fault;
 
 // Fills a parameter set with the defaults of the table. params->struct_size and params->abi_version must be set.
 int32_t dashpot_params_default(dashpot_params *params);
 
-// Sets one number, or a choice by its number. Of a number that depends on the setting: the same at all settings from then on.
-int32_t dashpot_params_set(dashpot_params *params,
-                           const char *name,
-                           double value);
+// Sets one number, or a choice by its number. A number that depended on the setting is then constant.
+int32_t dashpot_params_set(dashpot_params *params, const char *name, double value);
 
 // Sets a list of count numbers. The two lists of a curve may be set in any order; whether they fit together is
 // checked by dashpot_params_check() and dashpot_model_init().
@@ -298,8 +299,8 @@ int32_t dashpot_params_set_list(dashpot_params *params, const char *name, const 
 // Reads one number, or the number of a choice, into *value.
 int32_t dashpot_params_get(const dashpot_params *params, const char *name, double *value);
 
-// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null only
-// the length is told.
+// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null it returns only
+// the length.
 int32_t dashpot_params_get_list(const dashpot_params *params,
                                 const char *name,
                                 double *values,
@@ -309,12 +310,13 @@ int32_t dashpot_params_get_list(const dashpot_params *params,
 // Switches an element of the model on (on not 0) or off (0).
 int32_t dashpot_params_enable(dashpot_params *params, const char *element, uint32_t on);
 
-// Tells whether an element of the model is on: *on becomes 1 or 0.
+// Reads whether an element of the model is on: *on becomes 1 or 0.
 int32_t dashpot_params_is_on(const dashpot_params *params, const char *element, uint32_t *on);
 
-// Reads a model file: text holds its length bytes, as they are in the file; no closing zero is needed. All parameters
-// are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before. Where it refuses, *fault tells the line and the
-// parameter; fault may be null.
+// Reads a model file: text holds its length bytes, without a terminating zero.
+//
+// All parameters are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before.
+// On an error *fault contains the line and the parameter; fault may be null.
 //
 // Numbers are read the same way whatever the locale: the decimal sign is a point.
 int32_t dashpot_params_read(dashpot_params *params,
@@ -322,7 +324,7 @@ int32_t dashpot_params_read(dashpot_params *params,
                             size_t length,
                             dashpot_fault *fault);
 
-// Checks the set as dashpot_model_init() does, and names the parameter to blame in *fault.
+// Checks the set as dashpot_model_init() does, and names the parameter at fault in *fault.
 int32_t dashpot_params_check(const dashpot_params *params, dashpot_fault *fault);
 
 /** A parameter set before dashpot_params_default(): dashpot_params params = DASHPOT_PARAMS_INIT; */
@@ -333,11 +335,11 @@ int32_t dashpot_params_check(const dashpot_params *params, dashpot_fault *fault)
 // Model
 // ==============================================================================================================
 
-// A model is a parameter set that was checked and made ready. It is constant while it runs, and one model serves any
+// A model is a parameter set that was checked and prepared. It is constant while it runs, and one model serves any
 // number of dampers.
 
-// Most states that a model has: what dashpot_partials has room for.
-#define DASHPOT_MOST_STATES 10
+// Maximum number of states of a model; the capacity of dashpot_partials.
+#define DASHPOT_MAX_STATES 10
 
 // A prepared model. Nothing in it is for the host.
 typedef struct DASHPOT_ALIGNED(16) dashpot_model {
@@ -349,7 +351,7 @@ typedef struct DASHPOT_ALIGNED(16) dashpot_model {
 typedef struct dashpot_state_name {
   // sizeof(dashpot_state_name).
   uint32_t struct_size;
-  // Its place among the states, from 0.
+  // Its index among the states, from 0.
   uint32_t state;
   // Name, zero-terminated.
   char name[48];
@@ -357,16 +359,21 @@ typedef struct dashpot_state_name {
   char unit[16];
 } dashpot_state_name;
 
-// Number of states that a solver of the host's own integrates (see Evaluation): those of the internal mass and the private
-// states of the elements that are on; from 2 to DASHPOT_MOST_STATES. Negative: a refusal.
+// Number of states that a solver of the host integrates (see Evaluation), from 2 to DASHPOT_MAX_STATES.
+//
+// These are the states of the internal mass and the internal states of the elements that are on. A negative result is an error.
 int32_t dashpot_model_states(const dashpot_model *model);
 
-// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->memory[k - 2].
-int32_t dashpot_model_state_name(const dashpot_model *model, uint32_t state, dashpot_state_name *name);
+// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->internal[k - 2].
+int32_t dashpot_model_state_name(const dashpot_model *model,
+                                 uint32_t state,
+                                 dashpot_state_name *name);
 
-// Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
-// to blame. A model that runs may be prepared anew between two steps, for example by a slider, and its elements be
-// switched on and off: the states stay valid. A parameter set with a setting gives a model of all settings (see Setting).
+// Checks a parameter set and prepares a model from it.
+//
+// On an error dashpot_params_check() names the parameter at fault. A running model may be prepared again between two steps, for
+// example by a slider, with elements switched on and off: the states stay valid. A parameter set with a setting yields a model of
+// all settings (see Setting).
 int32_t dashpot_model_init(dashpot_model *model,
                            const dashpot_params *params);
 
@@ -375,28 +382,28 @@ int32_t dashpot_model_init(dashpot_model *model,
 // Input
 // ==============================================================================================================
 
-// What the host tells the damper at one instant. dashpot_force() needs none of this.
+// The inputs of the damper at one instant. dashpot_force() needs none of this.
 
-// The host gives the displacement; without this bit it is integrated from the initial position.
+// The host provides the displacement; without this bit it is integrated from the initial position.
 #define DASHPOT_KNOWS_DISPLACEMENT 1
 
-// The host gives the side force; without this bit it is 0.
+// The host provides the side force; without this bit it is 0.
 #define DASHPOT_KNOWS_SIDE_FORCE 2
 
-// The host gives the temperature; without this bit it is 20 degrees Celsius.
+// The host provides the temperature; without this bit it is 20 degrees Celsius.
 #define DASHPOT_KNOWS_TEMPERATURE 4
 
-// The host gives the setting of a damper that depends on one; without this bit it is the start setting of the model file.
+// The host provides the setting of a damper that depends on one; without this bit it is the start setting of the model file.
 #define DASHPOT_KNOWS_SETTING 8
 
 // Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
-// known are not looked at.
+// known are ignored.
 typedef struct dashpot_input {
   // sizeof(dashpot_input).
   uint32_t struct_size;
   // Sum of the DASHPOT_KNOWS_... bits that apply.
   uint32_t known;
-  // Displacement, m, extension positive. A host that knows it should give it, so that no drift builds up.
+  // Displacement, m, extension positive. A host that knows it should provide it, to prevent drift.
   double displacement;
   // Velocity, m/s, extension positive. Always needed.
   double velocity;
@@ -404,7 +411,7 @@ typedef struct dashpot_input {
   double side_force;
   // Damper temperature, degrees Celsius.
   double temperature;
-  // Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Not read where the damper depends on none.
+  // Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Ignored if the damper depends on none.
   double setting;
 } dashpot_input;
 
@@ -441,47 +448,46 @@ static inline dashpot_input dashpot_input_motion(double displacement, double vel
 // State
 // ==============================================================================================================
 
-// All that a damper remembers, friction hysteresis included, is in its state: numbers that the host owns. To
-// try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
+// The state contains the whole history of a damper, friction hysteresis included, as numbers that the host owns. Copy the structure to
+// try a step and roll it back, or to save a run and resume it. A run resumed from a copy
 // repeats the first to the last bit.
 //
-// A state may be used with another model, as when a model is prepared anew while it
-// runs: what an element remembers goes with it, and an element that was off before begins settled.
+// A state may be used with another model, for example when a model is prepared again while it
+// runs. Internal states follow their elements, and an element that was off before starts in equilibrium.
 //
-// Derivatives of a step are exact where its force is smooth. At a knee (a point of a straight-line curve, a stop, a
+// Derivatives of a step are exact where its force is smooth. At a knee (a point of a piecewise linear curve, a stop, a
 // reversal, a void that closes) they are one-sided, of the side on which the step was solved, or lie between both sides.
-// An implicit host should bound its Newton steps there. In a search over drawn steps, most of them far from what
-// dampers do, one derivative in a thousand is off by more than 2 %.
+// An implicit host should bound its Newton steps there. In a search over random steps, most of them far from real
+// dampers, one derivative in a thousand has an error above 2 %.
 
 // State of one damper.
 typedef struct dashpot_state {
-  // Displacement of the driven end, m: given by the host, or integrated from the initial position.
+  // Displacement of the moving end, m: provided by the host, or integrated from the initial position.
   double displacement;
-  // Velocity of the driven end at the last step, m/s.
+  // Velocity of the moving end at the last step, m/s.
   double velocity;
   // Displacement of the internal mass, m.
   double mass_displacement;
   // Velocity of the internal mass, m/s.
   double mass_velocity;
-  // Private states of the elements that are on.
-  double memory[8];
-  // Which states these are. The library's: leave what it wrote, or 0, which stands for those of the model that the
-  // state is given to.
+  // Internal states of the elements that are on.
+  double internal[8];
+  // Identifies these states; written by the library. 0 means those of the model that the state is passed to.
   double layout;
   // 0.
   double reserved;
-  // Of a damper that depends on a setting: the commands of the last dead time. The library's, as layout.
+  // Commands of the last dead time, for a damper that depends on a setting; written by the library.
   double commands[20];
 } dashpot_state;
 
-// Answer at one instant.
+// Output at one instant.
 typedef struct dashpot_output {
   // Damper force, N, tension positive.
   double force;
-  // dF/dx over the displacement given, N/m. From a step: of the force at its end, all that happens inside included.
-  double force_by_displacement;
-  // dF/dv over the velocity given, N s/m; where no displacement is given, with the displacement it integrates to.
-  double force_by_velocity;
+  // dF/dx over the input displacement, N/m. From a step: the total derivative of the force at its end.
+  double d_force_d_displacement;
+  // dF/dv over the input velocity, N s/m. Without an input displacement it includes the integrated displacement.
+  double d_force_d_velocity;
   // Force of the primary damper (the force-velocity curve), N.
   double primary_force;
   // Force of the springs on the internal mass, N.
@@ -498,12 +504,17 @@ typedef struct dashpot_output {
   double oil_temperature;
 } dashpot_output;
 
-// The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
-// gives the static force. Where the damper depends on a setting, it has long been the start setting.
-int32_t dashpot_state_init(const dashpot_model *model, double initial_position, dashpot_state *state);
+// Initializes the state of a damper at rest in equilibrium at initial_position (m, extension positive).
+//
+// A step at constant position then returns the static force. A damper that depends on a setting is in equilibrium at the start setting.
+int32_t dashpot_state_init(const dashpot_model *model,
+                           double initial_position,
+                           dashpot_state *state);
 
-// The state of a damper that has long moved steadily as *input says: start here where the simulation starts in motion, so that
-// the first steps show no jump of the velocity. Without DASHPOT_KNOWS_DISPLACEMENT it is at displacement 0.
+// Initializes the steady state of a damper at the constant velocity of *input.
+//
+// Use it where a simulation starts in motion, to avoid a jump of the velocity in the first steps. Without DASHPOT_KNOWS_DISPLACEMENT the
+// displacement is 0.
 int32_t dashpot_state_init_motion(const dashpot_model *model,
                                   const dashpot_input *input,
                                   dashpot_state *state);
@@ -513,24 +524,26 @@ int32_t dashpot_state_init_motion(const dashpot_model *model,
 // Step
 // ==============================================================================================================
 
-// For hosts with a fixed step. A step runs from the instant a state was reached to dt later; the input is the one at
-// the end of the step. The input at its start is not asked for again: the state remembers displacement and velocity
-// it was reached with, so the two cannot contradict each other.
+// For hosts with a fixed step. A step runs from the instant of a state to dt later; the input is the one at
+// the end of the step. The input at its start is not needed again, because the state contains its displacement and velocity.
 //
-// dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held, a contact
-// that is bent at rest (presliding friction) as the way there left it. The state stays as it is.
+// dt = 0 is a static evaluation: the equilibrium force at constant displacement and velocity. Presliding friction keeps its
+// deflection from the motion before. The state does not change.
 
-// The shortest way: velocity (m/s) in, force (N) out; of a damper that depends on a setting at its start setting (else dashpot_force_setting()). Moves *state on by dt (s); the displacement is integrated from
-// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
-// partial derivatives.
+// Computes the force (N) from the velocity (m/s) and advances *state by dt (s).
+//
+// The displacement is integrated from the initial position. A damper that depends on a setting is at its start setting; see
+// dashpot_force_with_setting(). The force equals that of dashpot_step() to the bit, at a cost lower by a tenth to a quarter, because no
+// partial derivatives are computed.
 int32_t dashpot_force(const dashpot_model *model,
                       dashpot_state *state,
                       double velocity,
                       double dt,
                       double *force);
 
-// One step of dt (s) from *from to the input *to_input; writes the state reached to *to and the answer there to
-// *output. from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
+// One step of dt (s) from *from to the input *to_input; writes the new state to *to and the output there to *output.
+//
+// from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
 int32_t dashpot_step(const dashpot_model *model,
                      const dashpot_state *from,
                      const dashpot_input *to_input,
@@ -538,11 +551,12 @@ int32_t dashpot_step(const dashpot_model *model,
                      dashpot_state *to,
                      dashpot_output *output);
 
-// One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the
-// same model; from, to_inputs, to and outputs hold count elements each. from and to may be the same array. Gives to
-// the last bit what count calls of dashpot_step() give. All is checked before anything is computed: a refusal of one
-// damper leaves every output untouched. Only what shows in the computing itself comes later: DASHPOT_NOT_COMPUTABLE leaves the
-// dampers before the one concerned moved on, and that one and those after it as they were. Returns all warnings together.
+// One step of count dampers, such as the four corners of a car.
+//
+// models holds count pointers, which may point to the same model. from, to_inputs, to and outputs hold count elements each. from and to
+// may be the same array. The results equal those of count calls of dashpot_step() to the last bit. All arguments are checked first: an
+// error of one damper leaves every output unchanged. Only DASHPOT_NOT_COMPUTABLE occurs later: it leaves the dampers before the failed one
+// advanced, and that one and those after it unchanged. Returns all warnings combined.
 int32_t dashpot_step_batch(uint32_t count,
                            const dashpot_model *const *models,
                            const dashpot_state *from,
@@ -556,27 +570,27 @@ int32_t dashpot_step_batch(uint32_t count,
 // Partial derivatives
 // ==============================================================================================================
 
-// What dashpot_jacobian() and dashpot_jacobian_setting() fill in, further down.
+// The outputs of dashpot_jacobian() and dashpot_jacobian_setting().
 
 // All partial derivatives at one instant. States in the order that dashpot_evaluate() has; inputs: displacement, velocity.
 typedef struct dashpot_partials {
   // dF/d(input).
-  double force_by_input[2];
+  double d_force_d_input[2];
   // dF/d(state).
-  double force_by_state[10];
+  double d_force_d_state[10];
   // d(rate of state i)/d(input).
-  double rate_by_input[10][2];
+  double d_rate_d_input[10][2];
   // d(rate of state i)/d(state j).
-  double rate_by_state[10][10];
+  double d_rate_d_state[10][10];
 } dashpot_partials;
 
 // Derivatives of force and rates over the commanded setting, at constant states.
-typedef struct dashpot_by_setting {
-  // dF/d(setting). 0 where the actuator has a lag: the force then follows its state.
-  double force;
+typedef struct dashpot_setting_derivatives {
+  // dF/d(setting). 0 if the actuator has a lag: the force then follows its state.
+  double d_force_d_setting;
   // d(rate of state i)/d(setting), in the order of dashpot_partials.
-  double rate[10];
-} dashpot_by_setting;
+  double d_rate_d_setting[10];
+} dashpot_setting_derivatives;
 
 
 // ==============================================================================================================
@@ -587,17 +601,17 @@ typedef struct dashpot_by_setting {
 // state is read and not changed.
 //
 // The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
-// private states. dashpot_model_states() tells how many the model has, dashpot_model_state_name() what they are; what lies behind
-// them in a structure is 0 and stays 0. Without series_compliance the internal mass moves with the driven end: its two
-// rates are 0. A host that gives no displacement integrates that too (rate->displacement is the velocity).
-// state->velocity is the last input of a step and no state: it is not looked at, and its rate is 0.
+// internal states. dashpot_model_states() returns their number, dashpot_model_state_name() their names. All entries behind
+// them in a structure are 0 and stay 0. Without series_compliance the internal mass moves with the moving end: its two
+// rates are 0. A host without a displacement integrates that too (rate->displacement is the velocity).
+// state->velocity is the last input of a step and no state: it is ignored, and its rate is 0.
 //
-// The states are stiff: the small mass behind the valves follows at rates of 1e4 to 1e6 1/s, which `dashpot check` tells for
-// a model file. An implicit solver with the partial derivatives (CVODE, DASSL, Radau) takes long steps; an explicit one
-// (Euler, Runge-Kutta) needs microseconds, and above that may give a wrong force with status 0. dashpot_step() is stable at
+// The states are stiff: the small mass behind the valves follows at rates of 1e4 to 1e6 1/s, which `dashpot check` reports for
+// a model file. An implicit solver with the partial derivatives (CVODE, DASSL, Radau) takes long steps. An explicit one
+// (Euler, Runge-Kutta) needs microseconds; longer steps may yield a wrong force with status 0. dashpot_step() is stable at
 // every step.
 
-// Force and state rates at *state and *input: the answer to *output, d(state)/dt to *rate.
+// Evaluates force and state derivatives at *state and *input: writes the output to *output, d(state)/dt to *rate.
 int32_t dashpot_evaluate(const dashpot_model *model,
                          const dashpot_state *state,
                          const dashpot_input *input,
@@ -624,28 +638,28 @@ int32_t dashpot_jacobian(const dashpot_model *model,
 //     gas_force = [80.0, 82.0, 85.0]
 //     fv_force = [[...], [...], [...]]
 //
-// A model of it takes the commanded setting with every input (DASHPOT_KNOWS_SETTING), for each damper its own. Between the grid the numbers and forces are
-// monotone cubics, exact on it; outside it they are those at its end (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the ordinary one of
-// the interpolated numbers.
+// Its model reads the commanded setting from every input (DASHPOT_KNOWS_SETTING), separately for each damper. Numbers and forces are
+// monotone cubics, exact on the grid. Outside the grid they are clamped to its ends (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the
+// ordinary one of the interpolated numbers.
 //
 // The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
-// "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting where the host gives none. Where
-// the valve stands is part of the state.
+// "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting if the host provides none. The actual setting of
+// the valve is part of the state.
 //
-// An instant (see Evaluation) knows no past: a host that integrates the states delays the command itself where there is a dead time.
+// An evaluation (see Evaluation) has no history: with a dead time, a host that integrates the states delays the command itself.
 
-// Most settings of a grid.
-#define DASHPOT_MOST_SETTINGS 8
+// Maximum number of settings of a grid.
+#define DASHPOT_MAX_SETTINGS 8
 
 // The setting of a parameter set. Set struct_size before the call.
 typedef struct dashpot_setting {
   // sizeof(dashpot_setting).
   uint32_t struct_size;
-  // Settings of the grid; 0 where the damper depends on none.
+  // Number of settings of the grid; 0 if the damper depends on none.
   uint32_t count;
   // The grid, increasing.
   double grid[8];
-  // Setting where the host gives none.
+  // Setting if the host provides none.
   double start;
   // Name, zero-terminated, such as current; empty where none is given.
   char name[32];
@@ -653,10 +667,10 @@ typedef struct dashpot_setting {
   char unit[32];
 } dashpot_setting;
 
-// Sets the grid of the setting: count increasing numbers; 0: the damper depends on no setting any more. Values over another grid are dropped.
-int32_t dashpot_params_set_grid(dashpot_params *params,
-                                const double *grid,
-                                uint32_t count);
+// Sets the grid of the setting: count increasing numbers. Values over another grid are dropped.
+//
+// With count 0 the damper no longer depends on a setting.
+int32_t dashpot_params_set_grid(dashpot_params *params, const double *grid, uint32_t count);
 
 // Sets a number over the setting: one value for each of the grid.
 int32_t dashpot_params_set_over(dashpot_params *params, const char *name, const double *values, uint32_t count);
@@ -668,39 +682,42 @@ int32_t dashpot_params_set_list_over(dashpot_params *params,
                                      const double *values,
                                      uint32_t count);
 
-// Tells the setting that a parameter set depends on.
+// Reads the setting that a parameter set depends on.
 int32_t dashpot_params_setting(const dashpot_params *params, dashpot_setting *setting);
 
-// As dashpot_force(), with the commanded setting. A damper that depends on none does not look at it.
-int32_t dashpot_force_setting(const dashpot_model *model,
-                              dashpot_state *state,
-                              double velocity,
-                              double setting,
-                              double dt,
-                              double *force);
+// Computes the force as dashpot_force() does, with the commanded setting. A damper that depends on none ignores it.
+int32_t dashpot_force_with_setting(const dashpot_model *model,
+                                   dashpot_state *state,
+                                   double velocity,
+                                   double setting,
+                                   double dt,
+                                   double *force);
 
-// Where the valve stands in a state, to *setting: the command clamped to the grid, or what the actuator has made of it. 0 of a damper that depends on no
-// setting.
-int32_t dashpot_setting_at(const dashpot_model *model,
-                           const dashpot_state *state,
-                           const dashpot_input *input,
-                           double *setting);
+// Writes the actual setting of the valve to *setting: the command clamped to the grid, after the dynamics of the actuator.
+//
+// 0 for a damper that depends on no setting.
+int32_t dashpot_actuator_setting(const dashpot_model *model,
+                                 const dashpot_state *state,
+                                 const dashpot_input *input,
+                                 double *setting);
 
-// Derivative of the force over the setting at which the valve stands, to *derivative: of the force that dashpot_step() from *from to *to_input finds, all
-// that happens in the step included; with dt = 0 of the force at equilibrium. What a controller divides by. Takes two steps. 0 of a damper that depends on
-// no setting.
-int32_t dashpot_force_by_setting(const dashpot_model *model,
-                                 const dashpot_state *from,
-                                 const dashpot_input *to_input,
-                                 double dt,
-                                 double *derivative);
+// Writes the derivative of the force over the actual setting of the valve to *derivative.
+//
+// It is the total derivative of the force of dashpot_step() from *from to *to_input; with dt = 0, of the equilibrium force. A controller divides
+// by it. The call costs two steps. 0 for a damper that depends on no setting.
+int32_t dashpot_d_force_d_setting(const dashpot_model *model,
+                                  const dashpot_state *from,
+                                  const dashpot_input *to_input,
+                                  double dt,
+                                  double *derivative);
 
-// Derivatives of force and rates over the commanded setting at *state and *input, to *by_setting: what dashpot_jacobian() has no place for. 0 of a damper
-// that depends on no setting.
+// Writes the derivatives of force and rates over the commanded setting at *state and *input to *by_setting.
+//
+// dashpot_jacobian() does not contain them. 0 for a damper that depends on no setting.
 int32_t dashpot_jacobian_setting(const dashpot_model *model,
                                  const dashpot_state *state,
                                  const dashpot_input *input,
-                                 dashpot_by_setting *by_setting);
+                                 dashpot_setting_derivatives *by_setting);
 
 
 // ==============================================================================================================
@@ -724,11 +741,11 @@ typedef struct dashpot_parameter {
   uint32_t struct_size;
   // DASHPOT_SHAPE_NUMBER, DASHPOT_SHAPE_CHOICE or DASHPOT_SHAPE_LIST.
   uint32_t shape;
-  // Numbers that it may hold: 1, or the greatest length of a list.
+  // Capacity: 1, or the maximum length of a list.
   uint32_t capacity;
   // Row of this parameter in the table.
   uint32_t row;
-  // Default; of a list its first number (dashpot_params_get_list() on a default set gives all).
+  // Default; for a list its first number (dashpot_params_get_list() on a default set returns all).
   double default_value;
   // Smallest allowed value.
   double low;

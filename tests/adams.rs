@@ -265,7 +265,7 @@ pub fn kernel(model: &Model, accepted: &[Accepted], amplitude: f64, frequency: f
         temperature: around.temperature,
         ..Input::motion(-1e-3 * amplitude * (w * t).cos(), 1e-3 * amplitude * w * (w * t).sin())
     };
-    let mut state = model.settled(&at(0.0));
+    let mut state = model.steady_state(&at(0.0));
     let mut t = 0.0;
     let mut forces = Vec::new();
     for point in accepted {

@@ -45,7 +45,7 @@ pub fn run(folder: &Path, args: &[&str]) -> Ran {
     run_with(folder, args, &[])
 }
 
-/// As [`run`], with environment variables.
+/// Runs the command with environment variables.
 pub fn run_with(folder: &Path, args: &[&str], environment: &[(&str, &str)]) -> Ran {
     let mut command = Command::new(program());
     command.args(args).current_dir(folder).envs(environment.iter().copied());

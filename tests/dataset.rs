@@ -1,5 +1,6 @@
-//! A strict reader of the Adams dataset and command files that the exports write: knows the statements they use, refuses all
-//! others, and resolves every id.
+//! A strict reader of the Adams dataset and command files that the exports write.
+//!
+//! Knows the statements they use, refuses all others, and resolves every id.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -6,8 +6,9 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Makes sure that the command holds the FMU runtime and the Adams library: where it was built without, they are compiled and it is
-/// built again.
+/// Makes sure that the command holds the FMU runtime and the Adams library.
+///
+/// Where it was built without, they are compiled and it is built again.
 pub fn runtimes() {
     static HELD: OnceLock<()> = OnceLock::new();
     HELD.get_or_init(|| {

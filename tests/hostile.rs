@@ -113,9 +113,10 @@ pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     }
 }
 
-/// Damages a text in one to three places by its words and lines: numbers become others that no reader expects, words change
-/// places, lines are repeated, taken out or swapped. What comes out still looks like such a file, and reaches further into a
-/// reader than damaged bytes do.
+/// Damages a text in one to three places by its words and lines.
+///
+/// Numbers become others that no reader expects, words change places, lines are repeated, taken out or swapped. What
+/// comes out still looks like such a file, and reaches further into a reader than damaged bytes do.
 pub fn mutate_text(random: &mut Random, text: &mut String) {
     const NUMBERS: [&str; 18] = [
         "0",

@@ -106,7 +106,7 @@ fn record(model: &Model, k: usize, test: &Sine, noise: f64, random: &mut Random)
         let (x, v) = motion(t);
         Input { side_force: test.side_force.unwrap_or(0.0), ..Input::motion(x, v) }
     };
-    let mut state: State = model.settled(&input(start));
+    let mut state: State = model.steady_state(&input(start));
     let mut record = Record {
         name: format!("test{k:02}"),
         amplitude: test.amplitude,

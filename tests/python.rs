@@ -57,8 +57,9 @@ fn made() -> &'static Result<PathBuf, String> {
     })
 }
 
-/// An interpreter with packages, parted by blanks, in an environment of their own named after the first; or none, after a line that says so,
-/// where they cannot be installed here.
+/// An interpreter with packages, parted by blanks, in an environment of their own named after the first.
+///
+/// Or none, after a line that says so, where they cannot be installed here.
 pub fn python_with(packages: &str) -> Option<PathBuf> {
     let environment = target_folder().join(format!("{}-venv", packages.split('=').next().unwrap_or(packages)));
     let (python, done) = (environment.join("bin/python"), environment.join(packages));

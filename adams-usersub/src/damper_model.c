@@ -128,11 +128,11 @@ void damper_model_find_states(damper_model *damper)
     int i;
     damper->states = (int)dashpot_model_states(&damper->model);
     memset(damper->used, 0, sizeof damper->used);
-    for (i = 0; i < damper->states && i < MOST_STATES; i++)
+    for (i = 0; i < damper->states && i < MAX_STATES; i++)
         damper->used[i] = 1;
     /* Without the series compliance the mass moves with the driven end: its velocity is none of its displacement's rate. */
     if (dashpot_state_init(&damper->model, 0.0, &state) >= 0 &&
-        dashpot_jacobian(&damper->model, &state, &input, &partials) >= 0 && partials.rate_by_state[0][1] == 0)
+        dashpot_jacobian(&damper->model, &state, &input, &partials) >= 0 && partials.d_rate_d_state[0][1] == 0)
         damper->used[0] = damper->used[1] = 0;
 }
 

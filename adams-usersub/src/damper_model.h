@@ -7,8 +7,8 @@
 
 /* States of the kernel beyond displacement and velocity of the driven end: internal mass, then private ones. */
 enum {
-    PRIVATE_STATES = sizeof(((dashpot_state *)0)->memory) / sizeof(double),
-    MOST_STATES = 2 + PRIVATE_STATES
+    PRIVATE_STATES = sizeof(((dashpot_state *)0)->internal) / sizeof(double),
+    MAX_STATES = 2 + PRIVATE_STATES
 };
 
 typedef struct {
@@ -19,7 +19,7 @@ typedef struct {
     /* States that a GSE integrates: the internal mass and the private states that the model uses. */
     int states;
     /* Whether state i moves at all; those that do not are held at zero. */
-    int used[MOST_STATES];
+    int used[MAX_STATES];
 } damper_model;
 
 /* The model of an element whose USER values are par. par[0] is the id of the STRING with the path of the model file;

@@ -26,7 +26,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEWEST_INPUTS = 2, MOST_INPUTS = 5, MOST_OUTPUTS = 9, UNITS_AT = 1 };
+enum { FEWEST_INPUTS = 2, MAX_INPUTS = 5, MAX_OUTPUTS = 9, UNITS_AT = 1 };
 
 /* Rate at which a state that the model does not use returns to zero, and in statics any state to where it settles, 1/s. */
 static const double DECAY = 100.0;
@@ -37,7 +37,7 @@ typedef struct {
     int ns, ni, no, is_static;
     dashpot_input input;
     dashpot_state state;
-    double x[MOST_STATES]; /* as the solver has them */
+    double x[MAX_STATES]; /* as the solver has them */
 } instant;
 
 /* Model units per SI unit of state i. */
@@ -52,7 +52,7 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
     const solver_functions *s = solver();
     const char *lacks = solver_lacks(SOLVER_FOR_GSE);
     const unit_scales *u;
-    double x[MOST_STATES], in[MOST_INPUTS];
+    double x[MAX_STATES], in[MAX_INPUTS];
     int i, mode = 0;
     if (lacks) {
         message_stop(gse->id, "the solver has no function %s, which a GSE needs", lacks);
@@ -73,13 +73,13 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
         message_stop(gse->id, "the GSE has NS=%d states; this model file needs NS=%d", now->ns, now->damper->states);
         return -1;
     }
-    if (now->ni < FEWEST_INPUTS || now->ni > MOST_INPUTS) {
+    if (now->ni < FEWEST_INPUTS || now->ni > MAX_INPUTS) {
         message_stop(gse->id, "the GSE has NI=%d inputs; it takes displacement and velocity, then side force and "
                               "temperature and the setting if wanted: NI=2 to 5", now->ni);
         return -1;
     }
-    if (now->no < 1 || now->no > MOST_OUTPUTS) {
-        message_stop(gse->id, "the GSE has NO=%d outputs; it gives 1 to %d, the force first", now->no, MOST_OUTPUTS);
+    if (now->no < 1 || now->no > MAX_OUTPUTS) {
+        message_stop(gse->id, "the GSE has NO=%d outputs; it gives 1 to %d, the force first", now->no, MAX_OUTPUTS);
         return -1;
     }
     memset(x, 0, sizeof x);
@@ -104,7 +104,7 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
     now->state.mass_displacement = now->input.displacement + units_displacement(u, x[0]);
     now->state.mass_velocity = units_velocity(u, x[1]);
     for (i = 2; i < now->ns; i++)
-        now->state.memory[i - 2] = x[i] / state_scale(u, i);
+        now->state.internal[i - 2] = x[i] / state_scale(u, i);
     memcpy(now->x, x, sizeof now->x);
     s->getmod(&mode);
     /* LINEAR: no dry friction, which would lock the damper where it stands. All states stay, and those of friction move nothing. */
@@ -130,19 +130,19 @@ static int wants_partials(void)
 }
 
 /* Where the states settle at a displacement, as the solver has them. */
-static int32_t settled(const instant *now, double displacement, double x[MOST_STATES])
+static int32_t settled(const instant *now, double displacement, double x[MAX_STATES])
 {
     const unit_scales *u = &now->damper->units;
     dashpot_state state;
     int i;
     int32_t status = dashpot_state_init(&now->damper->model, displacement, &state);
-    memset(x, 0, MOST_STATES * sizeof(double));
+    memset(x, 0, MAX_STATES * sizeof(double));
     if (status < 0)
         return status;
     for (i = 0; i < now->ns; i++)
         if (now->damper->used[i])
             x[i] = i == 1 ? 0.0
-                          : state_scale(u, i) * (i == 0 ? state.mass_displacement - displacement : state.memory[i - 2]);
+                          : state_scale(u, i) * (i == 0 ? state.mass_displacement - displacement : state.internal[i - 2]);
     return status;
 }
 
@@ -150,8 +150,8 @@ static int32_t settled(const instant *now, double displacement, double x[MOST_ST
 static int32_t static_rates(const instant *now, double *rates, int with_partials)
 {
     const unit_scales *u = &now->damper->units;
-    double rest[MOST_STATES], low[MOST_STATES], high[MOST_STATES];
-    double by_x[MOST_STATES * MOST_STATES], by_u[MOST_STATES * MOST_INPUTS];
+    double rest[MAX_STATES], low[MAX_STATES], high[MAX_STATES];
+    double by_x[MAX_STATES * MAX_STATES], by_u[MAX_STATES * MAX_INPUTS];
     const double near = 1e-7; /* m */
     int i;
     int32_t status = settled(now, now->input.displacement, rest);
@@ -177,7 +177,7 @@ static int32_t static_rates(const instant *now, double *rates, int with_partials
 static void give_rate_partials(const instant *now, const dashpot_partials *p)
 {
     const unit_scales *u = &now->damper->units;
-    double by_x[MOST_STATES * MOST_STATES], by_u[MOST_STATES * MOST_INPUTS];
+    double by_x[MAX_STATES * MAX_STATES], by_u[MAX_STATES * MAX_INPUTS];
     int i, j;
     memset(by_x, 0, sizeof by_x);
     memset(by_u, 0, sizeof by_u);
@@ -188,10 +188,10 @@ static void give_rate_partials(const instant *now, const dashpot_partials *p)
             continue;
         }
         for (j = 0; j < now->ns; j++)
-            by_x[i + j * now->ns] = p->rate_by_state[i][j] * to_model / state_scale(u, j);
+            by_x[i + j * now->ns] = p->d_rate_d_state[i][j] * to_model / state_scale(u, j);
         /* The mass stands at displacement + deflection. */
-        by_u[i] = (p->rate_by_input[i][0] + p->rate_by_state[i][0]) * to_model * input_scale(u, 0);
-        by_u[i + now->ns] = (p->rate_by_input[i][1] - (i == 0 ? 1.0 : 0.0)) * to_model * input_scale(u, 1);
+        by_u[i] = (p->d_rate_d_input[i][0] + p->d_rate_d_state[i][0]) * to_model * input_scale(u, 0);
+        by_u[i + now->ns] = (p->d_rate_d_input[i][1] - (i == 0 ? 1.0 : 0.0)) * to_model * input_scale(u, 1);
     }
     /* Side force, temperature and setting: by differences. */
     for (j = 2; j < now->ni; j++) {
@@ -209,8 +209,8 @@ static void give_rate_partials(const instant *now, const dashpot_partials *p)
         if (dashpot_evaluate(now->model, &now->state, &other.input, &unused, &high) < 0)
             return;
         for (i = 0; i < now->ns; i++) {
-            double a = i == 0 ? low.mass_displacement : i == 1 ? low.mass_velocity : low.memory[i - 2];
-            double b = i == 0 ? high.mass_displacement : i == 1 ? high.mass_velocity : high.memory[i - 2];
+            double a = i == 0 ? low.mass_displacement : i == 1 ? low.mass_velocity : low.internal[i - 2];
+            double b = i == 0 ? high.mass_displacement : i == 1 ? high.mass_velocity : high.internal[i - 2];
             by_u[i + j * now->ns] = now->damper->used[i] ? (b - a) / (2 * h) * state_scale(u, i) * u->time * scale : 0.0;
         }
     }
@@ -251,14 +251,14 @@ void Dashpot_gse_deriv(const adams_gse *gse, double time, int dflag, int iflag, 
     for (i = 0; i < n; i++) {
         double si = i == 0   ? rate.mass_displacement - now.input.velocity
                     : i == 1 ? rate.mass_velocity
-                             : rate.memory[i - 2];
+                             : rate.internal[i - 2];
         rates[i] = now.damper->used[i] ? si * state_scale(u, i) * u->time : -DECAY * u->time * now.x[i];
     }
     if (wants_partials() && dashpot_jacobian(now.model, &now.state, &now.input, &partials) >= 0)
         give_rate_partials(&now, &partials);
 }
 
-static void outputs_of(const instant *now, const dashpot_output *o, double y[MOST_OUTPUTS])
+static void outputs_of(const instant *now, const dashpot_output *o, double y[MAX_OUTPUTS])
 {
     const unit_scales *u = &now->damper->units;
     y[0] = units_sforce(u, o->force);
@@ -281,7 +281,7 @@ static void nudge(instant *now, int state, int input, double by)
     else if (state == 1)
         now->state.mass_velocity += by * u->length / u->time;
     else if (state > 1)
-        now->state.memory[state - 2] += by * u->length;
+        now->state.internal[state - 2] += by * u->length;
     if (input == 0) {
         now->input.displacement += by * u->length;
         now->state.displacement += by * u->length;
@@ -302,7 +302,7 @@ static void output_column(const instant *now, const dashpot_partials *p, int sta
 {
     const unit_scales *u = &now->damper->units;
     double h = state > 1 ? 1e-6 / u->length : input == 2 ? 1e-3 / u->force : input >= 3 ? 1e-3 : 1e-8 / u->length;
-    double low[MOST_OUTPUTS], high[MOST_OUTPUTS];
+    double low[MAX_OUTPUTS], high[MAX_OUTPUTS];
     dashpot_output output;
     dashpot_state rate;
     int i;
@@ -319,11 +319,11 @@ static void output_column(const instant *now, const dashpot_partials *p, int sta
     for (i = 0; i < now->no; i++)
         column[i] = (high[i] - low[i]) / (2 * h);
     if (state >= 0)
-        column[0] = units_sforce(u, p->force_by_state[state]) / state_scale(u, state);
+        column[0] = units_sforce(u, p->d_force_d_state[state]) / state_scale(u, state);
     else if (input == 0)
-        column[0] = units_sforce(u, p->force_by_input[0] + p->force_by_state[0]) * input_scale(u, 0);
+        column[0] = units_sforce(u, p->d_force_d_input[0] + p->d_force_d_state[0]) * input_scale(u, 0);
     else if (input == 1)
-        column[0] = units_sforce(u, p->force_by_input[1]) * input_scale(u, 1);
+        column[0] = units_sforce(u, p->d_force_d_input[1]) * input_scale(u, 1);
 }
 
 void Dashpot_gse_output(const adams_gse *gse, double time, int dflag, int iflag, int n, double *outputs)
@@ -332,7 +332,7 @@ void Dashpot_gse_output(const adams_gse *gse, double time, int dflag, int iflag,
     dashpot_output output;
     dashpot_state rate;
     dashpot_partials partials;
-    double y[MOST_OUTPUTS];
+    double y[MAX_OUTPUTS];
     int32_t status;
     int i;
     (void)time;
@@ -355,7 +355,7 @@ void Dashpot_gse_output(const adams_gse *gse, double time, int dflag, int iflag,
     outputs_of(&now, &output, y);
     memcpy(outputs, y, (size_t)n * sizeof(double));
     if (wants_partials() && dashpot_jacobian(now.model, &now.state, &now.input, &partials) >= 0) {
-        double by_x[MOST_OUTPUTS * MOST_STATES], by_u[MOST_OUTPUTS * MOST_INPUTS];
+        double by_x[MAX_OUTPUTS * MAX_STATES], by_u[MAX_OUTPUTS * MAX_INPUTS];
         memset(by_x, 0, sizeof by_x);
         memset(by_u, 0, sizeof by_u);
         for (i = 0; i < now.ns; i++)

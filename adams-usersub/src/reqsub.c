@@ -57,9 +57,9 @@ void Dashpot_reqsub(const adams_request *req, double time, int iflag, double *ou
         output[2] = state.displacement / u.length;
         output[3] = state.velocity * u.time / u.length;
         output[4] = (state.displacement - o.series_deflection) / u.length;
-        output[5] = state.memory[0];
-        output[6] = state.memory[1];
-        output[7] = state.memory[2];
+        output[5] = state.internal[0];
+        output[6] = state.internal[1];
+        output[7] = state.internal[2];
         return;
     }
     output[0] = o.force / u.force;

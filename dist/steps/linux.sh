@@ -1,6 +1,6 @@
 # The Linux package as a tree below a prefix: what /usr or an unpacked folder holds.
 say "command for Linux with glibc $glibc"
-PATH=$work/venv/bin:$PATH RUSTFLAGS="$maps" cargo zigbuild --quiet --release -p dashpot-cli -p dashpot-bench --target "$linux_target.$glibc" "${profile[@]}"
+PATH=$work/venv/bin:$PATH RUSTFLAGS="$maps" cargo zigbuild --quiet --release -p dashpot-cli -p dashpot-gui --target "$linux_target.$glibc" "${profile[@]}"
 
 tree=$staged/linux
 rm -rf "$tree"
@@ -37,9 +37,9 @@ complete fish share/fish/vendor_completions.d/dashpot.fish
 documents=share/doc/dashpot
 for file in README.md CHANGELOG.md VERSIONING.md SECURITY.md LICENSE-MIT LICENSE-APACHE; do put 644 "$file" "$documents/$file"; done
 find docs -name '*.md' -o -name '*.svg' | while read -r file; do put 644 "$file" "$documents/$file"; done
-python3 dist/licences.py texts "$linux_target" dashpot-cli dashpot-bench dashpot-dll >"$work/said/licences"
+python3 dist/licences.py texts "$linux_target" dashpot-cli dashpot-gui dashpot-dll >"$work/said/licences"
 put 644 "$work/said/licences" "$documents/THIRD-PARTY.txt"
-"$work/venv/bin/python" dist/licences.py bill "$linux_target" dashpot-cli dashpot-bench dashpot-dll >"$work/said/bill"
+"$work/venv/bin/python" dist/licences.py bill "$linux_target" dashpot-cli dashpot-gui dashpot-dll >"$work/said/bill"
 put 644 "$work/said/bill" "$documents/dashpot.cdx.json"
 
 for file in bin/dashpot bin/dashpot-window lib/libdashpot.so lib/dashpot/dashpot_adams.so lib/dashpot/dashpot_damper.so; do

@@ -11,7 +11,7 @@ for_windows() {
 }
 # The library has no std: with that of the command's build it would bring a second panic handler. It is the quicker one of the two.
 for_windows -p dashpot-dll -Zbuild-std=core
-for_windows -p dashpot-cli -p dashpot-bench -Zbuild-std=std,panic_abort
+for_windows -p dashpot-cli -p dashpot-gui -Zbuild-std=std,panic_abort
 
 tree=$staged/windows
 rm -rf "$tree"
@@ -55,9 +55,9 @@ find docs -name '*.md' | while read -r file; do text "$file" "documents/$file"; 
 find docs -name '*.svg' | while read -r file; do put 644 "$file" "documents/$file"; done
 for file in LICENSE-MIT LICENSE-APACHE; do text "$file" "licences/$file.txt"; done
 mkdir -p "$work/said"
-python3 dist/licences.py texts $windows_target dashpot-cli dashpot-bench dashpot-dll >"$work/said/licences.windows"
+python3 dist/licences.py texts $windows_target dashpot-cli dashpot-gui dashpot-dll >"$work/said/licences.windows"
 text "$work/said/licences.windows" licences/THIRD-PARTY.txt
-"$work/venv/bin/python" dist/licences.py bill $windows_target dashpot-cli dashpot-bench dashpot-dll >"$work/said/bill.windows"
+"$work/venv/bin/python" dist/licences.py bill $windows_target dashpot-cli dashpot-gui dashpot-dll >"$work/said/bill.windows"
 put 644 "$work/said/bill.windows" licences/dashpot.cdx.json
 
 # Nothing but what every 64-bit Windows 10 has.

@@ -67,7 +67,7 @@ static void agrees_with_the_kernel(void)
     }
     for (k = 1; k <= 1000; k++) {
         motions(k * DT, in);
-        CHECK((dashpot_bridge_step(car, DT, in, out) & DASHPOT_BRIDGE_HELD) == 0);
+        CHECK((dashpot_bridge_step(car, DT, in, out) & DASHPOT_BRIDGE_LAST_FORCE) == 0);
         for (i = 0; i < 4; i++) {
             dashpot_input input = dashpot_input_motion(-in[i].jounce, -in[i].jounce_rate);
             dashpot_output o;
@@ -76,7 +76,7 @@ static void agrees_with_the_kernel(void)
             CHECK(dashpot_step(&kernel[i].model, &kernel[i].now.state, &input, DT, &kernel[i].now.state, &o) >= 0);
             force = -o.force;
             CHECK(same(&force, &out[i].force, sizeof force));
-            CHECK(out[i].force_by_rate == o.force_by_velocity && out[i].force_by_jounce == o.force_by_displacement);
+            CHECK(out[i].d_force_d_rate == o.d_force_d_velocity && out[i].d_force_d_jounce == o.d_force_d_displacement);
         }
     }
     dashpot_bridge_destroy(car);
@@ -135,18 +135,18 @@ static void holds_the_force_of_a_bad_input(void)
             motions(k * DT, in);
             *place[p] = bad[b];
             dashpot_bridge_save(car, &before);
-            CHECK(dashpot_bridge_step(car, DT, in, held) & DASHPOT_BRIDGE_HELD);
+            CHECK(dashpot_bridge_step(car, DT, in, held) & DASHPOT_BRIDGE_LAST_FORCE);
             dashpot_bridge_save(car, &after);
             /* The corner concerned stands still, the others go on. */
             CHECK(same(&before.corner[1], &after.corner[1], sizeof before.corner[1]));
             CHECK(!same(&before.corner[0], &after.corner[0], sizeof before.corner[0]));
-            CHECK(held[1].status == DASHPOT_BRIDGE_HELD && held[0].status == 0);
+            CHECK(held[1].status == DASHPOT_BRIDGE_LAST_FORCE && held[0].status == 0);
             CHECK(held[1].force == good[1].force);
             dashpot_bridge_restore(car, &before);
         }
     }
-    CHECK(dashpot_bridge_step(car, NAN, in, held) & DASHPOT_BRIDGE_HELD);
-    CHECK(dashpot_bridge_step(car, -1e-3, in, held) & DASHPOT_BRIDGE_HELD);
+    CHECK(dashpot_bridge_step(car, NAN, in, held) & DASHPOT_BRIDGE_LAST_FORCE);
+    CHECK(dashpot_bridge_step(car, -1e-3, in, held) & DASHPOT_BRIDGE_LAST_FORCE);
     dashpot_bridge_destroy(car);
 }
 
@@ -199,7 +199,7 @@ static void vectors_are_the_same_run(const char *map)
             u[3 * i + 1] = in[i].jounce_rate;
             u[3 * i + 2] = 0.0;
         }
-        CHECK(dashpot_bridge_step_vector(car, DT, u, n - 1, y, 4) == DASHPOT_BRIDGE_HELD);
+        CHECK(dashpot_bridge_step_vector(car, DT, u, n - 1, y, 4) == DASHPOT_BRIDGE_LAST_FORCE);
         if (k == 0) {
             dashpot_bridge_init(twin, in, out);
             dashpot_bridge_init_vector(car, u, n, y, 4);
@@ -281,7 +281,7 @@ static void the_steepest_slope_bounds_a_run(void)
     dashpot_bridge *car = made(1, NULL);
     dashpot_corner_input in;
     dashpot_corner_output out;
-    double steepest = dashpot_bridge_steepest(car, 0, DT), seen = 0.0;
+    double steepest = dashpot_bridge_max_derivative(car, 0, DT), seen = 0.0;
     int k;
 
     in = motion(0, 0.0);
@@ -289,7 +289,7 @@ static void the_steepest_slope_bounds_a_run(void)
     for (k = 1; k < 2000; k++) {
         in = motion(0, k * DT);
         dashpot_bridge_step(car, DT, &in, &out);
-        seen = fmax(seen, fabs(out.force_by_rate + DT * out.force_by_jounce));
+        seen = fmax(seen, fabs(out.d_force_d_rate + DT * out.d_force_d_jounce));
     }
     CHECK(seen > 0.0 && steepest > 0.7 * seen);
     dashpot_bridge_destroy(car);

@@ -63,7 +63,7 @@ int main(void) {
     }
     CHECK(together == single);
   }
-  CHECK(state[0].mass_displacement != state[1].mass_displacement && state[3].memory[0] != state[2].memory[0]);
+  CHECK(state[0].mass_displacement != state[1].mass_displacement && state[3].internal[0] != state[2].internal[0]);
   CHECK(dashpot_step_batch(0, models, batch, inputs, DT, batch, answers) == DASHPOT_OK);
 
   /* A step is taken back by copying the state; in place or not is the same. */

@@ -485,7 +485,7 @@ def derivatives_of_steps():
         return damper.derivative(unknown, known)
 
     differences([outputs[0]], inputs[:2], at, derivative, 1e-3)
-    slope = "Damper_Force_by_Jounce_Rate_L1" if four else "force_by_velocity"
+    slope = "Damper_Force_by_Jounce_Rate_L1" if four else "d_force_d_velocity"
     at(inputs[0], 0.0)
     check(damper.get([slope])[0] == derivative(outputs[0], inputs[1]), "the slope output is the derivative")
     damper.free_state(before)

@@ -83,7 +83,7 @@ try:
     moved = {s: max(abs(p[2][i]) for p in points) for i, s in enumerate(state_names)}
     alive = [s for s in state_names if moved[s] > 0.0 and not s.endswith("travel")]
     for c in CORNERS:
-        print(c, sum(s.startswith(c) and "memory" in s for s in alive))
+        print(c, sum(s.startswith(c) and "internal" in s for s in alive))
 
     # Model exchange: force and rates of every state that moves, by inputs and by those states.
     for k, _, x in points:

@@ -15,7 +15,7 @@ from fmu_instance import begun
 plain, *others = sys.argv[1:]
 # The input of a corner that comes first, and its outputs, in one damper and in a vehicle.
 NAMES = [("displacement", "Damper_Jounce"), ("velocity", "Damper_Jounce_Rate"), ("force", "Damper_Force"),
-         ("force_by_displacement", "Damper_Force_by_Jounce"), ("force_by_velocity", "Damper_Force_by_Jounce_Rate")]
+         ("d_force_d_displacement", "Damper_Force_by_Jounce"), ("d_force_d_velocity", "Damper_Force_by_Jounce_Rate")]
 # By these dimensions a host knows which unit of its own it may convert to.
 DIMENSIONS = [{"m": 1}, {"m": 1, "s": -1}, {"kg": 1, "m": 1, "s": -2}, {"kg": 1, "s": -2}, {"kg": 1, "s": -1}]
 STEP, AMPLITUDE, OMEGA = 1e-3, 0.03, 2 * math.pi * 3

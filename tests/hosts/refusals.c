@@ -48,10 +48,10 @@ static void parameters(void) {
 
   CHECK(dashpot_params_default(NULL) == DASHPOT_NULL);
   CHECK(dashpot_params_default(OFF(dashpot_params, &other)) == DASHPOT_MISALIGNED);
-  CHECK(dashpot_params_set(&other, "gas_force", 1.0) == DASHPOT_NOT_SET);
-  REFUSED(dashpot_params_get(&other, "gas_force", &out.number), DASHPOT_NOT_SET);
-  REFUSED(dashpot_params_check(&other, &out.fault), DASHPOT_NOT_SET);
-  CHECK(dashpot_model_init(&never_set, &other) == DASHPOT_NOT_SET);
+  CHECK(dashpot_params_set(&other, "gas_force", 1.0) == DASHPOT_NOT_INITIALIZED);
+  REFUSED(dashpot_params_get(&other, "gas_force", &out.number), DASHPOT_NOT_INITIALIZED);
+  REFUSED(dashpot_params_check(&other, &out.fault), DASHPOT_NOT_INITIALIZED);
+  CHECK(dashpot_model_init(&never_set, &other) == DASHPOT_NOT_INITIALIZED);
 
   other.struct_size--;
   CHECK(dashpot_params_default(&other) == DASHPOT_STRUCT_SIZE);
@@ -92,7 +92,7 @@ static void parameters(void) {
   REFUSED(dashpot_params_get(&other, "fv_force", &out.number), DASHPOT_WRONG_SHAPE);
   REFUSED(dashpot_params_get(&other, "no_such", &out.number), DASHPOT_UNKNOWN_NAME);
   REFUSED(dashpot_params_get_list(&other, "gas_force", out.list, 4, &out.count), DASHPOT_WRONG_SHAPE);
-  REFUSED(dashpot_params_get_list(&other, "fv_force", out.list, 4, &out.count), DASHPOT_TOO_SHORT);
+  REFUSED(dashpot_params_get_list(&other, "fv_force", out.list, 4, &out.count), DASHPOT_BUFFER_TOO_SHORT);
   REFUSED(dashpot_params_get_list(&other, "fv_force", out.list, 4, NULL), DASHPOT_NULL);
   REFUSED(dashpot_params_is_on(&other, "warp_drive", &out.count), DASHPOT_UNKNOWN_NAME);
   REFUSED(dashpot_params_read(NULL, "", 0, &out.fault), DASHPOT_NULL);
@@ -116,10 +116,10 @@ static void parameters(void) {
     static dashpot_model kept;
     dashpot_fault fault;
     memcpy(&kept, &model, sizeof kept);
-    CHECK(dashpot_model_init(&kept, &other) == DASHPOT_FALLS);
+    CHECK(dashpot_model_init(&kept, &other) == DASHPOT_FORCE_DECREASES);
     CHECK(memcmp(&kept, &model, sizeof kept) == 0);
-    CHECK(dashpot_params_check(&other, &fault) == DASHPOT_FALLS);
-    CHECK(fault.status == DASHPOT_FALLS && fault.line == 0 && strcmp(fault.parameter, "fv_force") == 0);
+    CHECK(dashpot_params_check(&other, &fault) == DASHPOT_FORCE_DECREASES);
+    CHECK(fault.status == DASHPOT_FORCE_DECREASES && fault.line == 0 && strcmp(fault.parameter, "fv_force") == 0);
     CHECK(dashpot_params_check(&params, &fault) == DASHPOT_OK);
     CHECK(fault.status == DASHPOT_OK && fault.line == 0 && fault.parameter[0] == 0);
   }
@@ -144,7 +144,7 @@ static void parameters(void) {
 static void states(void) {
   int i;
   REFUSED(dashpot_state_init(NULL, 0.0, &out.state), DASHPOT_NULL);
-  REFUSED(dashpot_state_init(&never_set, 0.0, &out.state), DASHPOT_NOT_SET);
+  REFUSED(dashpot_state_init(&never_set, 0.0, &out.state), DASHPOT_NOT_INITIALIZED);
   REFUSED(dashpot_state_init(OFF(dashpot_model, &model), 0.0, &out.state), DASHPOT_MISALIGNED);
   REFUSED(dashpot_state_init(&model, 0.0, NULL), DASHPOT_NULL);
   for (i = 0; i < BAD_NUMBERS; i++) REFUSED(dashpot_state_init(&model, bad_numbers[i], &out.state), DASHPOT_BAD_INPUT);
@@ -172,7 +172,7 @@ static void inputs(int32_t (*call)(const dashpot_model *, const dashpot_state *,
   REFUSED(call(NULL, &state, &good), DASHPOT_NULL);
   REFUSED(call(&model, NULL, &good), DASHPOT_NULL);
   REFUSED(call(&model, &state, NULL), DASHPOT_NULL);
-  REFUSED(call(&never_set, &state, &good), DASHPOT_NOT_SET);
+  REFUSED(call(&never_set, &state, &good), DASHPOT_NOT_INITIALIZED);
   REFUSED(call(OFF(const dashpot_model, &model), &state, &good), DASHPOT_MISALIGNED);
   REFUSED(call(&model, OFF(const dashpot_state, &state), &good), DASHPOT_MISALIGNED);
   REFUSED(call(&model, &state, OFF(const dashpot_input, &good)), DASHPOT_MISALIGNED);
@@ -247,7 +247,7 @@ static void steps(void) {
   REFUSED(dashpot_force(NULL, &state, 0.1, 1e-3, &out.number), DASHPOT_NULL);
   REFUSED(dashpot_force(&model, NULL, 0.1, 1e-3, &out.number), DASHPOT_NULL);
   REFUSED(dashpot_force(&model, &state, 0.1, 1e-3, NULL), DASHPOT_NULL);
-  REFUSED(dashpot_force(&never_set, &state, 0.1, 1e-3, &out.number), DASHPOT_NOT_SET);
+  REFUSED(dashpot_force(&never_set, &state, 0.1, 1e-3, &out.number), DASHPOT_NOT_INITIALIZED);
   REFUSED(dashpot_evaluate(&model, &state, &good, NULL, &out.state), DASHPOT_NULL);
   REFUSED(dashpot_evaluate(&model, &state, &good, &out.output, NULL), DASHPOT_NULL);
   REFUSED(dashpot_jacobian(&model, &state, &good, NULL), DASHPOT_NULL);
@@ -265,9 +265,9 @@ static void steps(void) {
   models[1] = NULL;
   CHECK(dashpot_step_batch(2, models, from, two, 1e-3, batch.to, batch.outputs) == DASHPOT_NULL);
   models[1] = &never_set;
-  CHECK(dashpot_step_batch(2, models, from, two, 1e-3, batch.to, batch.outputs) == DASHPOT_NOT_SET);
+  CHECK(dashpot_step_batch(2, models, from, two, 1e-3, batch.to, batch.outputs) == DASHPOT_NOT_INITIALIZED);
   models[1] = &model;
-  from[1].memory[7] = INFINITY;
+  from[1].internal[7] = INFINITY;
   CHECK(dashpot_step_batch(2, models, from, two, 1e-3, batch.to, batch.outputs) == DASHPOT_BAD_STATE);
   from[1] = state;
   CHECK(dashpot_step_batch(2, NULL, from, two, 1e-3, batch.to, batch.outputs) == DASHPOT_NULL);
@@ -295,9 +295,9 @@ static void warnings(void) {
   /* The largest inputs give finite numbers. */
   fast = dashpot_input_motion(400.0, -600.0);
   CHECK(dashpot_step(&model, &state, &fast, 1e-15, &to, &output) > 0);
-  CHECK(isfinite(output.force) && isfinite(output.force_by_velocity) && isfinite(to.mass_velocity));
+  CHECK(isfinite(output.force) && isfinite(output.d_force_d_velocity) && isfinite(to.mass_velocity));
   CHECK(dashpot_step(&model, &state, &fast, 100.0, &to, &output) > 0);
-  CHECK(isfinite(output.force) && isfinite(output.force_by_velocity) && isfinite(to.mass_velocity));
+  CHECK(isfinite(output.force) && isfinite(output.d_force_d_velocity) && isfinite(to.mass_velocity));
 }
 
 int main(void) {

@@ -45,7 +45,7 @@ int main(int argc, char **argv)
             dashpot_bridge_step(bridge, request[0], in, out);
         for (i = 0; i < corners; i++) {
             answer[3 * i] = out[i].force;
-            answer[3 * i + 1] = out[i].force_by_rate + request[0] * out[i].force_by_jounce;
+            answer[3 * i + 1] = out[i].d_force_d_rate + request[0] * out[i].d_force_d_jounce;
             answer[3 * i + 2] = out[i].status;
         }
         if (write(1, answer, 3 * corners * sizeof *answer) != (ssize_t)(3 * corners * sizeof *answer))

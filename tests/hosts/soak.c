@@ -149,7 +149,7 @@ int main(int argc, char **argv)
             in[c].jounce_rate = wheel_v[c] - body_v[c];
         }
         clock_gettime(CLOCK_MONOTONIC, &a);
-        held += (dashpot_bridge_step(car, DT, in, out) & DASHPOT_BRIDGE_HELD) != 0;
+        held += (dashpot_bridge_step(car, DT, in, out) & DASHPOT_BRIDGE_LAST_FORCE) != 0;
         clock_gettime(CLOCK_MONOTONIC, &b);
         ns = (b.tv_sec - a.tv_sec) * 1000000000L + (b.tv_nsec - a.tv_nsec);
         bins[ns / 10 < BINS ? ns / 10 : BINS]++;

@@ -3,7 +3,7 @@
 use dashpot_core::number;
 use dashpot_core::{Model, Params};
 use dashpot_rig::Matrix;
-use dashpot_simulation::accuracy::{Given, References, Sine, radau::reference_forces, worst};
+use dashpot_simulation::accuracy::{HostInput, References, Sine, radau::reference_forces, worst};
 
 fn matrix() -> Vec<Sine> {
     let mut tests: Vec<Sine> = Matrix::default()
@@ -28,9 +28,9 @@ fn errors_stay_inside_the_contract() {
     for (stiffness, damping, mass) in [(3e6, 200.0, 0.5), (1e7, 200.0, 0.1), (5e5, 1000.0, 2.0)] {
         let model = model(stiffness, damping, mass);
         let references = References::solve(&model, &matrix(), 0.25e-3);
-        let both = worst(&references.compare(&model, 1e-3, Given::Motion));
-        let fine = worst(&references.compare(&model, 0.25e-3, Given::Motion));
-        let velocity = worst(&references.compare(&model, 1e-3, Given::Velocity));
+        let both = worst(&references.compare(&model, 1e-3, HostInput::Motion));
+        let fine = worst(&references.compare(&model, 0.25e-3, HostInput::Motion));
+        let velocity = worst(&references.compare(&model, 1e-3, HostInput::Velocity));
         let of = format!("series stiffness {stiffness:.1e}, mass {mass}: {both:?} {fine:?} {velocity:?}");
         assert!(both.rms <= 1e-3 && both.largest <= 1e-2, "{of}");
         assert!(fine.rms <= 1e-4, "{of}");

@@ -77,7 +77,7 @@ fn cycle(params: &Params, (mm, hertz): (f64, f64)) -> Vec<[f64; 3]> {
         let (x, v) = (1e-3 * mm * phase.sin(), 1e-3 * mm * TAU * hertz * phase.cos());
         Input { side_force: SIDE_FORCE, temperature: TEMPERATURE, ..Input::motion(x, v) }
     };
-    let mut state = model.settled(&at(0));
+    let mut state = model.steady_state(&at(0));
     let mut points = Vec::new();
     for i in 1..=3 * STEPS {
         let (next, output) = step(&model, &state, &at(i), dt);

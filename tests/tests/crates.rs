@@ -1,6 +1,8 @@
-//! The crates that the project is built from: their licences, where they come from, and what is known against them, as
-//! `deny.toml` allows and cargo-deny looks it up. Without the tool these are counted as skipped. Where advisories cannot be fetched, those of the
-//! checkout are used (`tests/advisories`), and it is said where they are old.
+//! The crates that the project is built from.
+//!
+//! Their licences, where they come from, and what is known against them, as `deny.toml` allows and cargo-deny looks
+//! it up. Without the tool these are counted as skipped. Where advisories cannot be fetched, those of the checkout
+//! are used (`tests/advisories`), and it is said where they are old.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::root;

@@ -165,8 +165,10 @@ fn late(record: &Record, delay: f64) -> Record {
     Record { force: record.time.iter().map(|t| at(t - delay)).collect(), ..record.clone() }
 }
 
-/// What a diagnosis finds the rig to add is in no damper, but in the improved model's file: whoever reads the same records with it meets the rig
-/// again otherwise, and takes it for something that the model lacks.
+/// What a diagnosis finds the rig to add is in no damper, but in the improved model's file.
+///
+/// Whoever reads the same records with it meets the rig again otherwise, and takes it for something that the model
+/// lacks.
 #[test]
 fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
     let model = base();
@@ -181,7 +183,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let improved = model_file::of_text(&text, Path::new("improved.toml")).unwrap();
     assert!(!improved.was_changed(), "what a diagnosis writes is as it was found");
     // The plain curve is one of these records: friction is in it, which stands beside the model's own curve.
-    let at = |params: &Params, v: f64| Model::new(params).unwrap().elements().paths.fv_curve.at(v).value;
+    let at = |params: &Params, v: f64| Model::new(params).unwrap().elements().paths.fv_curve.evaluate(v).value;
     for v in [-0.02, 0.02] {
         let (plain, own) = (at(&improved.plain(), v), at(&improved.params, v));
         assert!(v.signum() * (plain - own) > 20.0, "at {v} m/s {plain} N, the model's own {own} N");
@@ -194,7 +196,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     assert_eq!(again.verdict, Verdict::NothingMissing, "{}", told(&again));
 }
 
-/// The same records give the same effects from whatever model one starts, and the same residual.
+/// Records have one set of effects and one residual, from whatever model a search starts.
 #[test]
 fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     let mut truth = base();

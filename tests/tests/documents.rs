@@ -1,5 +1,7 @@
-//! The documents hang together: every relative link leads to a file, every page of the book is in its list, and the book builds where
-//! mdBook is installed.
+//! The documents hang together.
+//!
+//! Every relative link leads to a file, every page of the book is in its list, and the book builds where mdBook is
+//! installed.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::root;

@@ -24,7 +24,7 @@ fn matrix() -> Vec<Sine> {
 
 /// Records of a damper at a current, with 1 % noise.
 fn records_at(damper: &Definition, current: f64, seed: u64) -> Vec<Record> {
-    let mut records = kernel_campaign::campaign(&damper.at(current), &matrix(), seed, 0.01);
+    let mut records = kernel_campaign::campaign(&damper.params_at(current), &matrix(), seed, 0.01);
     for record in &mut records {
         record.name = format!("{}_{current}A", record.name);
         record.setting = Some(Setting { name: "current".into(), unit: "A".into(), value: current });
@@ -71,13 +71,13 @@ fn varies(found: &FamilyFit, name: &str) -> Option<bool> {
 fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
     let (mut held, mut all) = (0, 0);
     for of in found.estimates.iter().filter(|of| of.estimate.standing == Standing::Identified) {
-        let at: Params = truth.at(of.setting.unwrap_or(0.0));
+        let at: Params = truth.params_at(of.setting.unwrap_or(0.0));
         let (Some(low), Some(high)) = (of.estimate.low, of.estimate.high) else { continue };
         let value = match of.estimate.index {
             None => at.number(Number::find(of.estimate.name).unwrap()),
             Some(point) if of.estimate.name == "fv_force" => {
                 let velocity = found.damper.params.list(list!("fv_velocity"))[point];
-                Model::new(&at).unwrap().elements().paths.fv_curve.at(velocity).value
+                Model::new(&at).unwrap().elements().paths.fv_curve.evaluate(velocity).value
             }
             Some(_) => continue,
         };
@@ -113,7 +113,7 @@ fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
     let (held, all) = held(&found, &truth);
     assert!(all > 40 && 10 * held >= 9 * all, "{held} of {all} intervals hold the truth");
     // A setting that no record has.
-    let apart = apart(&truth.at(BETWEEN), &found.damper.at(BETWEEN));
+    let apart = apart(&truth.params_at(BETWEEN), &found.damper.params_at(BETWEEN));
     assert!(apart < 0.03, "{apart}");
     for of in &found.settings {
         assert!(of.family.error_percent < 1.5, "{of:?}");
@@ -148,7 +148,7 @@ fn the_model_file_reads_back_as_the_fitted_family() {
     let text = dashpot_identification::family::model_file::write(&found);
     let file = dashpot_identification::model_file::family_of_text(&text, "family.toml".as_ref()).unwrap();
     for setting in [0.0, 0.5, 1.2] {
-        assert!(apart(&file.definition().at(setting), &found.damper.at(setting)) == 0.0, "{setting}");
+        assert!(apart(&file.definition().params_at(setting), &found.damper.params_at(setting)) == 0.0, "{setting}");
     }
     assert!(!file.was_changed());
     let over = &file.identification.intervals_over_setting;
@@ -179,7 +179,7 @@ fn a_current_in_a_channel_and_in_names_make_the_same_family() {
     for of in &column.settings {
         assert!(of.family.error_percent < 0.5 && of.left_out_ratio.is_none_or(|ratio| ratio < 1.3), "{of:?}");
     }
-    assert!(apart(&column.damper.at(1.0), &names.damper.at(1.0)) < 1e-9);
+    assert!(apart(&column.damper.params_at(1.0), &names.damper.params_at(1.0)) < 1e-9);
 }
 
 #[test]

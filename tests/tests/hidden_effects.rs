@@ -1,5 +1,7 @@
-//! Dampers with an effect hidden in them, measured by the virtual rig whose laws are not the model's: a fixed handful of the
-//! benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs all of it).
+//! Dampers with an effect hidden in them, measured by the virtual rig whose laws are not the model's.
+//!
+//! A fixed handful of the benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs all of
+//! it).
 
 use dashpot_diagnosis::Verdict;
 use dashpot_proving::case::Case;

@@ -1,5 +1,7 @@
-//! Texts that are damaged or made to harm, through every reader of texts beside the records': each is read or refused in words, in
-//! bounded time. What is read is used too, for a file that is let in and then breaks what runs on it is no better.
+//! Texts that are damaged or made to harm, through every reader of texts beside the records'.
+//!
+//! Each is read or refused in words, in bounded time. What is read is used too, for a file that is let in and then
+//! breaks what runs on it is no better.
 //!
 //! The readers of records are in `src/records/tests/hostile.rs`, those in C in `tests/tests/hosts/damaged.rs`. With DASHPOT_HOSTILE=100 each
 //! reads a hundred times as many.

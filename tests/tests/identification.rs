@@ -7,7 +7,7 @@ use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
 use dashpot_identification::{Fit, FitOptions, Standing, fit};
 use dashpot_records::Record;
-use dashpot_records::taken_out::{Off, taken_out};
+use dashpot_records::taken_out::{MeasurementError, taken_out};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -37,15 +37,17 @@ fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Opti
     kernel_campaign::campaign(params, &tests, seed, noise)
 }
 
-/// The default model without the viscous term (a free FV curve takes that up), its FV table at the velocities that a fit
-/// of this campaign will choose: a table at other places is another curve between them.
+/// The default model without the viscous term, with its FV table at the velocities that a fit of this campaign will
+/// choose.
+///
+/// A free FV curve absorbs the viscous term. A table at other velocities is another curve between them.
 fn truth() -> Params {
     let mut params = Params::new();
     params.enable(element!("viscous_friction"), false);
     let records = campaign(&params, 1, 0.0, |_| None);
     let velocities = first_guess::velocities(&segments(&records.iter().collect::<Vec<_>>()));
     let model = Model::new(&params).unwrap();
-    let forces: Vec<f64> = velocities.iter().map(|v| model.elements().paths.fv_curve.at(*v).value).collect();
+    let forces: Vec<f64> = velocities.iter().map(|v| model.elements().paths.fv_curve.evaluate(*v).value).collect();
     params.set_list(list!("fv_velocity"), &velocities).unwrap();
     params.set_list(list!("fv_force"), &forces).unwrap();
     params
@@ -75,7 +77,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
                         .elements()
                         .paths
                         .fv_curve
-                        .at(found.params.list(List::find(&e.name.replace("force", "velocity")).unwrap())[k])
+                        .evaluate(found.params.list(List::find(&e.name.replace("force", "velocity")).unwrap())[k])
                         .value
                 }
             };
@@ -100,15 +102,15 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     assert!((0.90..=0.99).contains(&share), "all parameters together: {hits} of {count}");
 }
 
-/// The same measured later and later, by a rig that is off.
-fn measured_wrongly(mut records: Vec<Record>, off: &Off) -> Vec<Record> {
+/// The campaign measured with growing delays, by a rig with errors.
+fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Record> {
     for (k, record) in records.iter_mut().enumerate() {
         // One after the other: all but the last are shorter.
         record.time.iter_mut().for_each(|t| *t += 80.0 * k as f64);
         // A mass that pulls with the motion of its own moment.
-        *record = taken_out(record, &Off { mass_kg: -off.mass_kg, ..Off::NONE });
+        *record = taken_out(record, &MeasurementError { mass_kg: -off.mass_kg, ..MeasurementError::NONE });
         // The motion of a moment later beside every force.
-        *record = taken_out(record, &Off { delay_s: -off.delay_s, ..Off::NONE });
+        *record = taken_out(record, &MeasurementError { delay_s: -off.delay_s, ..MeasurementError::NONE });
         for (force, t) in record.force.iter_mut().zip(&record.time) {
             *force = *force * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t;
         }
@@ -121,13 +123,13 @@ fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
     const SEEDS: u64 = 2;
     let truth = truth();
     // A kilogram might be the rod's own.
-    let all = Off { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
-    let one = |off: Off| (off, 1);
+    let all = MeasurementError { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
+    let one = |off: MeasurementError| (off, 1);
     let cases = [
-        one(Off { delay_s: all.delay_s, ..Off::NONE }),
-        one(Off { mass_kg: all.mass_kg, ..Off::NONE }),
-        one(Off { gain_per_s: all.gain_per_s, ..Off::NONE }),
-        one(Off { zero_n_per_s: all.zero_n_per_s, ..Off::NONE }),
+        one(MeasurementError { delay_s: all.delay_s, ..MeasurementError::NONE }),
+        one(MeasurementError { mass_kg: all.mass_kg, ..MeasurementError::NONE }),
+        one(MeasurementError { gain_per_s: all.gain_per_s, ..MeasurementError::NONE }),
+        one(MeasurementError { zero_n_per_s: all.zero_n_per_s, ..MeasurementError::NONE }),
         (all, 4),
     ];
     let (mut count, mut hits) = (0, 0);
@@ -169,7 +171,8 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
     let (mut unbelieved, mut far) = (0, 0);
     for seed in 1..=SEEDS {
         let few = campaign(&truth, seed, 0.03, |_| None).into_iter().step_by(2);
-        let late: Vec<Record> = few.map(|r| taken_out(&r, &Off { delay_s: -0.3e-3, ..Off::NONE })).collect();
+        let late: Vec<Record> =
+            few.map(|r| taken_out(&r, &MeasurementError { delay_s: -0.3e-3, ..MeasurementError::NONE })).collect();
         let found = fitted(&late);
         let estimate = found.estimates.iter().find(|e| e.name == "series_stiffness").unwrap();
         assert!((estimate.low.unwrap()..=estimate.high.unwrap()).contains(&stiffness), "seed {seed}: {estimate:?}");
@@ -182,11 +185,13 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
 
 #[test]
 fn what_the_user_gave_is_part_of_what_is_found() {
-    let late = Off { delay_s: 1.4e-3, ..Off::NONE };
-    let given = Off { delay_s: 0.7e-3, ..Off::NONE };
+    let late = MeasurementError { delay_s: 1.4e-3, ..MeasurementError::NONE };
+    let given = MeasurementError { delay_s: 0.7e-3, ..MeasurementError::NONE };
     let records = measured_wrongly(campaign(&truth(), 1, 0.01, |_| None), &late);
-    let records: Vec<Record> =
-        records.iter().map(|record| Record { given, as_read: None, ..taken_out(record, &given) }).collect();
+    let records: Vec<Record> = records
+        .iter()
+        .map(|record| Record { stated_error: given, original_fingerprint: None, ..taken_out(record, &given) })
+        .collect();
     let found = fitted(&records);
     assert_eq!(found.measured.len(), 1, "{:?}", found.measured);
     assert!((found.measured[0].value / late.delay_s - 1.0).abs() < 0.15, "{:?}", found.measured);
@@ -277,7 +282,7 @@ fn an_element_left_out_on_purpose_stays_out() {
 /// The largest error of a fitted FV curve between 20 mm/s and 1 m/s, N.
 fn off_the_curve(found: &Fit, truth: &Params) -> f64 {
     let curves = [found.params, *truth].map(|params| Model::new(&params).unwrap());
-    let at = |k: usize, v: f64| curves[k].elements().paths.fv_curve.at(v).value;
+    let at = |k: usize, v: f64| curves[k].elements().paths.fv_curve.evaluate(v).value;
     let speeds = (0..200).map(|k| 0.02 * 50.0_f64.powf(f64::from(k) / 199.0));
     speeds.flat_map(|v| [v, -v]).map(|v| (at(0, v) - at(1, v)).abs()).fold(0.0, f64::max)
 }

@@ -1,5 +1,7 @@
-//! Dampers of other sizes than those of passenger cars: the same records with all forces a hundredth or twenty times of what they are give the same
-//! model with its forces a hundredth or twenty times, the same choices, the same error and the same names.
+//! Dampers of other sizes than those of passenger cars.
+//!
+//! The same records with all forces a hundredth or twenty times of what they are give the same model with its forces
+//! a hundredth or twenty times, the same choices, the same error and the same names.
 
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Params, element, list};
@@ -19,7 +21,7 @@ fn tests() -> Vec<Sine> {
     tests
 }
 
-/// The same records, their forces so many times as large.
+/// The records with scaled forces.
 fn times(records: &[Record], factor: f64) -> Vec<Record> {
     let of = |record: &Record| Record {
         force: record.force.iter().map(|force| factor * force).collect(),
@@ -29,7 +31,7 @@ fn times(records: &[Record], factor: f64) -> Vec<Record> {
     records.iter().map(of).collect()
 }
 
-/// The same model, its forces so many times as large.
+/// The model with scaled forces.
 fn model_times(model: &Params, factor: f64) -> Params {
     // One beyond the size of a car by the same factor, the other way round.
     Scale::of_force(1500.0 / factor).as_car(model)

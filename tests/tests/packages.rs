@@ -1,5 +1,7 @@
-//! What of the packages is quick to check: that archives follow from their files alone, that every licence is one that may be shipped, and that
-//! the scripts are scripts. The packages themselves take long to build; `dist/check` uses them.
+//! What of the packages is quick to check.
+//!
+//! That archives follow from their files alone, that every licence is one that may be shipped, and that the scripts
+//! are scripts. The packages themselves take long to build; `dist/check` uses them.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::{root, succeed};
@@ -104,7 +106,9 @@ fn a_wheel_follows_from_its_files_and_lists_them_with_their_checksums() {
     assert!(std::fs::read(&first).unwrap() == std::fs::read(pack("second")).unwrap());
 }
 
-/// The linker for Windows draws a base address from the path of the library unless it is told not to, and every address in the file with it.
+/// The linker for Windows derives a base address from the path of the library, unless an option forbids it.
+///
+/// Every address in the file depends on it.
 #[test]
 fn a_library_for_windows_does_not_depend_on_its_folder() {
     const COMPILER: &str = "x86_64-w64-mingw32-gcc";

@@ -1,4 +1,6 @@
-//! The Python package as its user gets it: built as a wheel, installed where nothing of the source tree is on the path, and tested there.
+//! The Python package as its user gets it.
+//!
+//! Built as a wheel, installed where nothing of the source tree is on the path, and tested there.
 //!
 //! Building the wheel compiles the workspace once more, with unwinding, and the packages beside it weigh half a gigabyte: that is why this
 //! is no part of `cargo test --release`: `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.

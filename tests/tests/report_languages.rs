@@ -1,5 +1,6 @@
-//! The reports of a real diagnosis, and of a validation of records with every kind of flaw, in every language: what stays English in them
-//! is listed here, and nothing else does.
+//! The reports of a real diagnosis, and of a validation of records with every kind of flaw, in every language.
+//!
+//! What stays English in them is listed here, and nothing else does.
 
 use dashpot_core::{Params, parameter};
 use dashpot_core::{element, number};
@@ -84,7 +85,7 @@ fn page(case: &Case, language: Language) -> String {
         found: &case.found,
         records: &records,
         reading: Vec::new(),
-        over_whole_records: OfDiagnosis::of(
+        over_whole_records: OfDiagnosis::evaluate(
             &base(),
             &case.found.base,
             &case.found.improved,
@@ -105,7 +106,7 @@ fn visible(page: &str) -> Vec<String> {
     every_text(page).into_iter().filter(|text| text.chars().any(char::is_alphabetic)).collect()
 }
 
-/// The same with the texts that are numbers alone.
+/// The texts, with those that are numbers alone.
 fn every_text(page: &str) -> Vec<String> {
     let without = |page: &str, tag: &str| -> String {
         let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));

@@ -66,7 +66,9 @@ fn a_block_without_a_reason_is_found() {
     assert!(without_reason("// unsafe { in words }").is_empty());
 }
 
-/// Runs the tests that call the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which alone has what watches memory;
+/// Runs the tests that call the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which alone
+/// has what watches memory.
+///
 /// `None` where it lacks what this asks for.
 fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option<(bool, String)> {
     let cargo = |args: &[&str]| {

@@ -105,8 +105,8 @@ void dashpot_bridge_to_host(const dashpot_bridge *bridge, uint32_t corner, int32
     double motion = bridge->map.motion_scale[corner], force = bridge->map.force_scale[corner];
 
     out->force = force * answer->force;
-    out->force_by_rate = force * answer->force_by_velocity * motion;
-    out->force_by_jounce = force * answer->force_by_displacement * motion;
+    out->d_force_d_rate = force * answer->d_force_d_velocity * motion;
+    out->d_force_d_jounce = force * answer->d_force_d_displacement * motion;
     out->status = status;
     out->reserved = 0;
 }
@@ -120,7 +120,7 @@ int32_t dashpot_bridge_init(dashpot_bridge *bridge, const dashpot_corner_input *
         int32_t status = dashpot_corner_rest_at(&bridge->corner[i], bridge->map.motion_scale[i] * in[i].jounce + bridge->map.position_offset[i],
                                                 in[i].known & DASHPOT_CORNER_KNOWS_SETTING ? &in[i].setting : NULL);
 
-        status = status < 0 ? DASHPOT_BRIDGE_HELD : status;
+        status = status < 0 ? DASHPOT_BRIDGE_LAST_FORCE : status;
         dashpot_bridge_to_host(bridge, i, status, &out[i]);
         all |= status;
     }

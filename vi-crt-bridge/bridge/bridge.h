@@ -4,7 +4,7 @@
 
 #include "dashpot_bridge.h"
 
-#define MOST_INPUTS (DASHPOT_BRIDGE_CORNERS * DASHPOT_CHANNEL_INPUTS)
+#define MAX_INPUTS (DASHPOT_BRIDGE_CORNERS * DASHPOT_CHANNEL_INPUTS)
 
 struct dashpot_bridge {
     dashpot_corner corner[DASHPOT_BRIDGE_CORNERS];
@@ -12,8 +12,8 @@ struct dashpot_bridge {
     uint32_t corners;
     /* Flat vectors: names made once, at create. */
     uint32_t inputs;
-    enum dashpot_channel input_channel[MOST_INPUTS];
-    char input_name[MOST_INPUTS][DASHPOT_CHANNEL_NAME];
+    enum dashpot_channel input_channel[MAX_INPUTS];
+    char input_name[MAX_INPUTS][DASHPOT_CHANNEL_NAME];
     char output_name[DASHPOT_BRIDGE_CORNERS][DASHPOT_CHANNEL_NAME];
 };
 

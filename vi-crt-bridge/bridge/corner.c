@@ -63,7 +63,7 @@ int32_t dashpot_corner_rest_at(dashpot_corner *corner, double position, const do
 
 int32_t dashpot_corner_begin(dashpot_corner *corner, const dashpot_input *input)
 {
-    dashpot_corner_memory start;
+    dashpot_corner_state start;
     int32_t status = dashpot_state_init_motion(&corner->model, input, &start.state);
 
     if (status < 0)
@@ -80,5 +80,5 @@ int32_t dashpot_corner_step(dashpot_corner *corner, const dashpot_input *input, 
     int32_t status =
         dashpot_step(&corner->model, &corner->now.state, input, dt, &corner->now.state, &corner->now.output);
 
-    return status < 0 ? DASHPOT_BRIDGE_HELD : status;
+    return status < 0 ? DASHPOT_BRIDGE_LAST_FORCE : status;
 }

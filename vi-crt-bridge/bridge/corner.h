@@ -6,19 +6,19 @@
 
 /* Status bit beside those of dashpot.h: the input was refused (not finite, or absurdly large); the last force is held
  * and the states stand still. */
-#define DASHPOT_BRIDGE_HELD 0x10000
+#define DASHPOT_BRIDGE_LAST_FORCE 0x10000
 
 /* All that a running corner remembers; copying it is saving it. */
-typedef struct dashpot_corner_memory {
+typedef struct dashpot_corner_state {
     dashpot_state state;
     /* The last answer: what is held when an input is refused. */
     dashpot_output output;
-} dashpot_corner_memory;
+} dashpot_corner_state;
 
 typedef struct dashpot_corner {
     dashpot_params params;
     dashpot_model model;
-    dashpot_corner_memory now;
+    dashpot_corner_state now;
 } dashpot_corner;
 
 /* Reads a model file into a corner and prepares its model. The only function here that reads files. Returns a status of
@@ -41,7 +41,7 @@ int32_t dashpot_corner_begin(dashpot_corner *corner, const dashpot_input *input)
 int32_t dashpot_corner_rest_at(dashpot_corner *corner, double position, const double *setting);
 
 /* One step of dt to `input`; dt = 0 answers statically and leaves the states. Always returns, allocates nothing, and
- * answers with a warning of dashpot.h or DASHPOT_BRIDGE_HELD, never with a refusal. */
+ * answers with a warning of dashpot.h or DASHPOT_BRIDGE_LAST_FORCE, never with a refusal. */
 int32_t dashpot_corner_step(dashpot_corner *corner, const dashpot_input *input, double dt);
 
 #endif

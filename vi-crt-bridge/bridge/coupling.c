@@ -2,10 +2,10 @@
 #include "bridge.h"
 #include <math.h>
 
-dashpot_coupling dashpot_bridge_coupling(double force_by_rate, double effective_mass, double dt, double *ratio)
+dashpot_coupling dashpot_bridge_coupling(double d_force_d_rate, double effective_mass, double dt, double *ratio)
 {
     /* v[k+1] = (1 - a) v[k]; with one more step of delay v[k+1] = v[k] - a v[k-1]. */
-    double a = fabs(force_by_rate) * dt / effective_mass;
+    double a = fabs(d_force_d_rate) * dt / effective_mass;
 
     if (ratio)
         *ratio = a;
@@ -17,7 +17,7 @@ dashpot_coupling dashpot_bridge_coupling(double force_by_rate, double effective_
     return a < 2.0 ? DASHPOT_COUPLING_RINGS : DASHPOT_COUPLING_UNSTABLE;
 }
 
-double dashpot_bridge_steepest(const dashpot_bridge *bridge, uint32_t corner, double dt)
+double dashpot_bridge_max_derivative(const dashpot_bridge *bridge, uint32_t corner, double dt)
 {
     const dashpot_corner *damper = &bridge->corner[corner];
     double steepest = 0.0;
@@ -34,7 +34,7 @@ double dashpot_bridge_steepest(const dashpot_bridge *bridge, uint32_t corner, do
 
         state.velocity = input.velocity;
         if (dashpot_step(&damper->model, &state, &input, dt, &state, &output) >= 0)
-            steepest = fmax(steepest, fabs(output.force_by_velocity));
+            steepest = fmax(steepest, fabs(output.d_force_d_velocity));
     }
     return steepest * fabs(bridge->map.force_scale[corner] * bridge->map.motion_scale[corner]);
 }

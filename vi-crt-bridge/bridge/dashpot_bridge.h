@@ -57,9 +57,9 @@ typedef struct dashpot_corner_input {
 /* What the host gets, in its own signs and units. */
 typedef struct dashpot_corner_output {
     double force;
-    double force_by_rate;   /* change of force per change of jounce rate */
-    double force_by_jounce; /* change of force per change of jounce */
-    int32_t status;         /* 0, warnings of dashpot.h, or DASHPOT_BRIDGE_HELD */
+    double d_force_d_rate;   /* change of force per change of jounce rate */
+    double d_force_d_jounce; /* change of force per change of jounce */
+    int32_t status;         /* 0, warnings of dashpot.h, or DASHPOT_BRIDGE_LAST_FORCE */
     uint32_t reserved;
 } dashpot_corner_output;
 
@@ -70,7 +70,7 @@ typedef struct dashpot_bridge_fault {
 
 /* All that a bridge remembers while it runs; copying it is saving it. */
 typedef struct dashpot_bridge_state {
-    dashpot_corner_memory corner[DASHPOT_BRIDGE_CORNERS];
+    dashpot_corner_state corner[DASHPOT_BRIDGE_CORNERS];
 } dashpot_bridge_state;
 
 /* Makes a bridge of `corners` (1 or 4) dampers from model files, one per corner, which may be the same, and a channel map
@@ -101,7 +101,7 @@ uint32_t dashpot_bridge_output_count(const dashpot_bridge *bridge);
 const char *dashpot_bridge_input_name(const dashpot_bridge *bridge, uint32_t i);  /* null where there is none */
 const char *dashpot_bridge_output_name(const dashpot_bridge *bridge, uint32_t i); /* null where there is none */
 
-/* init and step with flat vectors of exactly the counts above; another count is answered with DASHPOT_BRIDGE_HELD and
+/* init and step with flat vectors of exactly the counts above; another count is answered with DASHPOT_BRIDGE_LAST_FORCE and
  * changes nothing. */
 int32_t dashpot_bridge_init_vector(dashpot_bridge *bridge, const double *u, uint32_t inputs, double *y,
                                    uint32_t outputs);
@@ -109,19 +109,19 @@ int32_t dashpot_bridge_step_vector(dashpot_bridge *bridge, double dt, const doub
                                    uint32_t outputs);
 
 /* How near an explicit exchange of motion and force is to instability: a = c h / m with the damper's slope c, the
- * effective mass m (kg) at the host's point that the user gives, and the host's step h. c is force_by_rate + h force_by_jounce of an
- * answer, since jounce moves with its rate through a step, or dashpot_bridge_steepest(). */
+ * effective mass m (kg) at the host's point that the user gives, and the host's step h. c is d_force_d_rate + h d_force_d_jounce of an
+ * answer, since jounce moves with its rate through a step, or dashpot_bridge_max_derivative(). */
 typedef enum dashpot_coupling {
     DASHPOT_COUPLING_CALM = 0,        /* a <= 0.25: no oscillation even with one step of delay */
     DASHPOT_COUPLING_DELAY_RINGS = 1, /* a <= 1: with one step of delay it oscillates, and dies out */
     DASHPOT_COUPLING_RINGS = 2,       /* a < 2: oscillates without delay, unstable with one step of delay */
     DASHPOT_COUPLING_UNSTABLE = 3     /* a >= 2: unstable */
 } dashpot_coupling;
-dashpot_coupling dashpot_bridge_coupling(double force_by_rate, double effective_mass, double dt, double *ratio);
+dashpot_coupling dashpot_bridge_coupling(double d_force_d_rate, double effective_mass, double dt, double *ratio);
 
 /* Steepest slope |change of force per change of rate| that a corner answers with over the speeds its curve knows,
  * friction included, in the host's units; what dashpot_bridge_coupling() wants for a check before the first run. */
-double dashpot_bridge_steepest(const dashpot_bridge *bridge, uint32_t corner, double dt);
+double dashpot_bridge_max_derivative(const dashpot_bridge *bridge, uint32_t corner, double dt);
 
 /* The self-test: drives every corner through strokes of +-20 mm at 1 Hz as the host would give them. */
 typedef struct dashpot_self_test {

@@ -18,7 +18,7 @@ int dashpot_bridge_self_test(const dashpot_bridge *bridge, int push_positive, in
         const dashpot_corner *damper = &bridge->corner[i];
         dashpot_self_test *test = &result[i];
         dashpot_corner_input in = {0};
-        dashpot_corner_memory now;
+        dashpot_corner_state now;
         dashpot_input input;
         double force = bridge->map.force_scale[i];
         double rest, growing = 0.0, before = 0.0;

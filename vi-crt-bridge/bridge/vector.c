@@ -39,7 +39,7 @@ int32_t dashpot_bridge_init_vector(dashpot_bridge *bridge, const double *u, uint
     int32_t status;
 
     if (inputs != bridge->inputs || outputs != bridge->corners)
-        return DASHPOT_BRIDGE_HELD;
+        return DASHPOT_BRIDGE_LAST_FORCE;
     unpack(bridge, u, in);
     status = dashpot_bridge_init(bridge, in, out);
     pack(bridge, out, y);
@@ -54,7 +54,7 @@ int32_t dashpot_bridge_step_vector(dashpot_bridge *bridge, double dt, const doub
     int32_t status;
 
     if (inputs != bridge->inputs || outputs != bridge->corners)
-        return DASHPOT_BRIDGE_HELD;
+        return DASHPOT_BRIDGE_LAST_FORCE;
     unpack(bridge, u, in);
     status = dashpot_bridge_step(bridge, dt, in, out);
     pack(bridge, out, y);

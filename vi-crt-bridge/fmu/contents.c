@@ -73,7 +73,7 @@ static int read_line(struct contents *contents, const char *line)
     /* Once: what was read before it has its place among them. */
     if (!strcmp(word, "corners"))
         return !contents->corners && sscanf(line, "corners %d", &contents->corners) == 1 && contents->corners >= 1 &&
-               contents->corners <= MOST_CORNERS;
+               contents->corners <= MAX_CORNERS;
     if (!strcmp(word, "scales")) {
         if (sscanf(line, "scales %23s %23s %23s %23s", motion, force, offset, start) != 4)
             return 0;
@@ -91,8 +91,8 @@ static int read_line(struct contents *contents, const char *line)
         return contents->between_points >= 0.0 && contents->between_points <= 2.0;
     }
     if (!strcmp(word, "nominal")) {
-        if (sscanf(line, "nominal %d %d %23s", &corner, &index, motion) != 3 || corner < 0 || corner >= MOST_CORNERS ||
-            index < 0 || index >= MOST_STATES)
+        if (sscanf(line, "nominal %d %d %23s", &corner, &index, motion) != 3 || corner < 0 || corner >= MAX_CORNERS ||
+            index < 0 || index >= MAX_STATES)
             return 0;
         contents->nominal[corner][index] = of_bits(motion);
         return 1;
@@ -102,7 +102,7 @@ static int read_line(struct contents *contents, const char *line)
     known = kind_named(kind);
     /* Every place that is looked up by them later: a corner for all but what is of the whole FMU, a state, a number of a list. */
     if (known < 0 || (known == TIME || known == BETWEEN_POINTS ? corner != -1 : corner < 0 || corner >= contents->corners) ||
-        ((known == STATE || known == RATE) && (index < 0 || index >= MOST_STATES)) ||
+        ((known == STATE || known == RATE) && (index < 0 || index >= MAX_STATES)) ||
         (known == PARAMETER && (index < -1 || index >= LONGEST_LIST)))
         return 0;
     v = &contents->variable[contents->variables];
@@ -185,7 +185,7 @@ struct contents *contents_read(const char *resources, char *why, size_t room)
 {
     struct contents *contents = calloc(1, sizeof *contents);
     char *table, name[32];
-    size_t length = 0, start[MOST_CORNERS] = {0};
+    size_t length = 0, start[MAX_CORNERS] = {0};
     int c, read;
 
     if (!contents)

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MOST_CORNERS 4
-#define MOST_STATES 11 /* of a corner */
+#define MAX_CORNERS 4
+#define MAX_STATES 11 /* of a corner */
 #define LONGEST_LIST 256 /* numbers of a parameter */
 
 /* What a variable is. The names are those of the lines of contents.txt. */
@@ -18,8 +18,8 @@
     X(SIDE_FORCE)            /* input, N */                                                                            \
     X(TEMPERATURE)           /* input, degrees Celsius */                                                              \
     X(FORCE)                 /* output, host's sign */                                                                 \
-    X(FORCE_BY_DISPLACEMENT) /* output */                                                                              \
-    X(FORCE_BY_VELOCITY)     /* output */                                                                              \
+    X(D_FORCE_D_DISPLACEMENT) /* output */                                                                             \
+    X(D_FORCE_D_VELOCITY)    /* output */                                                                              \
     X(STATUS)                /* output, integer */                                                                     \
     X(MOTION_SCALE)          /* damper extension per unit of the host's displacement */                                \
     X(FORCE_SCALE)           /* the host's force per N of tension */                                                   \
@@ -59,18 +59,18 @@ struct contents {
     double between_points; /* start value of BETWEEN_POINTS */
     double explicit_step;  /* longest step, s, of an explicit solver that integrates the states; 0: not known */
     int states;                       /* of all corners */
-    double nominal[MOST_CORNERS][MOST_STATES]; /* what a state is usually like, for the tolerances of hosts */
+    double nominal[MAX_CORNERS][MAX_STATES]; /* what a state is usually like, for the tolerances of hosts */
     uint32_t between;                 /* value reference of BETWEEN_POINTS */
-    uint32_t setting[MOST_CORNERS];   /* of SETTING; 0 where the damper depends on none */
+    uint32_t setting[MAX_CORNERS];   /* of SETTING; 0 where the damper depends on none */
     uint32_t variables;
     struct variable *variable;
     char *text; /* all models, one after the other, each closed by a zero */
-    const char *model[MOST_CORNERS];
+    const char *model[MAX_CORNERS];
 };
 
 /* Compiled into a binary that was built from one FMU's sources; null in the runtime that serves every FMU. */
 extern const char *const EMBEDDED_CONTENTS;
-extern const char *const EMBEDDED_MODEL[MOST_CORNERS];
+extern const char *const EMBEDDED_MODEL[MAX_CORNERS];
 
 /* Null, and the reason in `why`, where there are none. `resources` is what the importer gave: a URI or a path. */
 struct contents *contents_read(const char *resources, char *why, size_t room);

@@ -17,9 +17,9 @@ enum between { AUTOMATIC, HOLD, EXTRAPOLATE };
 #define TRAVEL 0
 #define DEFLECTION 1
 #define MASS_VELOCITY 2
-#define FIRST_MEMORY 3
-#define STATES_OF_CORNER (FIRST_MEMORY + (int)(sizeof((dashpot_state *)0)->memory / sizeof(double)))
-typedef char states_as_in_the_table[STATES_OF_CORNER == MOST_STATES ? 1 : -1];
+#define FIRST_INTERNAL 3
+#define STATES_OF_CORNER (FIRST_INTERNAL + (int)(sizeof((dashpot_state *)0)->internal / sizeof(double)))
+typedef char states_as_in_the_table[STATES_OF_CORNER == MAX_STATES ? 1 : -1];
 
 /* What the host has told of one corner's velocity, and when: see inputs.h. */
 enum { TOLD = 4 };

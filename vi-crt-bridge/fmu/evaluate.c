@@ -35,8 +35,8 @@ int instance_evaluate(struct instance *instance, int corner)
     state.velocity = input.velocity;
     state.mass_displacement = state.displacement + part->state[DEFLECTION];
     state.mass_velocity = part->state[MASS_VELOCITY];
-    for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
-        state.memory[k - FIRST_MEMORY] = part->state[k];
+    for (k = FIRST_INTERNAL; k < STATES_OF_CORNER; k++)
+        state.internal[k - FIRST_INTERNAL] = part->state[k];
     status = dashpot_evaluate(&part->corner.model, &state, &input, &part->corner.now.output, &rate);
     if (status == DASHPOT_BAD_STATE || status == DASHPOT_NOT_COMPUTABLE)
         return instance_states_lost(instance);
@@ -47,7 +47,7 @@ int instance_evaluate(struct instance *instance, int corner)
     part->rate[TRAVEL] = integrated ? input.velocity : 0.0;
     part->rate[DEFLECTION] = rate.mass_displacement - input.velocity;
     part->rate[MASS_VELOCITY] = rate.mass_velocity;
-    for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
-        part->rate[k] = rate.memory[k - FIRST_MEMORY];
+    for (k = FIRST_INTERNAL; k < STATES_OF_CORNER; k++)
+        part->rate[k] = rate.internal[k - FIRST_INTERNAL];
     return 0;
 }

@@ -71,7 +71,7 @@ static void neighbours(struct instance *instance, int c, const char *name, int32
     uint32_t i;
 
     text[0] = 0;
-    if (status != DASHPOT_FALLS && status != DASHPOT_NOT_INCREASING)
+    if (status != DASHPOT_FORCE_DECREASES && status != DASHPOT_NOT_INCREASING)
         return;
     for (i = 0; i + 1 < contents->variables; i++) {
         const struct variable *v = &contents->variable[i];
@@ -87,7 +87,7 @@ static void neighbours(struct instance *instance, int c, const char *name, int32
 /* What a host reads that has set numbers one by one which do not fit together: which parameter, what is wrong, and how to go on. */
 static int unfit(struct instance *instance, int c, const char *name, int32_t status)
 {
-    static const char *const corner[MOST_CORNERS] = {"L1.", "R1.", "L2.", "R2."};
+    static const char *const corner[MAX_CORNERS] = {"L1.", "R1.", "L2.", "R2."};
     char where[160];
 
     neighbours(instance, c, name, status, where, sizeof where);
@@ -264,8 +264,8 @@ static int begin(struct instance *instance)
         part->state[TRAVEL] = position;
         part->state[DEFLECTION] = state->mass_displacement - state->displacement;
         part->state[MASS_VELOCITY] = state->mass_velocity;
-        for (k = FIRST_MEMORY; k < STATES_OF_CORNER; k++)
-            part->state[k] = state->memory[k - FIRST_MEMORY];
+        for (k = FIRST_INTERNAL; k < STATES_OF_CORNER; k++)
+            part->state[k] = state->internal[k - FIRST_INTERNAL];
     }
     data->dt = 0.0;
     return 0;
@@ -337,7 +337,7 @@ static double state_of_step(const dashpot_state *state, int index)
     case TRAVEL: return state->displacement;
     case DEFLECTION: return state->mass_displacement - state->displacement;
     case MASS_VELOCITY: return state->mass_velocity;
-    default: return state->memory[index - FIRST_MEMORY];
+    default: return state->internal[index - FIRST_INTERNAL];
     }
 }
 
@@ -362,8 +362,8 @@ static double read(struct instance *instance, const struct variable *v, double s
     force = instance_given(data, v->corner, FORCE_SCALE);
     switch (v->kind) {
     case FORCE: return force * output->force;
-    case FORCE_BY_DISPLACEMENT: return force * output->force_by_displacement * motion;
-    case FORCE_BY_VELOCITY: return force * output->force_by_velocity * motion;
+    case D_FORCE_D_DISPLACEMENT: return force * output->d_force_d_displacement * motion;
+    case D_FORCE_D_VELOCITY: return force * output->d_force_d_velocity * motion;
     case STATUS: return part->status;
     case SPEED_MARGIN:
         v_now = part->corner.now.state.velocity;

@@ -2,4 +2,4 @@
 #include "contents.h"
 
 const char *const EMBEDDED_CONTENTS = NULL;
-const char *const EMBEDDED_MODEL[MOST_CORNERS] = {NULL, NULL, NULL, NULL};
+const char *const EMBEDDED_MODEL[MAX_CORNERS] = {NULL, NULL, NULL, NULL};

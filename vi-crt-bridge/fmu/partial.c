@@ -19,7 +19,7 @@ static int analytic(struct instance *instance, const struct variable *u, const s
 
         if (u->kind != FORCE || (k->kind != DISPLACEMENT && k->kind != VELOCITY) || part->derivatives)
             return 0;
-        *partial = force * motion * (k->kind == VELOCITY ? o->force_by_velocity : integrated ? 0.0 : o->force_by_displacement);
+        *partial = force * motion * (k->kind == VELOCITY ? o->d_force_d_velocity : integrated ? 0.0 : o->d_force_d_displacement);
         return 1;
     }
     if ((u->kind != FORCE && u->kind != RATE) || (k->kind != DISPLACEMENT && k->kind != VELOCITY && k->kind != STATE))
@@ -38,13 +38,13 @@ static int analytic(struct instance *instance, const struct variable *u, const s
     if (k->kind == STATE && k->index > TRAVEL) {
         int column = k->index - DEFLECTION;
 
-        *partial = u->kind == FORCE ? p.force_by_state[column] : p.rate_by_state[row][column];
+        *partial = u->kind == FORCE ? p.d_force_d_state[column] : p.d_rate_d_state[row][column];
     } else if (k->kind == VELOCITY) {
-        *partial = u->kind == FORCE ? p.force_by_input[1] : p.rate_by_input[row][1] - (u->index == DEFLECTION ? 1.0 : 0.0);
+        *partial = u->kind == FORCE ? p.d_force_d_input[1] : p.d_rate_d_input[row][1] - (u->index == DEFLECTION ? 1.0 : 0.0);
     } else {
         /* The mass stands at displacement + deflection and moves with it; the integrated displacement acts as the given one. */
-        *partial = u->kind == FORCE ? p.force_by_input[0] + p.force_by_state[0]
-                                    : p.rate_by_input[row][0] + p.rate_by_state[row][0];
+        *partial = u->kind == FORCE ? p.d_force_d_input[0] + p.d_force_d_state[0]
+                                    : p.d_rate_d_input[row][0] + p.d_rate_d_state[row][0];
     }
     *partial *= (u->kind == FORCE ? force : 1.0) * (k->kind == STATE ? 1.0 : motion);
     return 1;
@@ -55,15 +55,15 @@ static int by_setting(struct instance *instance, const struct variable *u, doubl
 {
     struct part *part = &instance->data->part[u->corner];
     dashpot_input input = instance_input_now(instance, u->corner);
-    dashpot_by_setting by;
+    dashpot_setting_derivatives by;
     int32_t status = dashpot_jacobian_setting(&part->corner.model, &part->corner.now.state, &input, &by);
 
     if (status < 0)
         return instance_complain(instance, "%s", dashpot_status_text(status));
     if (u->kind == FORCE)
-        *partial = instance_given(instance->data, u->corner, FORCE_SCALE) * by.force;
+        *partial = instance_given(instance->data, u->corner, FORCE_SCALE) * by.d_force_d_setting;
     else
-        *partial = u->index == TRAVEL ? 0.0 : by.rate[u->index - DEFLECTION];
+        *partial = u->index == TRAVEL ? 0.0 : by.d_rate_d_setting[u->index - DEFLECTION];
     return 0;
 }
 

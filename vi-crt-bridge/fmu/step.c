@@ -28,7 +28,7 @@ int instance_step(struct instance *instance, double time, double dt)
 
         part->from = part->corner.now.state;
         part->status = dashpot_corner_step(&part->corner, &input, dt);
-        held |= part->status & DASHPOT_BRIDGE_HELD;
+        held |= part->status & DASHPOT_BRIDGE_LAST_FORCE;
         /* What was given at the beginning of this step: the line through it and the next one is that of `extrapolate`. */
         part->told.velocity[0] = instance_input(data, c).velocity;
         part->derivatives = 0;

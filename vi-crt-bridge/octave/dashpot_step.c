@@ -46,7 +46,7 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
     for (i = 1; i < n; i++) {
         dashpot_input to = dashpot_input_motion(displacement[i], velocity[i]);
 
-        if (dashpot_corner_step(&corner, &to, dt) & DASHPOT_BRIDGE_HELD)
+        if (dashpot_corner_step(&corner, &to, dt) & DASHPOT_BRIDGE_LAST_FORCE)
             mexErrMsgIdAndTxt("dashpot:input", "sample %u or the step is not finite", (unsigned)(i + 1));
         force[i] = corner.now.output.force;
     }

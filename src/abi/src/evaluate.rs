@@ -4,14 +4,14 @@
 //! state is read and not changed.
 //!
 //! The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
-//! private states. dashpot_model_states() tells how many the model has, dashpot_model_state_name() what they are; what lies behind
-//! them in a structure is 0 and stays 0. Without series_compliance the internal mass moves with the driven end: its two
-//! rates are 0. A host that gives no displacement integrates that too (rate->displacement is the velocity).
-//! state->velocity is the last input of a step and no state: it is not looked at, and its rate is 0.
+//! internal states. dashpot_model_states() returns their number, dashpot_model_state_name() their names. All entries behind
+//! them in a structure are 0 and stay 0. Without series_compliance the internal mass moves with the moving end: its two
+//! rates are 0. A host without a displacement integrates that too (rate->displacement is the velocity).
+//! state->velocity is the last input of a step and no state: it is ignored, and its rate is 0.
 //!
-//! The states are stiff: the small mass behind the valves follows at rates of 1e4 to 1e6 1/s, which `dashpot check` tells for
-//! a model file. An implicit solver with the partial derivatives (CVODE, DASSL, Radau) takes long steps; an explicit one
-//! (Euler, Runge-Kutta) needs microseconds, and above that may give a wrong force with status 0. dashpot_step() is stable at
+//! The states are stiff: the small mass behind the valves follows at rates of 1e4 to 1e6 1/s, which `dashpot check` reports for
+//! a model file. An implicit solver with the partial derivatives (CVODE, DASSL, Radau) takes long steps. An explicit one
+//! (Euler, Runge-Kutta) needs microseconds; longer steps may yield a wrong force with status 0. dashpot_step() is stable at
 //! every step.
 
 use dashpot_core::evaluate::partials;
@@ -26,7 +26,7 @@ use crate::state::{checked, computed, dashpot_output, dashpot_state};
 use crate::status::status;
 use crate::stepping::range_warning;
 
-/// Force and state rates at *state and *input: the answer to *output, d(state)/dt to *rate.
+/// Evaluates force and state derivatives at *state and *input: writes the output to *output, d(state)/dt to *rate.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_evaluate(
     model: *const dashpot_model,

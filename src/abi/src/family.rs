@@ -5,7 +5,7 @@ use dashpot_core::{Input, Output, Partials, State};
 
 use crate::input::{self, checked_setting, dashpot_input, sane};
 use crate::model::{dashpot_model, family, prepared};
-use crate::partials::{dashpot_by_setting, dashpot_partials};
+use crate::partials::{dashpot_partials, dashpot_setting_derivatives};
 use crate::pointer::{exclusive, present};
 use crate::state::{checked, commands, computed, dashpot_output, dashpot_state, finite};
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_OUTSIDE_SETTING, Refused};
@@ -16,7 +16,7 @@ fn setting_warning(family: &Family, setting: Option<f64>) -> i32 {
     if setting.is_some_and(|setting| family.is_outside(setting)) { DASHPOT_OUTSIDE_SETTING } else { DASHPOT_OK }
 }
 
-/// As `dashpot_force_setting()` of a family.
+/// As `dashpot_force_with_setting()` of a family.
 ///
 /// # Safety
 /// Aligned pointers of the caller's, or null.
@@ -200,7 +200,7 @@ pub(crate) unsafe fn jacobian(
     state: *const dashpot_state,
     input: *const dashpot_input,
     partials: *mut dashpot_partials,
-    by_setting: *mut dashpot_by_setting,
+    by_setting: *mut dashpot_setting_derivatives,
 ) -> Result<i32, Refused> {
     // SAFETY: the caller's promise.
     let (family, state) = unsafe { (family(model)?, checked(state)?) };
@@ -214,7 +214,7 @@ pub(crate) unsafe fn jacobian(
             present(partials)?;
             *partials.cast::<Partials>() = own;
         } else {
-            *by_setting = dashpot_by_setting { force: by.force, rate: by.rate };
+            *by_setting = dashpot_setting_derivatives { d_force_d_setting: by.force, d_rate_d_setting: by.rate };
         }
     }
     Ok(range_warning(family.model(), input.velocity) | setting_warning(family, setting))

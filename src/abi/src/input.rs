@@ -1,6 +1,6 @@
 //! Input
 //!
-//! What the host tells the damper at one instant. dashpot_force() needs none of this.
+//! The inputs of the damper at one instant. dashpot_force() needs none of this.
 
 use core::mem::size_of;
 
@@ -9,24 +9,24 @@ use dashpot_core::Input;
 use crate::pointer::present;
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_STRUCT_SIZE, DASHPOT_UNKNOWN_FLAG, Refused};
 
-/// The host gives the displacement; without this bit it is integrated from the initial position.
+/// The host provides the displacement; without this bit it is integrated from the initial position.
 pub const DASHPOT_KNOWS_DISPLACEMENT: u32 = 1;
-/// The host gives the side force; without this bit it is 0.
+/// The host provides the side force; without this bit it is 0.
 pub const DASHPOT_KNOWS_SIDE_FORCE: u32 = 2;
-/// The host gives the temperature; without this bit it is 20 degrees Celsius.
+/// The host provides the temperature; without this bit it is 20 degrees Celsius.
 pub const DASHPOT_KNOWS_TEMPERATURE: u32 = 4;
-/// The host gives the setting of a damper that depends on one; without this bit it is the start setting of the model file.
+/// The host provides the setting of a damper that depends on one; without this bit it is the start setting of the model file.
 pub const DASHPOT_KNOWS_SETTING: u32 = 8;
 
 /// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
-/// known are not looked at.
+/// known are ignored.
 #[repr(C)]
 pub struct dashpot_input {
     /// sizeof(dashpot_input).
     pub struct_size: u32,
     /// Sum of the DASHPOT_KNOWS_... bits that apply.
     pub known: u32,
-    /// Displacement, m, extension positive. A host that knows it should give it, so that no drift builds up.
+    /// Displacement, m, extension positive. A host that knows it should provide it, to prevent drift.
     pub displacement: f64,
     /// Velocity, m/s, extension positive. Always needed.
     pub velocity: f64,
@@ -34,15 +34,17 @@ pub struct dashpot_input {
     pub side_force: f64,
     /// Damper temperature, degrees Celsius.
     pub temperature: f64,
-    /// Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Not read where the damper depends on none.
+    /// Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Ignored if the damper depends on none.
     pub setting: f64,
 }
 
 const KNOWN: u32 =
     DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE | DASHPOT_KNOWS_SETTING;
 
-/// Largest sum of the magnitudes of displacement and velocity: 1000 m and 1000 m/s are a hundred times what a damper meets, and
-/// the solver of a host that tries a wild step still gets an answer. Far beyond, powers of them would overflow.
+/// Largest sum of the magnitudes of displacement and velocity.
+///
+/// 1000 m and 1000 m/s are a hundred times what a damper meets, and the solver of a host that tries a wild step still
+/// gets an output. Far beyond, powers of them would overflow.
 pub(crate) const LARGEST: f64 = 1e3;
 /// What a newton of side force and a degree count for in that sum: 1e9 N and 1e5 degrees alone are as much.
 const PER_NEWTON: f64 = 1e-6;

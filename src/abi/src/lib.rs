@@ -14,39 +14,39 @@
 //!     while (running)
 //!         dashpot_force(&model, &state, velocity, dt, &force);   // m/s and s in, N out
 //!
-//! Every function answers with a status that a program should look at: 0 is success, positive is a warning,
-//! negative is a refusal; dashpot_status_text() says it in words.
+//! Every function returns a status that a program should check: 0 is success, positive is a warning,
+//! negative is an error. dashpot_status_text() returns the message.
 //!
 //! Units and signs. SI throughout: m, m/s, N, kg, s; temperature in degrees Celsius. Extension (rebound) velocity is
-//! positive, compression negative. Tension is positive: a damper that resists extension answers with a positive
-//! force, gas that pushes the rod out is a negative one. This is stated here once and holds everywhere below.
+//! positive, compression negative. Tension is positive: a damper that resists extension has a positive
+//! force, and gas that pushes the rod out a negative one. This is stated here once and holds everywhere below.
 //!
 //! Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
-//! program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object whose names are local
-//! but for dashpot_*; a build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
-//! import no function but memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
-//! runtime has; there is no allocator, file, lock or thread behind them.
+//! program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object. All its names are local,
+//! except dashpot_*. A build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
+//! import only memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
+//! runtime has. They use no allocator, file, lock or thread.
 //!
-//! Memory. The library allocates nothing and keeps nothing: all blocks are the caller's, as globals, on the stack or
+//! Memory. The library allocates nothing and stores nothing. The caller owns all blocks, as globals, on the stack or
 //! on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may
-//! be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16 (the compiler
-//! sees to that; from C++ before C++17, new does not promise more than malloc does, which is 16 on 64-bit systems).
+//! be copied with = or memcpy. dashpot_params and dashpot_model must lie at an address divisible by 16. The compiler
+//! ensures that. (Before C++17, new guarantees only the alignment of malloc, which is 16 on 64-bit systems.)
 //!
-//! Sizes. A state is 272 bytes, an output 80, a parameter set 16 KB, a model 48 KB. No function takes more than 16 KB of the
-//! caller's stack (dashpot_jacobian() 14 KB, a step 12 KB); keep models and parameter sets off a small stack. A list has at
-//! most 63 numbers (capacity in dashpot_parameter says it for each row), a name 47 characters, a file as many bytes as it has.
+//! Sizes. A state is 272 bytes, an output 80, a parameter set 16 KB, a model 48 KB. No function uses more than 16 KB of the
+//! caller's stack (dashpot_jacobian() 14 KB, a step 12 KB). Keep models and parameter sets off a small stack. A list has at
+//! most 63 numbers (see capacity in dashpot_parameter), a name 47 characters. The size of a file is not limited.
 //!
-//! Null. No pointer may be null but these: fault of dashpot_params_read(), values of dashpot_params_get_list() (only the length is
-//! told), and an array of no elements.
+//! Null. Only these pointers may be null: fault of dashpot_params_read(), values of dashpot_params_get_list() (which then returns only
+//! the length), and an array of no elements.
 //!
-//! Refusals. A function that returns a negative status has changed nothing: outputs and state are as they were.
-//! Refused are null pointers, addresses that are not aligned, structures of another size, another interface version,
-//! blocks that were never initialised, and numbers that are NaN, infinite or absurdly large (DASHPOT_BAD_INPUT says which).
-//! An answer that is not a refusal is finite in all its numbers.
+//! Errors. A function that returns a negative status leaves outputs and state unchanged.
+//! These are errors: null pointers, addresses that are not aligned, structures of another size, another interface version,
+//! blocks that were never initialized, and numbers that are NaN, infinite or absurdly large (see DASHPOT_BAD_INPUT).
+//! After any other status all outputs are finite.
 //!
 //! Threads. There is no hidden state. Functions may run at the same time in any number of threads as long as no two
 //! of them write the same block and none writes what another reads. One model serves any number of dampers; each
-//! damper needs its own state. Every call takes a bounded time, takes no lock and leaves the floating-point mode alone.
+//! damper needs its own state. Every call returns in bounded time, uses no lock and preserves the floating-point mode.
 //!
 //! Results are the same to the last bit on every 64-bit platform, whatever compiler built the host.
 

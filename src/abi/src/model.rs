@@ -1,6 +1,6 @@
 //! Model
 //!
-//! A model is a parameter set that was checked and made ready. It is constant while it runs, and one model serves any
+//! A model is a parameter set that was checked and prepared. It is constant while it runs, and one model serves any
 //! number of dampers.
 
 use core::ffi::c_char;
@@ -11,7 +11,7 @@ use dashpot_core::family::Family;
 
 use crate::params::{axis, dashpot_params, values};
 use crate::pointer::{exclusive, present, usable};
-use crate::status::{DASHPOT_NO_SUCH_STATE, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
+use crate::status::{DASHPOT_NO_SUCH_STATE, DASHPOT_NOT_INITIALIZED, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
 use crate::text;
 use crate::version::magic;
 
@@ -65,7 +65,7 @@ pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Mod
     unsafe { prepared_aligned(model) }
 }
 
-/// As [`prepared`], at an aligned address.
+/// A prepared model at an aligned address.
 ///
 /// # Safety
 /// Null, or a `dashpot_model` that nobody writes meanwhile.
@@ -75,7 +75,7 @@ pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result
     // SAFETY: not null by `present`, aligned by the caller's promise; any bytes are a magic word, and only where it
     // is right is the model looked at.
     let block = unsafe { &*model.cast::<Prepared>() };
-    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.model) }
+    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.model) }
 }
 
 /// The family in a block that was initialised with one: asked where it is no ordinary model.
@@ -90,7 +90,7 @@ pub(crate) unsafe fn family<'a>(model: *const dashpot_model) -> Result<&'a Famil
     usable(model)?;
     // SAFETY: not null and aligned by `usable`; any bytes are a magic word, and only where it is right is the family looked at.
     let block = unsafe { &*model.cast::<PreparedFamily>() };
-    if block.magic != MAGIC_FAMILY { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.family) }
+    if block.magic != MAGIC_FAMILY { Err(Refused(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.family) }
 }
 
 /// A model that was found prepared before.
@@ -103,8 +103,9 @@ pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
     unsafe { &(*model.cast::<Prepared>()).model }
 }
 
-/// Number of states that a solver of the host's own integrates (see Evaluation): those of the internal mass and the private
-/// states of the elements that are on; from 2 to DASHPOT_MOST_STATES. Negative: a refusal.
+/// Number of states that a solver of the host integrates (see Evaluation), from 2 to DASHPOT_MAX_STATES.
+///
+/// These are the states of the internal mass and the internal states of the elements that are on. A negative result is an error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_states(model: *const dashpot_model) -> i32 {
     status((|| {
@@ -118,15 +119,15 @@ pub unsafe extern "C" fn dashpot_model_states(model: *const dashpot_model) -> i3
     })())
 }
 
-/// Most states that a model has: what dashpot_partials has room for.
-pub const DASHPOT_MOST_STATES: u32 = 10;
+/// Maximum number of states of a model; the capacity of dashpot_partials.
+pub const DASHPOT_MAX_STATES: u32 = 10;
 
 /// Name and unit of one state. Set struct_size before the call.
 #[repr(C)]
 pub struct dashpot_state_name {
     /// sizeof(dashpot_state_name).
     pub struct_size: u32,
-    /// Its place among the states, from 0.
+    /// Its index among the states, from 0.
     pub state: u32,
     /// Name, zero-terminated.
     pub name: [c_char; 48],
@@ -134,7 +135,7 @@ pub struct dashpot_state_name {
     pub unit: [c_char; 16],
 }
 
-/// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->memory[k - 2].
+/// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->internal[k - 2].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_state_name(
     model: *const dashpot_model,
@@ -161,9 +162,11 @@ pub unsafe extern "C" fn dashpot_model_state_name(
     })())
 }
 
-/// Checks a parameter set and prepares a model from it. Where it refuses, dashpot_params_check() names the parameter
-/// to blame. A model that runs may be prepared anew between two steps, for example by a slider, and its elements be
-/// switched on and off: the states stay valid. A parameter set with a setting gives a model of all settings (see Setting).
+/// Checks a parameter set and prepares a model from it.
+///
+/// On an error dashpot_params_check() names the parameter at fault. A running model may be prepared again between two steps, for
+/// example by a slider, with elements switched on and off: the states stay valid. A parameter set with a setting yields a model of
+/// all settings (see Setting).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *const dashpot_params) -> i32 {
     status((|| {

@@ -15,8 +15,8 @@ use dashpot_core::{Fault, Model, Params};
 
 use crate::pointer::{array, exclusive, one_of, shared, usable};
 use crate::status::{
-    DASHPOT_ABI_MISMATCH, DASHPOT_NOT_SET, DASHPOT_OK, DASHPOT_STRUCT_SIZE, DASHPOT_TOO_SHORT, DASHPOT_UNKNOWN_NAME,
-    Refused, status,
+    DASHPOT_ABI_MISMATCH, DASHPOT_BUFFER_TOO_SHORT, DASHPOT_NOT_INITIALIZED, DASHPOT_OK, DASHPOT_STRUCT_SIZE,
+    DASHPOT_UNKNOWN_NAME, Refused, status,
 };
 use crate::table::parameter_name;
 use crate::text;
@@ -34,14 +34,14 @@ pub struct dashpot_params {
     pub opaque: [u64; 2047],
 }
 
-/// What was refused, and where.
+/// An error and its position.
 #[repr(C)]
 pub struct dashpot_fault {
-    /// What: a status; 0 when nothing was refused.
+    /// The status; 0 without an error.
     pub status: i32,
-    /// Line of the model file, from 1; 0 where no line is to blame.
+    /// Line of the model file, from 1; 0 if no line is at fault.
     pub line: u32,
-    /// Name of the parameter or element, zero-terminated; empty where none is to blame.
+    /// Name of the parameter or element, zero-terminated; empty if none is at fault.
     pub parameter: [c_char; 48],
 }
 
@@ -90,7 +90,7 @@ pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Par
     // SAFETY: `block` has looked at size and version, so that the block is as large and aligned as `Filled`; any
     // bytes are a magic word, and only where it is right are the values looked at.
     let block = unsafe { &*block(params)? };
-    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_SET)) } else { Ok(&block.values) }
+    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.values) }
 }
 
 /// The setting that they depend on; without a grid where they depend on none.
@@ -184,7 +184,7 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
     })())
 }
 
-/// Sets one number, or a choice by its number. Of a number that depends on the setting: the same at all settings from then on.
+/// Sets one number, or a choice by its number. A number that depended on the setting is then constant.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
     status((|| {
@@ -251,8 +251,8 @@ pub unsafe extern "C" fn dashpot_params_get(
     })())
 }
 
-/// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null only
-/// the length is told.
+/// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null it returns only
+/// the length.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_get_list(
     params: *const dashpot_params,
@@ -269,7 +269,7 @@ pub unsafe extern "C" fn dashpot_params_get_list(
         if !values.is_null() {
             usable(values)?;
             if list.len() > capacity as usize {
-                return Err(Refused(DASHPOT_TOO_SHORT));
+                return Err(Refused(DASHPOT_BUFFER_TOO_SHORT));
             }
             // SAFETY: not null and aligned by `usable`, room for `capacity` numbers by the manual's promise, which
             // is enough by the comparison above; a list lies inside the parameter set, which the array of the
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn dashpot_params_enable(params: *mut dashpot_params, elem
     })())
 }
 
-/// Tells whether an element of the model is on: *on becomes 1 or 0.
+/// Reads whether an element of the model is on: *on becomes 1 or 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_is_on(
     params: *const dashpot_params,
@@ -309,9 +309,10 @@ pub unsafe extern "C" fn dashpot_params_is_on(
     })())
 }
 
-/// Reads a model file: text holds its length bytes, as they are in the file; no closing zero is needed. All parameters
-/// are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before. Where it refuses, *fault tells the line and the
-/// parameter; fault may be null.
+/// Reads a model file: text holds its length bytes, without a terminating zero.
+///
+/// All parameters are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before.
+/// On an error *fault contains the line and the parameter; fault may be null.
 ///
 /// Numbers are read the same way whatever the locale: the decimal sign is a point.
 #[unsafe(no_mangle)]
@@ -355,7 +356,7 @@ pub unsafe extern "C" fn dashpot_params_read(
     })())
 }
 
-/// Checks the set as dashpot_model_init() does, and names the parameter to blame in *fault.
+/// Checks the set as dashpot_model_init() does, and names the parameter at fault in *fault.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fault: *mut dashpot_fault) -> i32 {
     status((|| {

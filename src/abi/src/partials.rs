@@ -1,6 +1,6 @@
 //! Partial derivatives
 //!
-//! What dashpot_jacobian() and dashpot_jacobian_setting() fill in, further down.
+//! The outputs of dashpot_jacobian() and dashpot_jacobian_setting().
 
 use core::mem::{align_of, offset_of, size_of};
 
@@ -11,35 +11,35 @@ use dashpot_core::family::BySetting;
 #[repr(C)]
 pub struct dashpot_partials {
     /// dF/d(input).
-    pub force_by_input: [f64; 2],
+    pub d_force_d_input: [f64; 2],
     /// dF/d(state).
-    pub force_by_state: [f64; 10],
+    pub d_force_d_state: [f64; 10],
     /// d(rate of state i)/d(input).
-    pub rate_by_input: [[f64; 2]; 10],
+    pub d_rate_d_input: [[f64; 2]; 10],
     /// d(rate of state i)/d(state j).
-    pub rate_by_state: [[f64; 10]; 10],
+    pub d_rate_d_state: [[f64; 10]; 10],
 }
 
 const _: () = {
     assert!(size_of::<dashpot_partials>() == size_of::<Partials>());
     assert!(align_of::<dashpot_partials>() == align_of::<Partials>());
-    assert!(offset_of!(dashpot_partials, force_by_input) == offset_of!(Partials, force_by_input));
-    assert!(offset_of!(dashpot_partials, force_by_state) == offset_of!(Partials, force_by_state));
-    assert!(offset_of!(dashpot_partials, rate_by_input) == offset_of!(Partials, rate_by_input));
-    assert!(offset_of!(dashpot_partials, rate_by_state) == offset_of!(Partials, rate_by_state));
+    assert!(offset_of!(dashpot_partials, d_force_d_input) == offset_of!(Partials, d_force_d_input));
+    assert!(offset_of!(dashpot_partials, d_force_d_state) == offset_of!(Partials, d_force_d_state));
+    assert!(offset_of!(dashpot_partials, d_rate_d_input) == offset_of!(Partials, d_rate_d_input));
+    assert!(offset_of!(dashpot_partials, d_rate_d_state) == offset_of!(Partials, d_rate_d_state));
 };
 
 /// Derivatives of force and rates over the commanded setting, at constant states.
 #[repr(C)]
-pub struct dashpot_by_setting {
-    /// dF/d(setting). 0 where the actuator has a lag: the force then follows its state.
-    pub force: f64,
+pub struct dashpot_setting_derivatives {
+    /// dF/d(setting). 0 if the actuator has a lag: the force then follows its state.
+    pub d_force_d_setting: f64,
     /// d(rate of state i)/d(setting), in the order of dashpot_partials.
-    pub rate: [f64; 10],
+    pub d_rate_d_setting: [f64; 10],
 }
 
 const _: () = {
-    assert!(size_of::<dashpot_by_setting>() == size_of::<BySetting>());
-    assert!(align_of::<dashpot_by_setting>() == align_of::<BySetting>());
-    assert!(offset_of!(dashpot_by_setting, rate) == offset_of!(BySetting, rate));
+    assert!(size_of::<dashpot_setting_derivatives>() == size_of::<BySetting>());
+    assert!(align_of::<dashpot_setting_derivatives>() == align_of::<BySetting>());
+    assert!(offset_of!(dashpot_setting_derivatives, d_rate_d_setting) == offset_of!(BySetting, rate));
 };

@@ -9,15 +9,15 @@
 //!     gas_force = [80.0, 82.0, 85.0]
 //!     fv_force = [[...], [...], [...]]
 //!
-//! A model of it takes the commanded setting with every input (DASHPOT_KNOWS_SETTING), for each damper its own. Between the grid the numbers and forces are
-//! monotone cubics, exact on it; outside it they are those at its end (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the ordinary one of
-//! the interpolated numbers.
+//! Its model reads the commanded setting from every input (DASHPOT_KNOWS_SETTING), separately for each damper. Numbers and forces are
+//! monotone cubics, exact on the grid. Outside the grid they are clamped to its ends (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the
+//! ordinary one of the interpolated numbers.
 //!
 //! The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
-//! "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting where the host gives none. Where
-//! the valve stands is part of the state.
+//! "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting if the host provides none. The actual setting of
+//! the valve is part of the state.
 //!
-//! An instant (see Evaluation) knows no past: a host that integrates the states delays the command itself where there is a dead time.
+//! An evaluation (see Evaluation) has no history: with a dead time, a host that integrates the states delays the command itself.
 
 use core::ffi::c_char;
 use core::mem::size_of;
@@ -28,7 +28,7 @@ use crate::family as over_setting;
 use crate::input::{self, dashpot_input};
 use crate::model::{dashpot_model, family, prepared};
 use crate::params::{axis, axis_mut, dashpot_params, parameter};
-use crate::partials::dashpot_by_setting;
+use crate::partials::dashpot_setting_derivatives;
 use crate::pointer::{aligned, array, exclusive, present, usable};
 use crate::state::{checked, commands, computed, dashpot_state};
 use crate::status::{DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
@@ -36,19 +36,19 @@ use crate::step::dashpot_force;
 use crate::stepping::checked_step;
 use crate::text;
 
-/// Most settings of a grid.
-pub const DASHPOT_MOST_SETTINGS: u32 = 8;
+/// Maximum number of settings of a grid.
+pub const DASHPOT_MAX_SETTINGS: u32 = 8;
 
 /// The setting of a parameter set. Set struct_size before the call.
 #[repr(C)]
 pub struct dashpot_setting {
     /// sizeof(dashpot_setting).
     pub struct_size: u32,
-    /// Settings of the grid; 0 where the damper depends on none.
+    /// Number of settings of the grid; 0 if the damper depends on none.
     pub count: u32,
     /// The grid, increasing.
     pub grid: [f64; 8],
-    /// Setting where the host gives none.
+    /// Setting if the host provides none.
     pub start: f64,
     /// Name, zero-terminated, such as current; empty where none is given.
     pub name: [c_char; 32],
@@ -56,7 +56,9 @@ pub struct dashpot_setting {
     pub unit: [c_char; 32],
 }
 
-/// Sets the grid of the setting: count increasing numbers; 0: the damper depends on no setting any more. Values over another grid are dropped.
+/// Sets the grid of the setting: count increasing numbers. Values over another grid are dropped.
+///
+/// With count 0 the damper no longer depends on a setting.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set_grid(params: *mut dashpot_params, grid: *const f64, count: u32) -> i32 {
     status((|| {
@@ -112,7 +114,7 @@ pub unsafe extern "C" fn dashpot_params_set_list_over(
     })())
 }
 
-/// Tells the setting that a parameter set depends on.
+/// Reads the setting that a parameter set depends on.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_setting(params: *const dashpot_params, setting: *mut dashpot_setting) -> i32 {
     status((|| {
@@ -133,9 +135,9 @@ pub unsafe extern "C" fn dashpot_params_setting(params: *const dashpot_params, s
     })())
 }
 
-/// As dashpot_force(), with the commanded setting. A damper that depends on none does not look at it.
+/// Computes the force as dashpot_force() does, with the commanded setting. A damper that depends on none ignores it.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn dashpot_force_setting(
+pub unsafe extern "C" fn dashpot_force_with_setting(
     model: *const dashpot_model,
     state: *mut dashpot_state,
     velocity: f64,
@@ -155,10 +157,11 @@ pub unsafe extern "C" fn dashpot_force_setting(
     })())
 }
 
-/// Where the valve stands in a state, to *setting: the command clamped to the grid, or what the actuator has made of it. 0 of a damper that depends on no
-/// setting.
+/// Writes the actual setting of the valve to *setting: the command clamped to the grid, after the dynamics of the actuator.
+///
+/// 0 for a damper that depends on no setting.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn dashpot_setting_at(
+pub unsafe extern "C" fn dashpot_actuator_setting(
     model: *const dashpot_model,
     state: *const dashpot_state,
     input: *const dashpot_input,
@@ -180,11 +183,12 @@ pub unsafe extern "C" fn dashpot_setting_at(
     })())
 }
 
-/// Derivative of the force over the setting at which the valve stands, to *derivative: of the force that dashpot_step() from *from to *to_input finds, all
-/// that happens in the step included; with dt = 0 of the force at equilibrium. What a controller divides by. Takes two steps. 0 of a damper that depends on
-/// no setting.
+/// Writes the derivative of the force over the actual setting of the valve to *derivative.
+///
+/// It is the total derivative of the force of dashpot_step() from *from to *to_input; with dt = 0, of the equilibrium force. A controller divides
+/// by it. The call costs two steps. 0 for a damper that depends on no setting.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn dashpot_force_by_setting(
+pub unsafe extern "C" fn dashpot_d_force_d_setting(
     model: *const dashpot_model,
     from: *const dashpot_state,
     to_input: *const dashpot_input,
@@ -206,7 +210,7 @@ pub unsafe extern "C" fn dashpot_force_by_setting(
         // SAFETY: as above.
         let (family, setting, delay) =
             unsafe { (family(model)?, input::setting(to_input)?, *commands(from.cast_mut())) };
-        let found = family.force_by_setting(&state, &delay, &input, setting, dt);
+        let found = family.d_force_d_setting(&state, &delay, &input, setting, dt);
         let found = found.ok_or(Refused(DASHPOT_NOT_COMPUTABLE))?;
         computed(found.is_finite())?;
         *to = found;
@@ -214,14 +218,15 @@ pub unsafe extern "C" fn dashpot_force_by_setting(
     })())
 }
 
-/// Derivatives of force and rates over the commanded setting at *state and *input, to *by_setting: what dashpot_jacobian() has no place for. 0 of a damper
-/// that depends on no setting.
+/// Writes the derivatives of force and rates over the commanded setting at *state and *input to *by_setting.
+///
+/// dashpot_jacobian() does not contain them. 0 for a damper that depends on no setting.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_jacobian_setting(
     model: *const dashpot_model,
     state: *const dashpot_state,
     input: *const dashpot_input,
-    by_setting: *mut dashpot_by_setting,
+    by_setting: *mut dashpot_setting_derivatives,
 ) -> i32 {
     status((|| {
         aligned!(model, state, input);
@@ -235,7 +240,7 @@ pub unsafe extern "C" fn dashpot_jacobian_setting(
         // SAFETY: as above.
         unsafe {
             input::checked(input)?;
-            *by_setting = dashpot_by_setting { force: 0.0, rate: [0.0; 10] };
+            *by_setting = dashpot_setting_derivatives { d_force_d_setting: 0.0, d_rate_d_setting: [0.0; 10] };
         }
         Ok(DASHPOT_OK)
     })())

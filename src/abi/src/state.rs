@@ -1,16 +1,16 @@
 //! State
 //!
-//! All that a damper remembers, friction hysteresis included, is in its state: numbers that the host owns. To
-//! try a step and take it back, to save a run and to go on later, copy the structure: a run continued from a copy
+//! The state contains the whole history of a damper, friction hysteresis included, as numbers that the host owns. Copy the structure to
+//! try a step and roll it back, or to save a run and resume it. A run resumed from a copy
 //! repeats the first to the last bit.
 //!
-//! A state may be used with another model, as when a model is prepared anew while it
-//! runs: what an element remembers goes with it, and an element that was off before begins settled.
+//! A state may be used with another model, for example when a model is prepared again while it
+//! runs. Internal states follow their elements, and an element that was off before starts in equilibrium.
 //!
-//! Derivatives of a step are exact where its force is smooth. At a knee (a point of a straight-line curve, a stop, a
+//! Derivatives of a step are exact where its force is smooth. At a knee (a point of a piecewise linear curve, a stop, a
 //! reversal, a void that closes) they are one-sided, of the side on which the step was solved, or lie between both sides.
-//! An implicit host should bound its Newton steps there. In a search over drawn steps, most of them far from what
-//! dampers do, one derivative in a thousand is off by more than 2 %.
+//! An implicit host should bound its Newton steps there. In a search over random steps, most of them far from real
+//! dampers, one derivative in a thousand has an error above 2 %.
 
 use core::mem::{align_of, offset_of, size_of};
 
@@ -25,34 +25,33 @@ use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_BAD_STATE, DASHPOT_NOT_COMPUTABLE
 /// State of one damper.
 #[repr(C)]
 pub struct dashpot_state {
-    /// Displacement of the driven end, m: given by the host, or integrated from the initial position.
+    /// Displacement of the moving end, m: provided by the host, or integrated from the initial position.
     pub displacement: f64,
-    /// Velocity of the driven end at the last step, m/s.
+    /// Velocity of the moving end at the last step, m/s.
     pub velocity: f64,
     /// Displacement of the internal mass, m.
     pub mass_displacement: f64,
     /// Velocity of the internal mass, m/s.
     pub mass_velocity: f64,
-    /// Private states of the elements that are on.
-    pub memory: [f64; 8],
-    /// Which states these are. The library's: leave what it wrote, or 0, which stands for those of the model that the
-    /// state is given to.
+    /// Internal states of the elements that are on.
+    pub internal: [f64; 8],
+    /// Identifies these states; written by the library. 0 means those of the model that the state is passed to.
     pub layout: f64,
     /// 0.
     pub reserved: f64,
-    /// Of a damper that depends on a setting: the commands of the last dead time. The library's, as layout.
+    /// Commands of the last dead time, for a damper that depends on a setting; written by the library.
     pub commands: [f64; 20],
 }
 
-/// Answer at one instant.
+/// Output at one instant.
 #[repr(C)]
 pub struct dashpot_output {
     /// Damper force, N, tension positive.
     pub force: f64,
-    /// dF/dx over the displacement given, N/m. From a step: of the force at its end, all that happens inside included.
-    pub force_by_displacement: f64,
-    /// dF/dv over the velocity given, N s/m; where no displacement is given, with the displacement it integrates to.
-    pub force_by_velocity: f64,
+    /// dF/dx over the input displacement, N/m. From a step: the total derivative of the force at its end.
+    pub d_force_d_displacement: f64,
+    /// dF/dv over the input velocity, N s/m. Without an input displacement it includes the integrated displacement.
+    pub d_force_d_velocity: f64,
     /// Force of the primary damper (the force-velocity curve), N.
     pub primary_force: f64,
     /// Force of the springs on the internal mass, N.
@@ -78,13 +77,13 @@ const _: () = {
     assert!(offset_of!(dashpot_state, velocity) == offset_of!(State, velocity));
     assert!(offset_of!(dashpot_state, mass_displacement) == offset_of!(State, mass_displacement));
     assert!(offset_of!(dashpot_state, mass_velocity) == offset_of!(State, mass_velocity));
-    assert!(offset_of!(dashpot_state, memory) == offset_of!(State, memory));
+    assert!(offset_of!(dashpot_state, internal) == offset_of!(State, internal));
     assert!(offset_of!(dashpot_state, layout) == offset_of!(State, layout));
     assert!(offset_of!(dashpot_state, reserved) == offset_of!(State, reserved));
     assert!(size_of::<dashpot_output>() == size_of::<Output>() && align_of::<dashpot_output>() == align_of::<Output>());
     assert!(offset_of!(dashpot_output, force) == offset_of!(Output, force));
-    assert!(offset_of!(dashpot_output, force_by_displacement) == offset_of!(Output, force_by_displacement));
-    assert!(offset_of!(dashpot_output, force_by_velocity) == offset_of!(Output, force_by_velocity));
+    assert!(offset_of!(dashpot_output, d_force_d_displacement) == offset_of!(Output, d_force_d_displacement));
+    assert!(offset_of!(dashpot_output, d_force_d_velocity) == offset_of!(Output, d_force_d_velocity));
     assert!(offset_of!(dashpot_output, primary_force) == offset_of!(Output, primary_force));
     assert!(offset_of!(dashpot_output, spring_force) == offset_of!(Output, spring_force));
     assert!(offset_of!(dashpot_output, friction_force) == offset_of!(Output, friction_force));
@@ -94,8 +93,9 @@ const _: () = {
     assert!(offset_of!(dashpot_output, oil_temperature) == offset_of!(Output, oil_temperature));
 };
 
-/// Largest sum of the magnitudes of a state: fourth powers of it times any coefficient of the table are still numbers, so that
-/// a step that finds all in closed form stays finite; it is far beyond all that a step can lead to.
+/// Largest sum of the magnitudes of a state, far beyond the result of any step.
+///
+/// Fourth powers of it times any coefficient of the table are finite, so a step in closed form stays finite.
 const LARGEST: f64 = 1e60;
 
 /// Refuses a state that holds NaN, infinity or what no step leads to.
@@ -113,7 +113,7 @@ pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Refused> 
     if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Refused(DASHPOT_BAD_STATE)) }
 }
 
-/// The commands of the last dead time in a state: other than the numbers before them these are only read where they belong to the damper.
+/// The commands of the last dead time in a state; only read if they belong to the damper.
 ///
 /// # Safety
 /// Null is not allowed; an aligned state that is the caller's.
@@ -153,8 +153,9 @@ unsafe fn put(to: *mut dashpot_state, state: State, delay: Delay) {
     }
 }
 
-/// The state of a damper at rest at initial_position (m, extension positive), settled: a step that holds the position
-/// gives the static force. Where the damper depends on a setting, it has long been the start setting.
+/// Initializes the state of a damper at rest in equilibrium at initial_position (m, extension positive).
+///
+/// A step at constant position then returns the static force. A damper that depends on a setting is in equilibrium at the start setting.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_state_init(
     model: *const dashpot_model,
@@ -171,9 +172,11 @@ pub unsafe extern "C" fn dashpot_state_init(
         let at = Input::motion(initial_position, 0.0);
         // SAFETY: as above.
         let (settled, delay) = match plain {
-            Ok(model) => (model.settled(&at), Delay::UNSET),
+            Ok(model) => (model.steady_state(&at), Delay::UNSET),
             // SAFETY: as above.
-            Err(_) => unsafe { family(model) }.map(|family| (family.settled(&at, None), family.settled_delay(None)))?,
+            Err(_) => {
+                unsafe { family(model) }.map(|family| (family.steady_state(&at, None), family.steady_delay(None)))?
+            }
         };
         computed(settled.is_finite())?;
         // SAFETY: aligned, not null and the caller's by the questions before; the same bytes (asserted above).
@@ -182,8 +185,10 @@ pub unsafe extern "C" fn dashpot_state_init(
     })())
 }
 
-/// The state of a damper that has long moved steadily as *input says: start here where the simulation starts in motion, so that
-/// the first steps show no jump of the velocity. Without DASHPOT_KNOWS_DISPLACEMENT it is at displacement 0.
+/// Initializes the steady state of a damper at the constant velocity of *input.
+///
+/// Use it where a simulation starts in motion, to avoid a jump of the velocity in the first steps. Without DASHPOT_KNOWS_DISPLACEMENT the
+/// displacement is 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_state_init_motion(
     model: *const dashpot_model,
@@ -199,11 +204,11 @@ pub unsafe extern "C" fn dashpot_state_init_motion(
         let at = unsafe { input::checked(input) }?;
         // SAFETY: as above.
         let (settled, delay) = match plain {
-            Ok(model) => (model.settled(&at), Delay::UNSET),
+            Ok(model) => (model.steady_state(&at), Delay::UNSET),
             // SAFETY: as above.
             Err(_) => unsafe {
                 let (family, setting) = (family(model)?, input::setting(input)?);
-                (family.settled(&at, setting), family.settled_delay(setting))
+                (family.steady_state(&at, setting), family.steady_delay(setting))
             },
         };
         computed(settled.is_finite())?;

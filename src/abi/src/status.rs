@@ -1,7 +1,7 @@
 //! Status
 //!
-//! Every function returns a status: 0 success, positive a warning (the result is there and usable), negative a refusal
-//! (nothing was changed). Warnings are bits and may come together. Numbers keep their meaning for ever.
+//! Every function returns a status: 0 success, positive a warning (the result is usable), negative an error
+//! (nothing was changed). Warnings are bits and may be combined. Numbers never change their meaning.
 
 use core::ffi::c_char;
 
@@ -13,7 +13,7 @@ use crate::text::padded;
 /// Success.
 pub const DASHPOT_OK: i32 = 0;
 
-/// Warning bit: the velocity lies outside the identified force-velocity curve, which is prolonged straight.
+/// Warning bit: the velocity lies outside the identified force-velocity curve, which is extrapolated linearly.
 pub const DASHPOT_OUTSIDE_RANGE: i32 = 1;
 /// Warning bit: the step is longer than 0.01 s; fast motion inside it is not resolved.
 pub const DASHPOT_LONG_STEP: i32 = 2;
@@ -28,12 +28,13 @@ pub const DASHPOT_MISALIGNED: i32 = -2;
 pub const DASHPOT_STRUCT_SIZE: i32 = -3;
 /// abi_version is not the interface version of this library.
 pub const DASHPOT_ABI_MISMATCH: i32 = -4;
-/// The parameters or the model were not initialised, or by another build of the library.
-pub const DASHPOT_NOT_SET: i32 = -5;
-/// An input is NaN or infinite, or far beyond all dampers: displacement and velocity (m, m/s) together above 1000, side force
-/// above 1e9 N, temperature above 1e5 degrees.
+/// The parameters or the model were not initialized, or by another build of the library.
+pub const DASHPOT_NOT_INITIALIZED: i32 = -5;
+/// An input is NaN, infinite, or far beyond all dampers.
+///
+/// The limits are 1000 for displacement plus velocity (m, m/s), 1e9 N for the side force and 1e5 degrees for the temperature.
 pub const DASHPOT_BAD_INPUT: i32 = -6;
-/// The state holds NaN, infinity or a number beyond 1e60: it was not initialised.
+/// The state holds NaN, infinity or a number beyond 1e60: it was not initialized.
 pub const DASHPOT_BAD_STATE: i32 = -7;
 /// dt is NaN, negative, above 100 s, or above 0 but below 1e-15 s.
 pub const DASHPOT_BAD_TIME_STEP: i32 = -8;
@@ -55,12 +56,12 @@ pub const DASHPOT_POINT_COUNT: i32 = -15;
 pub const DASHPOT_CURVE_LENGTHS: i32 = -16;
 /// A list of velocities or displacements does not increase.
 pub const DASHPOT_NOT_INCREASING: i32 = -17;
-/// A list of forces falls: the damper would push where it should resist.
-pub const DASHPOT_FALLS: i32 = -18;
-/// A limit that must lie above another does not.
+/// A list of forces decreases: the damper would push where it should resist.
+pub const DASHPOT_FORCE_DECREASES: i32 = -18;
+/// A limit that must exceed another does not.
 pub const DASHPOT_ORDER: i32 = -19;
 /// The caller's array is too short.
-pub const DASHPOT_TOO_SHORT: i32 = -20;
+pub const DASHPOT_BUFFER_TOO_SHORT: i32 = -20;
 /// A line of the model file is not of the form name = value.
 pub const DASHPOT_FILE_SYNTAX: i32 = -21;
 /// A value in the model file is neither a number nor a word in double quotes nor a list of them.
@@ -84,31 +85,32 @@ pub const DASHPOT_TOO_MANY_STATES: i32 = -30;
 /// Free play or a bushing is on, and series_compliance, which they belong to, is off.
 pub const DASHPOT_NEEDS_SERIES: i32 = -31;
 
-/// Two points of a curve are nearer than 1e-6 m/s or m.
+/// Two points of a curve are closer than 1e-6 m/s or m.
 pub const DASHPOT_TOO_CLOSE: i32 = -32;
 /// A curve rises from one point to the next by more than 1e8 N s/m or N/m.
 pub const DASHPOT_TOO_STEEP: i32 = -33;
-/// The step cannot be computed in numbers of this size: an input or a state is far from what a damper meets.
+/// The step cannot be computed: an input or a state is far outside the range of dampers.
 pub const DASHPOT_NOT_COMPUTABLE: i32 = -34;
 /// The model has no state with this number.
 pub const DASHPOT_NO_SUCH_STATE: i32 = -35;
-/// Model file: it was cut off; it ends before the [...] that its first comment announces.
+/// The model file is truncated: it ends before the [...] that its first comment announces.
 pub const DASHPOT_FILE_CUT_OFF: i32 = -36;
-/// A parameter is far larger or smaller than goes with the others. What has a force in its unit may be a thousandth to a hundred
-/// times what it may be in a car's damper, if all such numbers are of one size: a rod of 1 g goes with a damper of 10 N, not with
-/// one of 1 kN.
+/// The parameter's magnitude is inconsistent with the others.
+///
+/// Parameters with a force in their unit may be a thousandth to a hundred times those of a car's damper, if all have
+/// one scale. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
 pub const DASHPOT_OUT_OF_PROPORTION: i32 = -37;
-/// Model file: a table is named as an element; parameters stand above the first [table].
+/// A table of the model file is named as an element; parameters belong above the first [table].
 pub const DASHPOT_FILE_ELEMENT_TABLE: i32 = -38;
-/// The grid of a setting is not 2 to 8 increasing numbers, or something of a setting is given and no grid.
+/// The grid of a setting is not 2 to 8 increasing numbers, or a setting is used without a grid.
 pub const DASHPOT_SETTING_GRID: i32 = -39;
-/// Not one value for each setting of the grid.
+/// The number of values differs from the number of settings in the grid.
 pub const DASHPOT_SETTING_COUNT: i32 = -40;
 /// A parameter that cannot depend on the setting: a word, a list other than fv_force, or one of the integration.
 pub const DASHPOT_SETTING_FIXED: i32 = -41;
 /// More than 32 numbers depend on the setting.
 pub const DASHPOT_SETTING_TOO_MANY: i32 = -42;
-/// A number is 0 at one setting and not at another, and with it a state is there or not.
+/// A number is 0 at one setting only, so that a state exists at some settings and not at others.
 pub const DASHPOT_SETTING_STATES: i32 = -43;
 
 /// Longest text, with the closing zero.
@@ -147,7 +149,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 51] = [
         padded("header and library have different interface versions; rebuild with the header of this library"),
     ),
     (
-        DASHPOT_NOT_SET,
+        DASHPOT_NOT_INITIALIZED,
         padded("parameters or model not initialised; call dashpot_params_default or dashpot_model_init first"),
     ),
     (
@@ -167,7 +169,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 51] = [
     (DASHPOT_POINT_COUNT, padded(Reason::PointCount.text())),
     (DASHPOT_CURVE_LENGTHS, padded(Reason::CurveLengths.text())),
     (DASHPOT_NOT_INCREASING, padded(Reason::NotIncreasing.text())),
-    (DASHPOT_FALLS, padded(Reason::Falls.text())),
+    (DASHPOT_FORCE_DECREASES, padded(Reason::ForceDecreases.text())),
     (DASHPOT_OUT_OF_PROPORTION, padded(Reason::OutOfProportion.text())),
     (DASHPOT_ORDER, padded(Reason::Order.text())),
     (DASHPOT_SOFTER_THAN_INNER, padded(Reason::SofterThanInner.text())),
@@ -179,7 +181,7 @@ static TEXTS: [(i32, [u8; LENGTH]); 51] = [
         DASHPOT_NOT_COMPUTABLE,
         padded("the step cannot be computed: an input or the state is far from what a damper meets"),
     ),
-    (DASHPOT_TOO_SHORT, padded("the caller's array is too short")),
+    (DASHPOT_BUFFER_TOO_SHORT, padded("the caller's array is too short")),
     (DASHPOT_FILE_SYNTAX, padded(Problem::Syntax.text())),
     (DASHPOT_FILE_VALUE, padded(Problem::Value.text())),
     (DASHPOT_FILE_REPEATED, padded(Problem::Repeated.text())),
@@ -199,8 +201,9 @@ static TEXTS: [(i32, [u8; LENGTH]); 51] = [
 ];
 static UNKNOWN: [u8; LENGTH] = padded("unknown status: not one of this library's");
 
-/// The status in words. Never null; lives as long as the library. A status that concerns a parameter reads on from the
-/// parameter's name: "fv_force" "falls from one point to the next; ...".
+/// Returns the message of a status. Never null; valid as long as the library is loaded.
+///
+/// A message about a parameter continues the parameter's name: "fv_force" "falls from one point to the next; ...".
 #[unsafe(no_mangle)]
 pub extern "C" fn dashpot_status_text(status: i32) -> *const c_char {
     TEXTS.iter().find(|(code, _)| *code == status).map_or(&UNKNOWN, |(_, text)| text).as_ptr().cast()
@@ -230,7 +233,7 @@ impl From<Reason> for Refused {
             Reason::PointCount => DASHPOT_POINT_COUNT,
             Reason::CurveLengths => DASHPOT_CURVE_LENGTHS,
             Reason::NotIncreasing => DASHPOT_NOT_INCREASING,
-            Reason::Falls => DASHPOT_FALLS,
+            Reason::ForceDecreases => DASHPOT_FORCE_DECREASES,
             Reason::OutOfProportion => DASHPOT_OUT_OF_PROPORTION,
             Reason::Order => DASHPOT_ORDER,
             Reason::SofterThanInner => DASHPOT_SOFTER_THAN_INNER,

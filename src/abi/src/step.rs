@@ -1,11 +1,10 @@
 //! Step
 //!
-//! For hosts with a fixed step. A step runs from the instant a state was reached to dt later; the input is the one at
-//! the end of the step. The input at its start is not asked for again: the state remembers displacement and velocity
-//! it was reached with, so the two cannot contradict each other.
+//! For hosts with a fixed step. A step runs from the instant of a state to dt later; the input is the one at
+//! the end of the step. The input at its start is not needed again, because the state contains its displacement and velocity.
 //!
-//! dt = 0 is a static evaluation: the force at which the damper settles when displacement and velocity are held, a contact
-//! that is bent at rest (presliding friction) as the way there left it. The state stays as it is.
+//! dt = 0 is a static evaluation: the equilibrium force at constant displacement and velocity. Presliding friction keeps its
+//! deflection from the motion before. The state does not change.
 
 use dashpot_core::Input;
 use dashpot_core::step::force_in_place;
@@ -18,9 +17,11 @@ use crate::state::{dashpot_output, dashpot_state, finite};
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Refused, status};
 use crate::stepping::{checked_step, move_on, warnings};
 
-/// The shortest way: velocity (m/s) in, force (N) out; of a damper that depends on a setting at its start setting (else dashpot_force_setting()). Moves *state on by dt (s); the displacement is integrated from
-/// the initial position. The force is that of dashpot_step(), to the bit, for a tenth to a quarter less: nobody asks for
-/// partial derivatives.
+/// Computes the force (N) from the velocity (m/s) and advances *state by dt (s).
+///
+/// The displacement is integrated from the initial position. A damper that depends on a setting is at its start setting; see
+/// dashpot_force_with_setting(). The force equals that of dashpot_step() to the bit, at a cost lower by a tenth to a quarter, because no
+/// partial derivatives are computed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_force(
     model: *const dashpot_model,
@@ -52,8 +53,9 @@ pub unsafe extern "C" fn dashpot_force(
     })())
 }
 
-/// One step of dt (s) from *from to the input *to_input; writes the state reached to *to and the answer there to
-/// *output. from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
+/// One step of dt (s) from *from to the input *to_input; writes the new state to *to and the output there to *output.
+///
+/// from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_step(
     model: *const dashpot_model,
@@ -84,11 +86,12 @@ pub unsafe extern "C" fn dashpot_step(
     })())
 }
 
-/// One step of count dampers, such as the four corners of a car. models holds count pointers, which may point to the
-/// same model; from, to_inputs, to and outputs hold count elements each. from and to may be the same array. Gives to
-/// the last bit what count calls of dashpot_step() give. All is checked before anything is computed: a refusal of one
-/// damper leaves every output untouched. Only what shows in the computing itself comes later: DASHPOT_NOT_COMPUTABLE leaves the
-/// dampers before the one concerned moved on, and that one and those after it as they were. Returns all warnings together.
+/// One step of count dampers, such as the four corners of a car.
+///
+/// models holds count pointers, which may point to the same model. from, to_inputs, to and outputs hold count elements each. from and to
+/// may be the same array. The results equal those of count calls of dashpot_step() to the last bit. All arguments are checked first: an
+/// error of one damper leaves every output unchanged. Only DASHPOT_NOT_COMPUTABLE occurs later: it leaves the dampers before the failed one
+/// advanced, and that one and those after it unchanged. Returns all warnings combined.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_step_batch(
     count: u32,

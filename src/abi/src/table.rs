@@ -26,11 +26,11 @@ pub struct dashpot_parameter {
     pub struct_size: u32,
     /// DASHPOT_SHAPE_NUMBER, DASHPOT_SHAPE_CHOICE or DASHPOT_SHAPE_LIST.
     pub shape: u32,
-    /// Numbers that it may hold: 1, or the greatest length of a list.
+    /// Capacity: 1, or the maximum length of a list.
     pub capacity: u32,
     /// Row of this parameter in the table.
     pub row: u32,
-    /// Default; of a list its first number (dashpot_params_get_list() on a default set gives all).
+    /// Default; for a list its first number (dashpot_params_get_list() on a default set returns all).
     pub default_value: f64,
     /// Smallest allowed value.
     pub low: f64,

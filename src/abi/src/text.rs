@@ -20,7 +20,7 @@ pub(crate) fn write<'a>(to: &mut [c_char], pieces: impl Iterator<Item = &'a str>
     write_bytes(to, pieces.map(str::as_bytes));
 }
 
-/// The same with pieces that a file holds, whatever they are encoded in.
+/// Writes pieces of a file, in any encoding.
 pub(crate) fn write_bytes<'a>(to: &mut [c_char], pieces: impl Iterator<Item = &'a [u8]>) {
     let (last, to) = match to.split_last_mut() {
         Some(parts) => parts,

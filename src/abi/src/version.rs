@@ -1,11 +1,11 @@
 //! Version
 //!
 //! The interface version counts changes of the structures and functions below. Programs built for one interface version run
-//! with every library of the same interface version; with another one every function that takes a parameter set refuses it
+//! with every library of the same interface version. With another one every function that takes a parameter set rejects it
 //! (DASHPOT_ABI_MISMATCH), and the program has to be built again. Parameters and elements may be added within one
-//! interface version: a model file or a program that does not name them gets what it got before. The version of the
-//! library tells results apart: from one to the next the digits of a force may change within the accuracy promised. States and
-//! models are not exchanged between versions; parameter sets are exchanged as model files.
+//! interface version. A model file or a program that does not name them gets the same results as before. The digits of a force may
+//! change from one library version to the next, within the stated accuracy. Do not exchange states and
+//! models between versions; exchange parameter sets as model files.
 
 use core::ffi::c_char;
 

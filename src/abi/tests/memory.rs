@@ -1,6 +1,8 @@
-//! The whole interface, called with blocks of exactly the size that the header says, each by itself on the heap, and as uninitialised as a
-//! host may leave them: for tools that watch every access (Miri, AddressSanitizer). `tests/tests/unsafe_code.rs` runs it under both where
-//! they are. Without them it still holds that nothing is refused that the header allows.
+//! The whole interface, called with uninitialized blocks of exactly the size in the header, each by itself on the
+//! heap.
+//!
+//! This is for tools that watch every access (Miri, AddressSanitizer). `tests/tests/unsafe_code.rs` runs it under
+//! both where they are installed. Without them it still checks that nothing is rejected that the header allows.
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{DASHPOT_KNOWS_DISPLACEMENT, dashpot_input};
@@ -15,8 +17,8 @@ use dashpot_abi::params::{
 use dashpot_abi::partials::dashpot_partials;
 use dashpot_abi::state::{dashpot_output, dashpot_state, dashpot_state_init, dashpot_state_init_motion};
 use dashpot_abi::status::{
-    DASHPOT_FILE_REPEATED, DASHPOT_MISALIGNED, DASHPOT_NEEDS_SERIES, DASHPOT_NULL, DASHPOT_TOO_MANY_STATES,
-    DASHPOT_TOO_SHORT, DASHPOT_UNKNOWN_NAME, dashpot_status_text,
+    DASHPOT_BUFFER_TOO_SHORT, DASHPOT_FILE_REPEATED, DASHPOT_MISALIGNED, DASHPOT_NEEDS_SERIES, DASHPOT_NULL,
+    DASHPOT_TOO_MANY_STATES, DASHPOT_UNKNOWN_NAME, dashpot_status_text,
 };
 use dashpot_abi::step::{dashpot_force, dashpot_step, dashpot_step_batch};
 use dashpot_abi::table::{dashpot_parameter, dashpot_parameter_count, dashpot_parameter_info};
@@ -155,7 +157,7 @@ fn run(model: &dashpot_model, what: &str) {
             let mut partials = room::<dashpot_partials>();
             assert!(dashpot_jacobian(model, &*state, &*moved, partials.as_mut_ptr()) >= 0, "{what}");
             let partials = filled(partials);
-            assert!(partials.rate_by_state.as_flattened().iter().all(|p| p.is_finite()), "{what}");
+            assert!(partials.d_rate_d_state.as_flattened().iter().all(|p| p.is_finite()), "{what}");
         }
     }
     four_corners(model, &state, what);
@@ -233,7 +235,7 @@ fn parameters_are_set_read_and_described_in_blocks_of_exactly_their_size() {
             assert_eq!(dashpot_params_get_list(&*set, name.as_ptr(), list.as_mut_ptr(), count, &mut count), 0);
             assert_eq!(
                 dashpot_params_get_list(&*set, name.as_ptr(), list.as_mut_ptr(), count - 1, &mut count),
-                DASHPOT_TOO_SHORT
+                DASHPOT_BUFFER_TOO_SHORT
             );
             assert_eq!(dashpot_params_set_list(&mut *set, name.as_ptr(), list.as_ptr(), count), 0, "{name:?}");
         }
@@ -304,5 +306,5 @@ fn what_the_header_refuses_is_refused_before_it_is_touched() {
         assert_eq!(dashpot_params_read(&mut *set, null(), 3, null_mut()), DASHPOT_NULL);
         assert_eq!(dashpot_model_init(null_mut(), &*set), DASHPOT_NULL);
     }
-    assert_eq!((force, state.velocity.to_bits(), state.memory), (1.0, before.velocity.to_bits(), before.memory));
+    assert_eq!((force, state.velocity.to_bits(), state.internal), (1.0, before.velocity.to_bits(), before.internal));
 }

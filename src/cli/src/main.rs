@@ -77,7 +77,7 @@ fn main() -> ExitCode {
         Err(told) => return tell_usage(&told),
     };
     dashpot_output::set_force(cli.force);
-    dashpot_output::remember_inputs(inputs::named(&matches));
+    dashpot_output::register_inputs(inputs::named(&matches));
     if let Some(error) = dashpot_output::stdout_closed() {
         dashpot_output::warn(&format!("dashpot: {error}"));
         return ExitCode::from(2);
@@ -119,7 +119,7 @@ fn ended(done: anyhow::Result<()>) -> ExitCode {
         // A reader that has read enough, such as `head`, is no error.
         Err(error) if is_closed_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            dashpot_output::warn(&format!("dashpot: {}", dashpot_output::told_once(&error)));
+            dashpot_output::warn(&format!("dashpot: {}", dashpot_output::format_once(&error)));
             ExitCode::from(2)
         }
     }

@@ -59,7 +59,7 @@ impl DateArgs {
     pub fn made(&self, files: impl IntoIterator<Item = PathBuf>) -> anyhow::Result<Made> {
         let date = made::date(self.date.as_deref())?;
         let files: Vec<PathBuf> = files.into_iter().collect();
-        let made = Made::of(files.iter().map(PathBuf::as_path));
+        let made = Made::from_files(files.iter().map(PathBuf::as_path));
         Ok(Made { date, command: command(std::env::args().skip(1)), ..made })
     }
 }

@@ -31,7 +31,7 @@ impl Progress {
         self.0.set_message(dashpot_output::printable(text).into_owned());
     }
 
-    /// As [`Progress::set`] for counted work.
+    /// Shows the progress of counted work.
     pub fn count(&self, done: usize, total: usize) {
         self.set(done as f64 / total.max(1) as f64);
     }

@@ -1,19 +1,19 @@
 //! The elements of one model put together: prepared, and summed where they act.
 
-use crate::element::{Force, Memory, Motion, Prepare, Response, VisitMemory};
+use crate::element::{Force, Motion, Prepare, Response, StateVisitor, StatefulForce};
 use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
 use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::list::each_element;
-use crate::math::larger;
+use crate::math::max;
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
 use crate::paths::bits::{FADE, SERIES};
 use crate::paths::slots::states_of;
 use crate::paths::{Paths, RenewedPaths};
 use crate::preparing::{Keep, checked, placed};
-use crate::state::{MAX_MEMORY, Output};
-use crate::tables::{Held, Owned, Tables};
+use crate::state::{MAX_INTERNAL, Output};
+use crate::tables::{Owned, OwnedElement, Tables};
 
 /// What acts between the ends or, where the series compliance carries the whole, on the mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ macro_rules! assembled {
         inner { $($inner:ident: $Inner:ty,)* }
         friction { $($friction:ident: $Friction:ty,)* }
         preload { $($preload:ident: $Preload:ty,)* }
-        memory { $($memory:ident: $Memory:ty,)* }
+        stateful { $($stateful:ident: $Stateful:ty,)* }
         stops { $($stop:ident: $Stop:ty,)* }
         default { $($default:ident,)* }
         settings { $settings:ident: $Settings:ty }
@@ -58,7 +58,7 @@ macro_rules! assembled {
             $($inner: $Inner,)*
             $($friction: T::Kept<$Friction>,)*
             $($preload: T::Kept<$Preload>,)*
-            $($memory: T::Kept<$Memory>,)*
+            $($stateful: T::Kept<$Stateful>,)*
             $($stop: T::Kept<$Stop>,)*
         }
 
@@ -70,10 +70,10 @@ macro_rules! assembled {
                 on: 0,
                 paths: Paths::OFF,
                 $($inner: <$Inner>::OFF,)*
-                $($friction: Held(<$Friction>::OFF),)*
-                $($preload: Held(<$Preload>::OFF),)*
-                $($memory: Held(<$Memory>::OFF),)*
-                $($stop: Held(<$Stop>::OFF),)*
+                $($friction: OwnedElement(<$Friction>::OFF),)*
+                $($preload: OwnedElement(<$Preload>::OFF),)*
+                $($stateful: OwnedElement(<$Stateful>::OFF),)*
+                $($stop: OwnedElement(<$Stop>::OFF),)*
                 }
             };
 
@@ -95,10 +95,10 @@ macro_rules! assembled {
                 $(each!($inner, $Inner);)*
                 $(each!($friction, $Friction);)*
                 $(each!($preload, $Preload);)*
-                $(each!($memory, $Memory);)*
+                $(each!($stateful, $Stateful);)*
                 $(each!($stop, $Stop);)*
                 Paths::check_together(params)?;
-                if Elements::memories_of(params) > MAX_MEMORY {
+                if Elements::memories_of(params) > MAX_INTERNAL {
                     return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
                 }
                 Ok(())
@@ -106,11 +106,11 @@ macro_rules! assembled {
 
             /// Number of private states that a set asks for.
             pub(crate) fn memories_of(params: &Params) -> usize {
-                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
                 states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
-            /// Largest slope of the elements on the internal mass over the displacements `places`.
+            /// Largest derivative of the elements on the internal mass over the displacements `places`.
             ///
             /// # Errors
             /// The parameter that does not fit.
@@ -126,8 +126,8 @@ macro_rules! assembled {
                 let mut steepest = 0.0;
                 for displacement in places {
                     let at = Motion { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
-                    let slope = 0.0 $(+ $inner.force(&at).by_x)*;
-                    steepest = larger(slope, steepest);
+                    let derivative = 0.0 $(+ $inner.force(&at).d_force_d_x)*;
+                    steepest = max(derivative, steepest);
                 }
                 Ok(steepest)
             }
@@ -145,7 +145,7 @@ macro_rules! assembled {
                 $(each!($inner);)*
                 $(each!($friction);)*
                 $(each!($preload);)*
-                $(each!($memory);)*
+                $(each!($stateful);)*
                 $(each!($stop);)*
                 if self.paths.carries_whole() {
                     self.on |= CARRIES_WHOLE;
@@ -172,7 +172,7 @@ macro_rules! assembled {
                     $($inner: lent_or_renewed!(self, numbers, $inner, $Inner),)*
                     $($friction: each!($friction, $Friction),)*
                     $($preload: each!($preload, $Preload),)*
-                    $($memory: each!($memory, $Memory),)*
+                    $($stateful: each!($stateful, $Stateful),)*
                     $($stop: each!($stop, $Stop),)*
                 }
             }
@@ -183,7 +183,7 @@ macro_rules! assembled {
             paths: RenewedPaths,
             $($friction: Option<$Friction>,)*
             $($preload: Option<$Preload>,)*
-            $($memory: Option<$Memory>,)*
+            $($stateful: Option<$Stateful>,)*
             $($stop: Option<$Stop>,)*
         }
 
@@ -195,7 +195,7 @@ macro_rules! assembled {
                     paths: RenewedPaths::none(),
                     $($friction: None,)*
                     $($preload: None,)*
-                    $($memory: None,)*
+                    $($stateful: None,)*
                     $($stop: None,)*
                 }
             }
@@ -254,19 +254,19 @@ macro_rules! assembled {
 
             /// Whether one of them bends so sharply that no straight line holds for a stage.
             #[inline(always)]
-            pub fn bends(&self) -> bool {
-                false $(|| self.has(Place::$inner) && self.$inner.bends())*
+            pub fn is_nonlinear(&self) -> bool {
+                false $(|| self.has(Place::$inner) && self.$inner.is_nonlinear())*
             }
 
-            /// As [`Elements::inner`] where none of them bends ([`Elements::bends`]).
+            /// Sums the inner elements if none of them is nonlinear ([`Elements::bends`]).
             #[inline(always)]
-            pub fn unbent(&self, at: &Motion) -> Response {
+            pub fn linear_force(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$inner) { sum.add(self.$inner.unbent(at)); })*
+                $(if self.has(Place::$inner) { sum.add(self.$inner.linear_force(at)); })*
                 sum
             }
 
-            /// As [`Elements::inner`] where all of them answer at once.
+            /// Sums the inner elements if all of them have a short form.
             #[inline(always)]
             pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -282,7 +282,7 @@ macro_rules! assembled {
                 sum
             }
 
-            /// As [`Elements::friction`] where all of them answer at once.
+            /// Sums the friction if all elements of it have a short form.
             #[inline(always)]
             pub fn friction_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -298,7 +298,7 @@ macro_rules! assembled {
                 sum
             }
 
-            /// As [`Elements::preload`] where all of them answer at once.
+            /// Sums the preload if all elements of it have a short form.
             #[inline(always)]
             pub fn preload_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -314,16 +314,16 @@ macro_rules! assembled {
             }
 
             /// Names and units of the private states of the elements beside the damper, in their order.
-            pub fn each_memory_name(&self, mut visit: impl FnMut(&'static str)) {
-                $(if self.has(Place::$memory) {
-                    visit(stringify!($memory));
+            pub fn each_stateful_name(&self, mut visit: impl FnMut(&'static str)) {
+                $(if self.has(Place::$stateful) {
+                    visit(stringify!($stateful));
                 })*
             }
 
             /// Which of them are on, as bits in their order.
             pub(crate) fn memory_bits(&self) -> u64 {
                 let (mut bits, mut next) = (0, 1);
-                $(if self.has(Place::$memory) {
+                $(if self.has(Place::$stateful) {
                     bits |= next;
                 }
                 next <<= 1;)*
@@ -333,7 +333,7 @@ macro_rules! assembled {
 
             /// Number of private states.
             pub fn memories(&self) -> usize {
-                const MEMORY: u64 = 0 $(| 1 << Place::$memory as usize)*;
+                const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
                 self.paths.slots().count() + (self.on & MEMORY).count_ones() as usize
             }
 
@@ -347,32 +347,32 @@ macro_rules! assembled {
             /// Whether an element beside the damper is on that has a private state or is a stop.
             #[inline(always)]
             pub fn has_beside(&self) -> bool {
-                const BESIDE: u64 = 0 $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                const BESIDE: u64 = 0 $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
                 self.on & BESIDE != 0
             }
 
             /// Whether the internal mass is there and nothing that its plain step does not know.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
-                const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$memory as usize)* $(| 1 << Place::$stop as usize)*;
+                const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
                 self.on & REST == Paths::<Owned>::MASS
             }
 
-            /// As [`Elements::each_memory`], each as what it is, by code of its own.
+            /// Visits each stateful element with its own type, by code compiled for that type.
             #[inline(always)]
-            pub fn each_own_memory(&self, visitor: &mut impl VisitMemory) {
+            pub fn visit_stateful(&self, visitor: &mut impl StateVisitor) {
                 let mut place = self.paths.slots().count();
-                $(if self.has(Place::$memory) {
-                    visitor.visit(place, &*self.$memory);
+                $(if self.has(Place::$stateful) {
+                    visitor.visit(place, &*self.$stateful);
                     place += 1;
                 })*
-                debug_assert!(place <= MAX_MEMORY);
+                debug_assert!(place <= MAX_INTERNAL);
             }
 
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
             #[inline(always)]
-            pub fn each_memory(&self, visit: impl FnMut(usize, &dyn Memory)) {
-                self.each_own_memory(&mut Shown(visit));
+            pub fn each_stateful(&self, visit: impl FnMut(usize, &dyn StatefulForce)) {
+                self.visit_stateful(&mut Shown(visit));
             }
         }
     };
@@ -383,9 +383,9 @@ each_element!(assembled);
 /// Shows elements with memory as any.
 struct Shown<F>(F);
 
-impl<F: FnMut(usize, &dyn Memory)> VisitMemory for Shown<F> {
+impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
     #[inline(always)]
-    fn visit<M: Memory>(&mut self, place: usize, element: &M) {
+    fn visit<M: StatefulForce>(&mut self, place: usize, element: &M) {
         (self.0)(place, element);
     }
 }
@@ -405,11 +405,13 @@ impl<T: Tables> Elements<T> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Whether the fade is all that acts in the paths, and scales the whole FV curve by a factor that the host's temperature gives: such
-    /// a damper takes the plain step. Springs that bend are solved to rounding in the paths alone.
+    /// Whether the damper can use the plain step although its force fades with temperature.
+    ///
+    /// This holds if the fade is the only element of the force path and scales the whole FV curve by a factor of the
+    /// host's temperature. Nonlinear springs are solved to rounding in the force path alone.
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
-        self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.bends()
+        self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.is_nonlinear()
     }
 }
 

@@ -1,20 +1,22 @@
 //! A non-decreasing curve through measured points: monotone cubic or linear, prolonged straight beyond its ends.
 //!
-//! The force–velocity curve and the lookup spring are such curves. Besides its value and slope a curve answers the
+//! The force–velocity curve and the lookup spring are such curves. Besides its value and derivative a curve answers the
 //! question that an implicit step asks, the *resolvent*: which `u` satisfies `a u + b f(u) = r` ([`Curve::solve`]).
 //! Because the curve never falls, there is exactly one answer, and because its knots are known, it is found in
 //! a number of operations that does not depend on the data.
 
 use crate::fault::Reason;
-use crate::math::{larger, pair, smaller};
+use crate::math::{max, min, pair};
 
 /// Most points that a curve may have.
 pub const MAX_POINTS: usize = 63;
-/// Least distance of two points, m/s or m: no channel of a rig tells two velocities or places apart that are nearer, and the
-/// squares and cubes of nearer ones leave the range in which a slope has digits left.
+/// Minimum distance of two points, m/s or m.
+///
+/// No channel of a rig resolves closer velocities or displacements. The squares and cubes of smaller distances leave
+/// the range in which a derivative has digits.
 pub const NEAREST: f64 = 1e-6;
-/// Largest rise from point to point, N s/m or N/m: 100 N in a micrometre (per second). A force found through a slope has the
-/// rounding of the velocity, 1e-17 m/s, times that slope: with this one far below a millinewton. A hundred times the steepest
+/// Largest rise from point to point, N s/m or N/m: 100 N in a micrometre (per second). A force found through a derivative has the
+/// rounding of the velocity, 1e-17 m/s, times that derivative: with this one far below a millinewton. A hundred times the steepest
 /// damper; a curve that jumps is no measurement.
 pub const STEEPEST: f64 = 1e8;
 /// Pieces between and beyond the points.
@@ -23,20 +25,20 @@ const PIECES: usize = 64;
 /// How a curve runs between its points.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Interpolation {
-    /// Piecewise cubic Hermite with Fritsch–Butland slopes (SIAM J. Sci. Stat. Comput. 5, 1984): smooth slope,
+    /// Piecewise cubic Hermite with Fritsch–Butland derivatives (SIAM J. Sci. Stat. Comput. 5, 1984): smooth derivative,
     /// no overshoot.
     MonotoneCubic,
     /// Straight lines.
     Linear,
 }
 
-/// Value and slope of a curve at one place.
+/// Value and derivative of a curve at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
     /// f(u).
     pub value: f64,
     /// df/du.
-    pub slope: f64,
+    pub derivative: f64,
 }
 
 /// One piece: `f(u) = f0 + t (c1 + t (c2 + t c3))` with `t = u − u0`.
@@ -47,7 +49,7 @@ struct Piece {
     /// f0 − f(0).
     above: f64,
     c1: f64,
-    /// c2 of the value and 2 c2 of the slope; likewise c3 and 3 c3: both polynomials run side by side.
+    /// c2 of the value and 2 c2 of the derivative; likewise c3 and 3 c3: both polynomials run side by side.
     c2: [f64; 2],
     c3: [f64; 2],
 }
@@ -58,7 +60,7 @@ struct Extent {
     /// Where the piece ends, as t; the outer pieces reach as far as any number.
     low: f64,
     high: f64,
-    /// Mean slope of an inner piece, the slope of an outer one.
+    /// Mean derivative of an inner piece, the derivative of an outer one.
     chord: f64,
 }
 
@@ -82,13 +84,13 @@ pub struct Curve {
     high: f64,
 }
 
-/// Value, slope and curvature of a curve, the value counted from that at 0.
+/// Value, derivative and curvature of a curve, the value counted from that at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Above {
     /// f(u) − f(0): of the sign of u.
     pub value: f64,
     /// df/du.
-    pub slope: f64,
+    pub derivative: f64,
     /// d²f/du².
     pub curvature: f64,
 }
@@ -109,7 +111,7 @@ fn bucket(u: f64) -> (bool, u8) {
     /// Leading bits of the nearest.
     const FIRST: u64 = NEAREST.to_bits() >> 48;
     let out = u.abs() + NEAREST;
-    let out = smaller(out, FURTHEST);
+    let out = min(out, FURTHEST);
     (u.is_sign_negative(), ((out.to_bits() >> 48) - FIRST) as u8)
 }
 
@@ -167,7 +169,7 @@ impl Curve {
             return Err(Reason::NotIncreasing);
         }
         if !rises(f, false) {
-            return Err(Reason::Falls);
+            return Err(Reason::ForceDecreases);
         }
         let gaps = u.iter().zip(u.iter().skip(1)).zip(f.iter().zip(f.iter().skip(1)));
         for ((u0, u1), (f0, f1)) in gaps {
@@ -181,7 +183,7 @@ impl Curve {
         Ok(())
     }
 
-    /// As [`Curve::new`], where the curve is kept: it is too large for the stack of a small thread.
+    /// Prepares the curve in place, because it is too large for the stack of a small thread.
     ///
     /// # Errors
     /// As [`Curve::check`]; nothing is changed then.
@@ -194,16 +196,16 @@ impl Curve {
         for (to, (u, f)) in curve.points.iter_mut().zip(u.iter().zip(f)) {
             *to = [*u, *f];
         }
-        let mut slopes = [0.0; PIECES];
+        let mut derivatives = [0.0; PIECES];
         if interpolation == Interpolation::MonotoneCubic {
-            for (i, slope) in slopes.iter_mut().enumerate().take(n) {
-                *slope = monotone_slope(u, f, i);
+            for (i, derivative) in derivatives.iter_mut().enumerate().take(n) {
+                *derivative = monotone_derivative(u, f, i);
             }
         }
         let at = |s: &[f64], i: usize| s.get(i).copied().unwrap_or(0.0);
         let pieces = curve.pieces.iter_mut().zip(&mut curve.extents);
         for (i, (piece, extent)) in pieces.enumerate().take(n + 1) {
-            // Piece i lies left of point i; the first and the last prolong the curve by its end slope.
+            // Piece i lies left of point i; the first and the last prolong the curve by its end derivative.
             let (left, right) = (i.wrapping_sub(1), i);
             let inner = i > 0 && i < n;
             let anchor = if i == 0 { 0 } else { left };
@@ -215,7 +217,7 @@ impl Curve {
                 match interpolation {
                     Interpolation::Linear => piece.c1 = chord,
                     Interpolation::MonotoneCubic => {
-                        let (m0, m1) = (at(&slopes, left), at(&slopes, right));
+                        let (m0, m1) = (at(&derivatives, left), at(&derivatives, right));
                         piece.c1 = m0;
                         let (c2, c3) = ((3.0 * chord - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * chord) / (h * h));
                         piece.c2 = [c2, 2.0 * c2];
@@ -224,7 +226,7 @@ impl Curve {
                 }
             } else {
                 piece.c1 = match interpolation {
-                    Interpolation::MonotoneCubic => at(&slopes, anchor),
+                    Interpolation::MonotoneCubic => at(&derivatives, anchor),
                     Interpolation::Linear => {
                         let k = if i == 0 { 0 } else { n - 2 };
                         (at(f, k + 1) - at(f, k)) / (at(u, k + 1) - at(u, k))
@@ -238,7 +240,7 @@ impl Curve {
         curve.low = at(u, 0);
         curve.high = at(u, n - 1);
         curve.fill_buckets(u);
-        curve.at_zero = curve.at(0.0).value;
+        curve.at_zero = curve.evaluate(0.0).value;
         for piece in &mut curve.pieces {
             piece.above = piece.f0 - curve.at_zero;
         }
@@ -321,14 +323,14 @@ impl Curve {
         self.piece(index)
     }
 
-    /// Value and slope at `u`.
+    /// Value and derivative at `u`.
     #[inline(always)]
-    pub fn at(&self, u: f64) -> Value {
+    pub fn evaluate(&self, u: f64) -> Value {
         let p = self.at_place(u);
         p.at(u - p.u0)
     }
 
-    /// As [`Curve::at`], with the value counted from that at 0 and with the curvature.
+    /// Value counted from that at 0, derivative and curvature at `u`.
     #[inline(always)]
     pub fn above_zero(&self, u: f64) -> Above {
         let p = self.at_place(u);
@@ -337,7 +339,7 @@ impl Curve {
         let [bent, bending] = pair(|k| p.c2[k] + t * p.c3[k]);
         Above {
             value: (p.above + t * p.c1) + (t * t) * bent,
-            slope: p.c1 + t * bending,
+            derivative: p.c1 + t * bending,
             curvature: bending + t * p.c3[1],
         }
     }
@@ -348,12 +350,12 @@ impl Curve {
         self.at_zero
     }
 
-    /// The resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the slope of f there.
+    /// The resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the derivative of f there.
     ///
     /// The piece is found by its ends; inside it a cubic that never falls is solved from the chord by so many Householder
-    /// steps of the fourth order, held inside the bracket. Over all monotone pieces (worst: end slopes of 0 and 3 times
+    /// steps of the fourth order, held inside the bracket. Over all monotone pieces (worst: end derivatives of 0 and 3 times
     /// the mean) two steps leave at most 1e-10, 6e-8, 2e-5 of the piece's height where `a` is 0.6, 0.3, 0.1 of its mean
-    /// slope; three leave 1e-9 at 0.03.
+    /// derivative; three leave 1e-9 at 0.03.
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let index = self.locate(r, |u, f| a * u + f);
@@ -362,16 +364,16 @@ impl Curve {
         let c1 = a + p.c1;
         let mut t = target * (1.0 / (a + extent.chord));
         for _ in 0..STEPS {
-            let [mean, slope] = p.polynomials(c1, t);
+            let [mean, derivative] = p.polynomials(c1, t);
             let value = t * mean - target;
             // Half the curvature.
             let bend = p.c2[0] + t * p.c3[1];
             let bent = value * bend;
-            let narrowed = slope * slope - bent;
-            let step = value * narrowed / (slope * (narrowed - bent) + value * (value * p.c3[0]));
+            let narrowed = derivative * derivative - bent;
+            let step = value * narrowed / (derivative * (narrowed - bent) + value * (value * p.c3[0]));
             t -= step;
-            t = larger(extent.low, t);
-            t = smaller(extent.high, t);
+            t = max(extent.low, t);
+            t = min(extent.high, t);
             // Its fourth power is what is left.
             if step.abs() <= FEW * extent.high {
                 break;
@@ -382,7 +384,7 @@ impl Curve {
 }
 
 impl Piece {
-    /// (f − f0)/t and the slope of f for the piece with linear term `c1`.
+    /// (f − f0)/t and the derivative of f for the piece with linear term `c1`.
     #[inline(always)]
     fn polynomials(&self, c1: f64, t: f64) -> [f64; 2] {
         pair(|k| c1 + t * (self.c2[k] + t * self.c3[k]))
@@ -390,14 +392,14 @@ impl Piece {
 
     #[inline(always)]
     fn at(&self, t: f64) -> Value {
-        let [mean, slope] = self.polynomials(self.c1, t);
-        Value { value: self.f0 + t * mean, slope }
+        let [mean, derivative] = self.polynomials(self.c1, t);
+        Value { value: self.f0 + t * mean, derivative }
     }
 }
 
 /// Slope at point `i` after Fritsch and Butland: weighted harmonic mean of the neighbouring chords, zero where they
 /// disagree in sign; one-sided at the ends.
-pub fn monotone_slope(u: &[f64], f: &[f64], i: usize) -> f64 {
+pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();
     let chord = |k: usize| (at(f, k + 1) - at(f, k)) / (at(u, k + 1) - at(u, k));
@@ -436,26 +438,28 @@ mod tests {
         for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
             let c = Curve::new(&u, &f, interpolation).unwrap();
             for (u, f) in u.iter().zip(&f) {
-                assert!((c.at(*u).value - f).abs() < 1e-9);
+                assert!((c.evaluate(*u).value - f).abs() < 1e-9);
             }
             let mut last = f64::MIN;
             for i in -2500..=2500 {
-                let v = c.at(i as f64 * 1e-3);
-                assert!(v.value >= last - 1e-9 && v.slope >= -1e-9);
+                let v = c.evaluate(i as f64 * 1e-3);
+                assert!(v.value >= last - 1e-9 && v.derivative >= -1e-9);
                 last = v.value;
             }
         }
     }
 
     #[test]
-    fn slope_is_the_derivative_of_the_value() {
+    fn derivative_is_the_derivative_of_the_value() {
         let (u, f) = knee();
         let c = Curve::new(&u, &f, Interpolation::MonotoneCubic).unwrap();
         for i in -200..200 {
             let at = i as f64 * 0.01 + 0.0037;
             let h = 1e-6;
-            let difference = (c.at(at + h).value - c.at(at - h).value) / (2.0 * h);
-            assert!((difference - c.at(at).slope).abs() < 1e-6 * c.at(at).slope.abs().max(1000.0));
+            let difference = (c.evaluate(at + h).value - c.evaluate(at - h).value) / (2.0 * h);
+            assert!(
+                (difference - c.evaluate(at).derivative).abs() < 1e-6 * c.evaluate(at).derivative.abs().max(1000.0)
+            );
         }
     }
 
@@ -498,11 +502,11 @@ mod tests {
         assert_eq!(c.at_zero(), 250.0);
         for i in -2500..=2500 {
             let at = i as f64 * 1e-3 + 1e-4;
-            let (plain, above) = (c.at(at), c.above_zero(at));
+            let (plain, above) = (c.evaluate(at), c.above_zero(at));
             assert!((plain.value - above.value - 250.0).abs() < 1e-9);
-            assert!((plain.slope - above.slope).abs() < 1e-9 * (1.0 + plain.slope));
+            assert!((plain.derivative - above.derivative).abs() < 1e-9 * (1.0 + plain.derivative));
             let h = 1e-6;
-            let bend = (c.at(at + h).slope - c.at(at - h).slope) / (2.0 * h);
+            let bend = (c.evaluate(at + h).derivative - c.evaluate(at - h).derivative) / (2.0 * h);
             assert!((bend - above.curvature).abs() < 1e-3 * (1.0 + bend.abs()));
             assert!(above.value * at >= 0.0);
         }
@@ -518,9 +522,9 @@ mod tests {
                 let a = 10f64.powi(decade);
                 for i in -3000..=3000 {
                     let wanted = i as f64 * 1e-3;
-                    let r = a * wanted + c.at(wanted).value;
+                    let r = a * wanted + c.evaluate(wanted).value;
                     let (got, v) = c.solve::<3>(a, r);
-                    let left = (a * got + v.value - r).abs() / (a + v.slope.max(1.0));
+                    let left = (a * got + v.value - r).abs() / (a + v.derivative.max(1.0));
                     worst = worst.max(left);
                 }
             }
@@ -533,7 +537,7 @@ mod tests {
         assert_eq!(Curve::new(&[0.0], &[0.0], Interpolation::Linear).err(), Some(Reason::PointCount));
         assert_eq!(Curve::new(&[0.0, 1.0], &[0.0], Interpolation::Linear).err(), Some(Reason::CurveLengths));
         assert_eq!(Curve::new(&[0.0, 0.0], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::NotIncreasing));
-        assert_eq!(Curve::new(&[0.0, 1.0], &[1.0, 0.0], Interpolation::Linear).err(), Some(Reason::Falls));
+        assert_eq!(Curve::new(&[0.0, 1.0], &[1.0, 0.0], Interpolation::Linear).err(), Some(Reason::ForceDecreases));
         assert_eq!(Curve::new(&[0.0, 0.9e-6], &[0.0, 1.0], Interpolation::Linear).err(), Some(Reason::TooClose));
         assert_eq!(Curve::new(&[0.0, 2e-6], &[0.0, 201.0], Interpolation::Linear).err(), Some(Reason::TooSteep));
         assert!(Curve::new(&[0.0, 2e-6], &[0.0, 199.0], Interpolation::Linear).is_ok());

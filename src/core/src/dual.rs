@@ -1,5 +1,7 @@
-//! Numbers that carry their derivatives along, so that the equations of the coupled paths are written once: as plain
-//! numbers for their values, as [`Dual`] for their exact slopes.
+//! Numbers that carry their derivatives.
+//!
+//! The equations of the coupled force path are written once: with plain numbers for their values, with [`Dual`] for
+//! their exact derivatives.
 
 use crate::math::{exp, tanh};
 use core::ops::{Add, Mul, Neg, Sub};
@@ -12,8 +14,8 @@ pub trait Real:
     fn constant(value: f64) -> Self;
     /// Its value alone.
     fn value(self) -> f64;
-    /// A function of it that has this value and this slope there.
-    fn chain(self, value: f64, slope: f64) -> Self;
+    /// A function of it that has this value and this derivative there.
+    fn chain(self, value: f64, derivative: f64) -> Self;
 
     /// Plus a constant.
     #[inline(always)]
@@ -80,39 +82,39 @@ pub struct Dual<const N: usize> {
     /// The number.
     pub value: f64,
     /// Its derivatives.
-    pub slopes: [f64; N],
+    pub derivatives: [f64; N],
 }
 
 impl<const N: usize> Dual<N> {
     /// A number with these derivatives.
     #[inline(always)]
-    pub fn new(value: f64, slopes: [f64; N]) -> Dual<N> {
-        Dual { value, slopes }
+    pub fn new(value: f64, derivatives: [f64; N]) -> Dual<N> {
+        Dual { value, derivatives }
     }
 
     /// The number that direction `direction` moves.
     #[inline(always)]
     pub fn along(value: f64, direction: usize) -> Dual<N> {
-        let mut slopes = [0.0; N];
-        if let Some(slope) = slopes.get_mut(direction) {
-            *slope = 1.0;
+        let mut derivatives = [0.0; N];
+        if let Some(derivative) = derivatives.get_mut(direction) {
+            *derivative = 1.0;
         }
-        Dual { value, slopes }
+        Dual { value, derivatives }
     }
 
     /// The derivative in a direction.
     #[inline(always)]
-    pub fn slope(&self, direction: usize) -> f64 {
-        self.slopes.get(direction).copied().unwrap_or(0.0)
+    pub fn derivative(&self, direction: usize) -> f64 {
+        self.derivatives.get(direction).copied().unwrap_or(0.0)
     }
 
     #[inline(always)]
     fn merge(self, other: Dual<N>, value: f64, f: impl Fn(f64, f64) -> f64) -> Dual<N> {
-        let mut slopes = self.slopes;
-        for (a, b) in slopes.iter_mut().zip(other.slopes) {
+        let mut derivatives = self.derivatives;
+        for (a, b) in derivatives.iter_mut().zip(other.derivatives) {
             *a = f(*a, b);
         }
-        Dual { value, slopes }
+        Dual { value, derivatives }
     }
 }
 
@@ -161,7 +163,7 @@ impl<const N: usize> Neg for Dual<N> {
 impl<const N: usize> Real for Dual<N> {
     #[inline(always)]
     fn constant(value: f64) -> Dual<N> {
-        Dual { value, slopes: [0.0; N] }
+        Dual { value, derivatives: [0.0; N] }
     }
 
     #[inline(always)]
@@ -170,12 +172,12 @@ impl<const N: usize> Real for Dual<N> {
     }
 
     #[inline(always)]
-    fn chain(self, value: f64, slope: f64) -> Dual<N> {
-        let mut slopes = self.slopes;
-        for s in &mut slopes {
-            *s *= slope;
+    fn chain(self, value: f64, derivative: f64) -> Dual<N> {
+        let mut derivatives = self.derivatives;
+        for s in &mut derivatives {
+            *s *= derivative;
         }
-        Dual { value, slopes }
+        Dual { value, derivatives }
     }
 }
 
@@ -188,13 +190,13 @@ mod tests {
     }
 
     #[test]
-    fn slopes_are_derivatives() {
+    fn derivatives_are_derivatives() {
         for (x, y) in [(0.3, 0.7), (-1.1, 0.4), (2.0, -0.6)] {
             let both = tried(Dual::<2>::along(x, 0), Dual::along(y, 1));
             let h = 1e-6;
             assert_eq!(both.value, tried(x, y));
-            assert!((both.slopes[0] - (tried(x + h, y) - tried(x - h, y)) / (2.0 * h)).abs() < 1e-8);
-            assert!((both.slopes[1] - (tried(x, y + h) - tried(x, y - h)) / (2.0 * h)).abs() < 1e-8);
+            assert!((both.derivatives[0] - (tried(x + h, y) - tried(x - h, y)) / (2.0 * h)).abs() < 1e-8);
+            assert!((both.derivatives[1] - (tried(x, y + h) - tried(x, y - h)) / (2.0 * h)).abs() < 1e-8);
         }
     }
 }

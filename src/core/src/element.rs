@@ -1,4 +1,4 @@
-//! What an element is: the motion that it sees, what it answers, and how it is made ready.
+//! What an element is: the motion that it sees, its force and state derivative, and how it is prepared.
 
 use crate::fault::Fault;
 use crate::input::Path;
@@ -17,87 +17,87 @@ pub struct Motion {
     pub temperature: f64,
 }
 
-/// Force of an element without memory, and its slopes.
+/// Force of an element without internal state, and its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response {
     /// Force, N, tension positive.
     pub force: f64,
     /// ∂F/∂x, N/m.
-    pub by_x: f64,
+    pub d_force_d_x: f64,
     /// ∂F/∂v, N s/m.
-    pub by_v: f64,
+    pub d_force_d_v: f64,
 }
 
 impl Response {
-    /// Nothing.
-    pub const NONE: Response = Response { force: 0.0, by_x: 0.0, by_v: 0.0 };
+    /// No force.
+    pub const NONE: Response = Response { force: 0.0, d_force_d_x: 0.0, d_force_d_v: 0.0 };
 
     #[inline(always)]
     pub(crate) fn add(&mut self, other: Response) {
         self.force += other.force;
-        self.by_x += other.by_x;
-        self.by_v += other.by_v;
+        self.d_force_d_x += other.d_force_d_x;
+        self.d_force_d_v += other.d_force_d_v;
     }
 }
 
-/// Force and state rate of an element with one private state, and their slopes.
+/// Force and state derivative of an element with one internal state z, and their partial derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Recall {
+pub struct StateResponse {
     /// Force, N.
     pub force: f64,
     /// ∂F/∂x.
-    pub by_x: f64,
+    pub d_force_d_x: f64,
     /// ∂F/∂v.
-    pub by_v: f64,
+    pub d_force_d_v: f64,
     /// ∂F/∂z.
-    pub by_memory: f64,
+    pub d_force_d_z: f64,
     /// dz/dt.
     pub rate: f64,
     /// ∂(dz/dt)/∂x.
-    pub rate_by_x: f64,
+    pub d_rate_d_x: f64,
     /// ∂(dz/dt)/∂v.
-    pub rate_by_v: f64,
+    pub d_rate_d_v: f64,
     /// ∂(dz/dt)/∂z, at most 0.
-    pub rate_by_memory: f64,
+    pub d_rate_d_z: f64,
 }
 
-impl Recall {
-    /// Nothing.
-    pub const NONE: Recall = Recall {
+impl StateResponse {
+    /// No force and a constant state.
+    pub const NONE: StateResponse = StateResponse {
         force: 0.0,
-        by_x: 0.0,
-        by_v: 0.0,
-        by_memory: 0.0,
+        d_force_d_x: 0.0,
+        d_force_d_v: 0.0,
+        d_force_d_z: 0.0,
         rate: 0.0,
-        rate_by_x: 0.0,
-        rate_by_v: 0.0,
-        rate_by_memory: 0.0,
+        d_rate_d_x: 0.0,
+        d_rate_d_v: 0.0,
+        d_rate_d_z: 0.0,
     };
 }
 
-/// What an element with one private state has come to at the end of a step.
+/// State and force of an element with one internal state at the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reached {
+pub struct EndState {
     /// The state z.
-    pub memory: f64,
-    /// Force there; its slopes are those over displacement and velocity at the end of the step, what z takes of them included.
-    pub answer: Response,
+    pub z: f64,
+    /// Force, with total derivatives over displacement and velocity at the end of the step: they include the change of z.
+    pub response: Response,
 }
 
-impl Reached {
-    /// From what the element answers at the end, with the slopes of z over displacement and velocity there.
+impl EndState {
+    /// Combines the response at the end with the derivatives of z over displacement and velocity there.
     #[inline(always)]
-    pub fn new(memory: f64, by_end: [f64; 2], recall: &Recall) -> Reached {
-        let answer = Response {
-            force: recall.force,
-            by_x: recall.by_x + recall.by_memory * by_end[0],
-            by_v: recall.by_v + recall.by_memory * by_end[1],
+    pub fn new(z: f64, by_end: [f64; 2], end: &StateResponse) -> EndState {
+        let response = Response {
+            force: end.force,
+            d_force_d_x: end.d_force_d_x + end.d_force_d_z * by_end[0],
+            d_force_d_v: end.d_force_d_v + end.d_force_d_z * by_end[1],
         };
-        Reached { memory, answer }
+        EndState { z, response }
     }
 }
 
-/// How an element is made ready from its parameters.
+/// Prepares an element from its parameters.
 pub trait Prepare: Describe + Sized {
     /// The element switched off.
     const OFF: Self;
@@ -107,10 +107,7 @@ pub trait Prepare: Describe + Sized {
     /// The parameter that does not fit the others.
     fn prepare(parameters: &View<Self>) -> Result<Self, Fault>;
 
-    /// Whether it can be made ready; large elements have one of their own, which takes no room for it.
-    ///
-    /// # Errors
-    /// Whether the element can be prepared from these parameters.
+    /// Whether the element can be prepared from these parameters; large elements override this to need no memory for it.
     ///
     /// # Errors
     /// The parameter at fault.
@@ -118,10 +115,10 @@ pub trait Prepare: Describe + Sized {
         Self::prepare(parameters).map(|_| ())
     }
 
-    /// As [`Prepare::prepare`], where the element is kept; large elements have one of their own.
+    /// Prepares the element in place; large elements override this to avoid a copy.
     ///
     /// # Errors
-    /// The same; nothing is changed then.
+    /// The parameter that does not fit the others; nothing is changed then.
     fn set(&mut self, parameters: &View<Self>) -> Result<(), Fault> {
         *self = Self::prepare(parameters)?;
         Ok(())
@@ -135,64 +132,68 @@ pub trait Prepare: Describe + Sized {
 
 /// An element whose force depends on the present motion alone.
 pub trait Force {
-    /// Force and slopes.
+    /// Force and derivatives.
     fn force(&self, at: &Motion) -> Response;
 
-    /// The same to the bit where it takes a handful of operations: what most steps of most models need. `None` where it
-    /// takes more; [`Force::force`] is then asked, out of the way of the quick.
+    /// [`Force::force`] to the bit, if that is a handful of operations; `None` otherwise.
+    ///
+    /// Most steps of most models need no more, and the long code stays out of their way.
     #[inline(always)]
     fn at_once(&self, _: &Motion) -> Option<Response> {
         None
     }
 
-    /// Whether it bends so sharply that a straight line may not hold for a stage.
+    /// Whether the force is so nonlinear that a line may not hold for a stage.
     #[inline(always)]
-    fn bends(&self) -> bool {
+    fn is_nonlinear(&self) -> bool {
         false
     }
 
-    /// [`Force::force`] of one that does not.
+    /// Equals [`Force::force`] if [`Force::is_nonlinear`] is false.
     #[inline(always)]
-    fn unbent(&self, at: &Motion) -> Response {
+    fn linear_force(&self, at: &Motion) -> Response {
         self.force(at)
     }
 }
 
-/// Where the answer counts the force of an element beside the damper, besides the total.
+/// The component of the output that the force of an element adds to, besides the total.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Share {
-    /// Nowhere else.
+pub enum ForceComponent {
+    /// The total alone.
     Total,
-    /// In the friction.
+    /// The friction.
     Friction,
-    /// In the gas force.
+    /// The gas force.
     Gas,
 }
 
-/// An element with one private state z.
-pub trait Memory {
-    /// Where the answer counts its force.
-    fn share(&self) -> Share {
-        Share::Total
+/// An element with one internal state z.
+pub trait StatefulForce {
+    /// The component of the output that its force adds to.
+    fn component(&self) -> ForceComponent {
+        ForceComponent::Total
     }
-    /// Force, state rate and all slopes at state `z`.
-    fn recall(&self, at: &Motion, z: f64) -> Recall;
-    /// The state after the motion has been held long enough.
-    fn settled(&self, at: &Motion) -> f64;
+    /// Force, state derivative and all partial derivatives at state `z`.
+    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse;
+    /// The steady state at constant motion.
+    fn equilibrium(&self, at: &Motion) -> f64;
 
-    /// The same of one that was `z` where the driven end stood at `from`: another where it keeps at rest what brought it there.
-    fn held(&self, _from: f64, _z: f64, at: &Motion) -> f64 {
-        self.settled(at)
+    /// The steady state of an element that was in state `z` with its moving end at `from`.
+    ///
+    /// It differs from [`StatefulForce::equilibrium`] where [`StatefulForce::is_path_dependent`].
+    fn equilibrium_from(&self, _from: f64, _z: f64, at: &Motion) -> f64 {
+        self.equilibrium(at)
     }
 
-    /// Whether it does: then it follows the displacement alone, and no velocity that is held for an instant.
-    fn keeps(&self, _at: &Motion) -> bool {
+    /// Whether the state at rest depends on the displacement that led there, and not on the velocity of an instant.
+    fn is_path_dependent(&self, _at: &Motion) -> bool {
         false
     }
 
-    /// State and force after the motion along a path, in closed form (the slopes mean nothing where no `slopes` are asked for).
-    /// `None` where there is no such form: the step then integrates the rate.
-    fn carried(&self, _path: &Path, _z: f64, _slopes: bool) -> Option<Reached>
+    /// State and force after the motion along a path, in closed form. The derivatives are undefined unless requested.
+    ///
+    /// `None` if there is no such form: the step then integrates the state derivative.
+    fn propagate(&self, _path: &Path, _z: f64, _derivatives: bool) -> Option<EndState>
     where
         Self: Sized,
     {
@@ -200,8 +201,8 @@ pub trait Memory {
     }
 }
 
-/// Who is shown elements with memory one by one, each as what it is.
-pub trait VisitMemory {
-    /// The element whose state has this place.
-    fn visit<M: Memory>(&mut self, place: usize, element: &M);
+/// Visits the elements with an internal state one by one, each with its own type.
+pub trait StateVisitor {
+    /// Visits the element whose state has this index.
+    fn visit<M: StatefulForce>(&mut self, index: usize, element: &M);
 }

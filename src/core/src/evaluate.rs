@@ -6,7 +6,7 @@ use crate::assembly::Outer;
 use crate::element::Motion;
 use crate::input::Input;
 use crate::model::Model;
-use crate::state::MAX_MEMORY;
+use crate::state::MAX_INTERNAL;
 use crate::state::{Output, State};
 use crate::tables::{ForceLaw, Tables};
 use paths::Beside;
@@ -19,30 +19,30 @@ use paths::Beside;
 #[repr(C)]
 pub struct Partials {
     /// dF/d(input).
-    pub force_by_input: [f64; 2],
+    pub d_force_d_input: [f64; 2],
     /// dF/d(state).
-    pub force_by_state: [f64; 10],
+    pub d_force_d_state: [f64; 10],
     /// d(rate of state i)/d(input).
-    pub rate_by_input: [[f64; 2]; 10],
+    pub d_rate_d_input: [[f64; 2]; 10],
     /// d(rate of state i)/d(state j).
-    pub rate_by_state: [[f64; 10]; 10],
+    pub d_rate_d_state: [[f64; 10]; 10],
 }
 
-const _: () = assert!(MAX_MEMORY + 2 == 10);
+const _: () = assert!(MAX_INTERNAL + 2 == 10);
 
 impl Partials {
     /// All zero.
     pub const ZERO: Partials = Partials {
-        force_by_input: [0.0; 2],
-        force_by_state: [0.0; 10],
-        rate_by_input: [[0.0; 2]; 10],
-        rate_by_state: [[0.0; 10]; 10],
+        d_force_d_input: [0.0; 2],
+        d_force_d_state: [0.0; 10],
+        d_rate_d_input: [[0.0; 2]; 10],
+        d_rate_d_state: [[0.0; 10]; 10],
     };
 
     /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
-        let all = self.force_by_input.iter().chain(&self.force_by_state);
-        let all = all.chain(self.rate_by_input.as_flattened()).chain(self.rate_by_state.as_flattened());
+        let all = self.d_force_d_input.iter().chain(&self.d_force_d_state);
+        let all = all.chain(self.d_rate_d_input.as_flattened()).chain(self.d_rate_d_state.as_flattened());
         all.fold(0.0, |sum, x| sum + x * 0.0) == 0.0
     }
 }
@@ -58,7 +58,7 @@ fn displacement(state: &State, input: &Input) -> f64 {
     input.displacement.unwrap_or(state.displacement)
 }
 
-/// Force at a state, with the slopes over the input at constant state.
+/// Force at a state, with the derivatives over the input at constant state.
 pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     force_of(model, state, input)
 }
@@ -71,7 +71,7 @@ pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input)
     force_with(model, state, input, Beside::Nothing)
 }
 
-/// As [`force`] of a state that is laid out, with what is asked of the paths beside it: both come of one instant.
+/// Force of a state in this model's layout, with the other outputs of the force path from one evaluation.
 fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: Beside) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
@@ -84,8 +84,8 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: 
         stop_force: stops.force,
         oil_temperature: input.temperature,
         force: friction.force + preload.force + stops.force,
-        force_by_displacement: friction.by_x + preload.by_x + stops.by_x,
-        force_by_velocity: friction.by_v + preload.by_v + stops.by_v,
+        d_force_d_displacement: friction.d_force_d_x + preload.d_force_d_x + stops.d_force_d_x,
+        d_force_d_velocity: friction.d_force_d_v + preload.d_force_d_v + stops.d_force_d_v,
         ..Output::ZERO
     };
     let (x_m, v_m) = if e.has_series() { (state.mass_displacement, state.mass_velocity) } else { (x, v) };
@@ -97,24 +97,24 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: 
         output.series_deflection = x - x_m;
         output.oil_temperature += through.heat;
         output.force += through.force;
-        output.force_by_displacement += through.by_input[0];
-        output.force_by_velocity += through.by_input[1];
+        output.d_force_d_displacement += through.by_input[0];
+        output.d_force_d_velocity += through.by_input[1];
         memories(model, state, &outer, &mut output);
         return output;
     }
-    let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.paths.fv_curve.at(v_m));
+    let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.paths.fv_curve.evaluate(v_m));
     output.primary_force = primary.value;
     output.spring_force = inner.force;
     if e.has_series() {
         let s = &e.paths.series_compliance;
         output.series_deflection = x - x_m;
         output.force += s.stiffness * (x - x_m) + s.damping * (v - v_m);
-        output.force_by_displacement += s.stiffness;
-        output.force_by_velocity += s.damping;
+        output.d_force_d_displacement += s.stiffness;
+        output.d_force_d_velocity += s.damping;
     } else {
         output.force += primary.value + inner.force;
-        output.force_by_displacement += inner.by_x;
-        output.force_by_velocity += primary.slope + inner.by_v;
+        output.d_force_d_displacement += inner.d_force_d_x;
+        output.d_force_d_velocity += primary.derivative + inner.d_force_d_v;
     }
     memories(model, state, &outer, &mut output);
     output
@@ -122,13 +122,13 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: 
 
 /// Adds the elements beside the damper that have private states.
 fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &mut Output) {
-    model.elements.each_memory(|place, element| {
-        let z = state.memory.get(place).copied().unwrap_or(0.0);
-        let recall = element.recall(outer, z);
-        output.count(element.share(), recall.force);
-        output.force += recall.force;
-        output.force_by_displacement += recall.by_x;
-        output.force_by_velocity += recall.by_v;
+    model.elements.each_stateful(|place, element| {
+        let z = state.internal.get(place).copied().unwrap_or(0.0);
+        let response = element.evaluate(outer, z);
+        output.count(element.component(), response.force);
+        output.force += response.force;
+        output.d_force_d_displacement += response.d_force_d_x;
+        output.d_force_d_velocity += response.d_force_d_v;
     });
 }
 
@@ -152,11 +152,11 @@ pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Inp
         let series = s.stiffness * (x - x_m) + s.damping * (v - v_m);
         let inner = e.inner(&at(x_m, v_m, input));
         rate.mass_displacement = v_m;
-        rate.mass_velocity = (series - inner.force - e.paths.fv_curve.at(v_m).value) / s.mass;
+        rate.mass_velocity = (series - inner.force - e.paths.fv_curve.evaluate(v_m).value) / s.mass;
     }
-    e.each_memory(|place, element| {
-        if let (Some(rate), Some(z)) = (rate.memory.get_mut(place), state.memory.get(place)) {
-            *rate = element.recall(&at(x, v, input), *z).rate;
+    e.each_stateful(|place, element| {
+        if let (Some(rate), Some(z)) = (rate.internal.get_mut(place), state.internal.get(place)) {
+            *rate = element.evaluate(&at(x, v, input), *z).rate;
         }
     });
     (output, rate)
@@ -176,31 +176,31 @@ pub(crate) fn partials_of(model: &Model<impl Tables>, state: &State, input: &Inp
     let (x, v) = (displacement(state, input), input.velocity);
     let mut p = Partials::ZERO;
     let output = force_with(model, state, input, Beside::Partials(&mut p));
-    p.force_by_input = [output.force_by_displacement, output.force_by_velocity];
+    p.d_force_d_input = [output.d_force_d_displacement, output.d_force_d_velocity];
     if e.has_series() && !e.has_paths() {
         let s = &e.paths.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
-        let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.paths.fv_curve.at(v_m));
+        let (inner, primary) = (e.inner(&at(x_m, v_m, input)), e.paths.fv_curve.evaluate(v_m));
         let per_mass = 1.0 / s.mass;
-        p.force_by_state[0] = -s.stiffness;
-        p.force_by_state[1] = -s.damping;
-        p.rate_by_state[0][1] = 1.0;
-        p.rate_by_state[1][0] = -(s.stiffness + inner.by_x) * per_mass;
-        p.rate_by_state[1][1] = -(s.damping + inner.by_v + primary.slope) * per_mass;
-        p.rate_by_input[1] = [s.stiffness * per_mass, s.damping * per_mass];
+        p.d_force_d_state[0] = -s.stiffness;
+        p.d_force_d_state[1] = -s.damping;
+        p.d_rate_d_state[0][1] = 1.0;
+        p.d_rate_d_state[1][0] = -(s.stiffness + inner.d_force_d_x) * per_mass;
+        p.d_rate_d_state[1][1] = -(s.damping + inner.d_force_d_v + primary.derivative) * per_mass;
+        p.d_rate_d_input[1] = [s.stiffness * per_mass, s.damping * per_mass];
     }
-    e.each_memory(|place, element| {
-        let z = state.memory.get(place).copied().unwrap_or(0.0);
-        let recall = element.recall(&at(x, v, input), z);
+    e.each_stateful(|place, element| {
+        let z = state.internal.get(place).copied().unwrap_or(0.0);
+        let response = element.evaluate(&at(x, v, input), z);
         let k = place + 2;
-        if let Some(slot) = p.force_by_state.get_mut(k) {
-            *slot = recall.by_memory;
+        if let Some(slot) = p.d_force_d_state.get_mut(k) {
+            *slot = response.d_force_d_z;
         }
-        if let Some(row) = p.rate_by_input.get_mut(k) {
-            *row = [recall.rate_by_x, recall.rate_by_v];
+        if let Some(row) = p.d_rate_d_input.get_mut(k) {
+            *row = [response.d_rate_d_x, response.d_rate_d_v];
         }
-        if let Some(slot) = p.rate_by_state.get_mut(k).and_then(|row| row.get_mut(k)) {
-            *slot = recall.rate_by_memory;
+        if let Some(slot) = p.d_rate_d_state.get_mut(k).and_then(|row| row.get_mut(k)) {
+            *slot = response.d_rate_d_z;
         }
     });
     p

@@ -32,7 +32,7 @@ pub enum Reason {
     /// Abscissae of a curve do not increase.
     NotIncreasing,
     /// Ordinates of a curve fall somewhere: the damper would push where it should resist.
-    Falls,
+    ForceDecreases,
     /// Two points of a curve are nearer than 1e-6.
     TooClose,
     /// A curve rises by more than 1e8 from point to point.
@@ -71,7 +71,7 @@ impl Reason {
             Reason::PointCount => "has too few or too many points (a curve needs 2 to 63)",
             Reason::CurveLengths => "has another number of points than the list it belongs to",
             Reason::NotIncreasing => "does not increase from point to point",
-            Reason::Falls => "falls from one point to the next; make the force non-decreasing",
+            Reason::ForceDecreases => "falls from one point to the next; make the force non-decreasing",
             Reason::TooClose => "has two points nearer than 1e-6 (m/s or m); leave one of them out",
             Reason::TooSteep => {
                 "rises from one point to the next by more than 1e8 N s/m (or N/m); draw the jump over a longer part"

@@ -51,7 +51,7 @@ pub struct Path {
     is_integrated: bool,
 }
 
-/// A point of a [`Path`], with its slopes over the displacement and the velocity at the end of the step.
+/// A point of a [`Path`], with its derivatives over the displacement and the velocity at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct PathPoint {
     /// Displacement, m.
@@ -74,8 +74,9 @@ impl PathPoint {
 }
 
 impl Path {
-    /// The path from (`x0`, `v0`) to the input; a missing displacement is the integral of the velocity, which is
-    /// taken to run straight from `v0` to `v1`.
+    /// The path from (`x0`, `v0`) to the input.
+    ///
+    /// A missing displacement is the integral of a linear velocity from `v0` to `v1`.
     #[inline(always)]
     pub fn new(x0: f64, v0: f64, to: &Input, dt: f64) -> Path {
         let v1 = to.velocity;
@@ -110,8 +111,9 @@ impl Path {
         (self.x0, self.v0)
     }
 
-    /// The velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the step, each with its slopes over displacement and
-    /// velocity at the end.
+    /// The velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the step.
+    ///
+    /// Each coefficient has its derivatives over displacement and velocity at the end.
     #[inline(always)]
     pub fn velocity<R: Real>(&self, x1: R, v1: R) -> [R; 3] {
         let mean = x1.plus(-self.x0) * (1.0 / self.dt);
@@ -129,7 +131,7 @@ impl Path {
 
     /// The point at fraction `theta` of the step.
     #[inline(always)]
-    pub fn at(&self, theta: f64) -> PathPoint {
+    pub fn point(&self, theta: f64) -> PathPoint {
         let t2 = theta * theta;
         let t3 = t2 * theta;
         let per_dt = 1.0 / self.dt;

@@ -5,8 +5,7 @@ use crate::number;
 use crate::parameter::Params;
 use crate::paths::acting::{self, Bends};
 
-/// Between these lengths of a step, s, no power of m/dt or k dt leaves the range of numbers; what lies beyond them
-/// could not be told from them.
+/// Bounds of the length of a step, s, within which no power of m/dt or k dt leaves the range of numbers.
 pub(crate) const SHORTEST: f64 = 1e-90;
 pub(crate) const LONGEST: f64 = 1e60;
 
@@ -21,11 +20,11 @@ pub struct Integration {
     pub per_time: f64,
     /// Whether it is the latter.
     cubic: bool,
-    /// The same where it takes many: substeps per second, beyond half a one.
+    /// Substeps per second beyond half a substep, where a step takes many.
     many_per_time: f64,
     /// Frequency of a mass that rings, rad/s ([`RINGS`]); 0 where something damps it.
     rings_at: f64,
-    /// The same where a step that does not follow it takes its energy ([`Integration::method_of`]).
+    /// Length from which a step that does not resolve the mass removes its energy ([`Integration::method_of`]).
     quiets_at: f64,
     /// Longest step, s, that is one substep of the method.
     one_up_to: f64,
@@ -36,23 +35,29 @@ pub struct Integration {
 /// What the frequency of a spool counts for among those that ask for substeps.
 const SPOOL: f64 = 12.0;
 
-/// The mean slope of the FV curve, N s/m over √(k_s m) in the same unit, at which the mass swings back as that of the default
-/// damper does.
+/// The mean derivative of the FV curve at which the mass overshoots as that of the default damper does.
+///
+/// In N s/m over √(k_s m) in the same unit.
 const SLACK: f64 = 0.94;
-/// Speeds, as shares of the FV curve's range, from which its damping of a swinging mass is taken: each half of the one before, so that a
-/// level part about rest is found wherever it ends, down to an eighth of the range. One that ends earlier counts as damping there.
+/// Velocities, as fractions of the FV curve's range, at which the damping of a swinging mass is evaluated.
+///
+/// Each is half of the one before, so that a level part about rest is found wherever it ends, down to an eighth of
+/// the range. One that ends earlier counts as damping there.
 const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
-/// The automatic choice for the mass behind a straight spring: n² ≥ `EVEN` f L^1.6 for the method of three stages and
-/// n³ ≥ `CUBIC` L f² for that of four, where f is the frequency times the step and L how far the mass swings. Measured over
-/// masses of 0.1 to 2 kg, springs of 0.3 to 30 MN/m and curves of 0.3 to 3 times the default one (the error is below a thousandth
-/// in all of them: core/tests/accuracy.rs); with less it is not.
+/// Limits of the automatic choice for the mass behind a linear spring.
+///
+/// n² ≥ `EVEN` f L^1.6 for the method of three stages and n³ ≥ `CUBIC` L f² for that of four, where f is the
+/// frequency times the step and L the overshoot of the mass. Measured over masses of 0.1 to 2 kg, springs of 0.3 to
+/// 30 MN/m and curves of 0.3 to 3 times the default one. The error is below a thousandth in all of them
+/// (core/tests/accuracy.rs); with smaller limits it is not.
 const EVEN: f64 = 0.4;
 const CUBIC: f64 = 0.12;
 
-/// What these are multiplied by for elements of the paths, whose forces bend within a step (measured over the test matrix,
-/// core/tests/paths_accuracy.rs): where a curve bends and no more, where there is a knee, where there is a void or several
-/// elements act, where the column turns from soft to hard with the sign of the force, and where friction turns over behind
-/// the spring. Rubber, which bends smoothly, takes the method of fourth order.
+/// Factors on these limits for elements of the force path, whose forces are nonlinear within a step.
+///
+/// Measured over the test matrix (core/tests/paths_accuracy.rs): for a curve that is nonlinear and no more, for a
+/// knee, for a void or several elements, for a column that turns from soft to hard with the sign of the force, and
+/// for friction that reverses behind the spring. Rubber, which is smooth, uses the method of fourth order.
 const KNEE: f64 = 1.3;
 const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;
@@ -62,8 +67,10 @@ const RUBBER: f64 = 0.33;
 /// thousandth at steps of 2 ms.
 const TWO_A_MILLISECOND: f64 = 2e3;
 
-/// How far a mass swings back, √(k_s m) over what damps it in units of the default damper's, that is said to ring: it keeps two thirds of a swing in the next, at a damping ratio of
-/// 0.06. From 5 on dampers that a third of the default curve damps lost the thousandth in steps that other methods take well.
+/// Overshoot from which a mass counts as ringing: √(k_s m) over its damping, in units of the default damper's.
+///
+/// It keeps two thirds of a swing in the next, at a damping ratio of 0.06. From 5 on, dampers with a third of the
+/// default damping lost the thousandth in steps that other methods handle well.
 const RINGS: f64 = 8.0;
 /// Radians of its swing that a substep may cover: six substeps to a swing. Of 20,000 masses of 0.5 to 20 kg thrown about on hardening rubber
 /// 3 had a force that short steps do not have with 1.5, 14 with 2 and 250 without this; with 1 none (a thousand of the kind: `cargo test -p
@@ -144,7 +151,7 @@ impl Integration {
             // It swings faster than alone, since the force that it makes moves it (measured: 0.1 % with it).
             frequency = frequency.max(SPOOL * elements.paths.valve_hysteresis.per_time);
         }
-        let (damping, impedance) = (least_slope(elements), libm::sqrt(stiffness * mass));
+        let (damping, impedance) = (least_derivative(elements), libm::sqrt(stiffness * mass));
         let swings = (SLACK * impedance / damping).clamp(0.25, 10.0);
         // What damps the spring damps the swing as well, but bends no force.
         let damped = damping + elements.paths.series_compliance.damping;
@@ -155,7 +162,7 @@ impl Integration {
         }
         // Elements in the paths bend the forces more sharply within a step; a column that turns from soft to hard as the
         // force changes its sign, more than those; and friction that turns over behind a spring, most of all.
-        let sharpness = match acting::bends(&elements.paths) {
+        let sharpness = match acting::is_nonlinear(&elements.paths) {
             Bends::Whole => 20.0,
             Bends::Turning => 8.0,
             Bends::Little if !acting::is_sharp(&elements.paths) => 1.0,
@@ -184,7 +191,7 @@ impl Integration {
             many_per_time: by_stiffness.many_per_time.max(TWO_A_MILLISECOND),
             ..by_stiffness
         };
-        match acting::bends(&elements.paths) {
+        match acting::is_nonlinear(&elements.paths) {
             Bends::Little => cheaper(1.0),
             Bends::Smoothly => Integration::new(Method::Fourth, 0, RUBBER * frequency, many),
             Bends::Knee => four(KNEE),
@@ -234,7 +241,8 @@ impl Integration {
         }
     }
 
-    /// The longest host step, s, whose substeps follow a mass that rings, as far as its spring is as stiff as at rest; infinite where none rings.
+    /// The longest host step, s, whose substeps resolve a ringing mass at the stiffness of rest; infinite if none
+    /// rings.
     pub fn longest_that_follows(&self) -> f64 {
         let substeps = if self.substeps > 0 { self.substeps } else { MOST_SUBSTEPS };
         if self.rings_at > 0.0 { FOLLOWED * f64::from(substeps) / self.rings_at } else { f64::INFINITY }
@@ -269,7 +277,8 @@ impl Integration {
         n
     }
 
-    /// The method of a host step of `dt` in so many substeps: [`Integration::method`], but for a mass that rings in steps that do not follow it.
+    /// The method of a host step of `dt` in so many substeps, which is another one for a ringing mass that is not
+    /// resolved.
     ///
     /// A method of higher order shifts the frequency of such a mass, and may shift it onto that of the drive, with several times the force of
     /// short steps. Backward Euler takes its energy instead. It knows no motion inside a substep but that at its end, which a spring does not mind:
@@ -296,18 +305,22 @@ fn even(times: f64, frequency: f64, swings: f64) -> f64 {
     times * EVEN * frequency * libm::pow(swings, 1.6)
 }
 
-/// The least of the FV curve's mean slopes from rest to shares of its range, N s/m: what damps the swing of the mass at the speeds that it swings with,
-/// small or large. That to the whole range alone takes a curve that is level about rest for one that damps there.
-fn least_slope(elements: &Elements) -> f64 {
+/// Least mean derivative of the FV curve from rest to fractions of its range, N s/m.
+///
+/// It is the damping of the mass at the velocities of its swing. The mean to the whole range alone would overestimate
+/// the damping of a curve that is level about rest.
+///
+/// The mean to the whole range alone would overestimate the damping of a curve that is level about rest.
+fn least_derivative(elements: &Elements) -> f64 {
     let curve = &elements.paths.fv_curve;
     let (low, high) = curve.range();
-    let at_rest = curve.at(0.0).value;
+    let at_rest = curve.evaluate(0.0).value;
     let mut damping = f64::INFINITY;
     for end in [low, high] {
         for share in SPEEDS {
             let u = share * end;
             if u != 0.0 {
-                damping = damping.min((curve.at(u).value - at_rest) / u);
+                damping = damping.min((curve.evaluate(u).value - at_rest) / u);
             }
         }
     }

@@ -22,21 +22,23 @@ impl<T: Tables> Model<T> {
         if before == now {
             return own;
         }
-        let mut memory = self.equilibrium(&Input::motion(state.displacement, state.velocity)).memory;
+        let mut internal = self.equilibrium(&Input::motion(state.displacement, state.velocity)).internal;
         for kind in 0..MARK.trailing_zeros() {
             if let (Some(from), Some(to)) = (slot(before, kind), slot(now, kind))
-                && let (Some(from), Some(to)) = (state.memory.get(from), memory.get_mut(to))
+                && let (Some(from), Some(to)) = (state.internal.get(from), internal.get_mut(to))
             {
                 *to = *from;
             }
         }
-        State { memory, ..own }
+        State { internal, ..own }
     }
 }
 
 impl Model {
-    /// A state as this model has it: what an element remembers goes with it, and an element that was off begins settled where the
-    /// driven end is. A state whose layout nobody wrote is taken for one of this model.
+    /// Converts a state to this model's layout.
+    ///
+    /// Internal states follow their elements, and an element that was off begins in equilibrium at the moving end. A
+    /// state without a layout counts as one of this model.
     #[cold]
     #[inline(never)]
     pub fn laid_out(&self, state: &State) -> State {

@@ -5,7 +5,7 @@
 
 use crate::assembly::Elements;
 use crate::paths::place;
-use crate::state::MAX_MEMORY;
+use crate::state::MAX_INTERNAL;
 
 /// Tells a layout from a number that nobody wrote; no model is without it. Above all kinds, below what a double holds exactly.
 pub(crate) const MARK: u64 = 1 << 40;
@@ -26,7 +26,7 @@ pub(crate) fn with_actuator(layout: f64, lag: bool, hysteresis: bool) -> f64 {
 /// The layout of an element set.
 pub(crate) fn of(e: &Elements) -> f64 {
     let paths = &e.paths;
-    let has = |place: usize| paths.slots().of(place).is_some();
+    let has = |place: usize| paths.slots().slot(place).is_some();
     let selective = paths.frequency_selective_damping.holds_force();
     let valve = paths.valve_hysteresis.holds_force();
     let kinds: [bool; IN_PATHS as usize] = [
@@ -56,5 +56,5 @@ pub(crate) fn bits(layout: f64) -> Option<u64> {
 pub(crate) fn slot(bits: u64, kind: u32) -> Option<usize> {
     let (own, below) = (1 << kind, (1 << kind) - 1);
     let slot = (bits & below).count_ones() as usize;
-    (bits & own != 0 && slot < MAX_MEMORY).then_some(slot)
+    (bits & own != 0 && slot < MAX_INTERNAL).then_some(slot)
 }

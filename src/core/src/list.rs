@@ -35,7 +35,7 @@ macro_rules! each_element {
                 gas_preload: $crate::elements::gas_preload::GasPreload,
                 gas_warming: $crate::elements::gas_warming::GasWarming,
             }
-            memory {
+            stateful {
                 lagged_polynomial: $crate::elements::lagged_polynomial::LaggedPolynomial,
                 presliding_friction: $crate::elements::presliding_friction::PreslidingFriction,
                 gas_spring: $crate::elements::gas_spring::GasSpring,

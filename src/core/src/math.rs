@@ -46,7 +46,7 @@ const ROOTS: [f64; 32] = [
 /// e^x; arguments are held inside ±700.
 #[inline(always)]
 pub fn exp(x: f64) -> f64 {
-    let x = smaller(EXP_BOUND, x);
+    let x = min(EXP_BOUND, x);
     exp_below_bound(x)
 }
 
@@ -65,7 +65,7 @@ pub fn exp_below_bound(x: f64) -> f64 {
     const C5: f64 = C4 * LN2 / 5.0;
     // Adding 1.5·2^52 rounds to an integer and leaves it in the low mantissa bits.
     const ROUND: f64 = 6_755_399_441_055_744.0;
-    let x = larger(-EXP_BOUND, x);
+    let x = max(-EXP_BOUND, x);
     let scaled = x * PER_LN2;
     let shifted = scaled + ROUND;
     let f = scaled - (shifted - ROUND);
@@ -85,13 +85,13 @@ pub fn tanh(x: f64) -> f64 {
 
 /// The larger of two numbers; one instruction, which `f64::max` is not, as it minds NaN.
 #[inline(always)]
-pub fn larger(a: f64, b: f64) -> f64 {
+pub fn max(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
 /// The smaller of two numbers, likewise.
 #[inline(always)]
-pub fn smaller(a: f64, b: f64) -> f64 {
+pub fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
@@ -101,10 +101,12 @@ pub fn pair(f: impl Fn(usize) -> f64) -> [f64; 2] {
     [f(0), f(1)]
 }
 
-/// e^-r and the moments ∫ r e^{-r (1-s)} s^k ds over s from 0 to 1, k = 0 to 3, for r ≥ 0: what a state that is drawn to
-/// Σ p_k s^k with the rate r per step keeps of its start, and takes of each p_k.
+/// Moments of exponential relaxation toward a polynomial target.
+///
+/// e^-r and ∫ r e^{-r (1-s)} s^k ds over s from 0 to 1, k = 0 to 3, for r ≥ 0. A state that relaxes toward Σ p_k s^k
+/// with the rate r per step is the sum of e^-r times its start and these moments times p_k.
 #[inline(always)]
-pub fn drawn(r: f64) -> (f64, [f64; 4]) {
+pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
     // Below this the recurrence would lose more digits than the series leaves out.
     const SMALL: f64 = 0.5;
     if r > SMALL {
@@ -145,8 +147,9 @@ pub fn drawn(r: f64) -> (f64, [f64; 4]) {
     (1.0 - first, [first, second, third, fourth])
 }
 
-/// ln x for normal x > 0, with an absolute error of about 1e-16 beside that of n ln 2: x = 2^n m, √½ ≤ m < √2, ln m =
-/// 2 artanh s with s = (m − 1)/(m + 1).
+/// ln x for normal x > 0, with an absolute error of about 1e-16 in addition to that of n ln 2.
+///
+/// x = 2^n m, √½ ≤ m < √2, ln m = 2 artanh s with s = (m − 1)/(m + 1).
 #[inline(always)]
 pub fn ln(x: f64) -> f64 {
     const MANTISSA: u64 = (1 << 52) - 1;
@@ -170,7 +173,7 @@ pub fn power(r: f64, p: f64) -> f64 {
     power_inlined(r, p)
 }
 
-/// As [`power`], for steps that ask for it without exception.
+/// [`power`], always inlined.
 #[inline(always)]
 pub fn power_inlined(r: f64, p: f64) -> f64 {
     if r < f64::MIN_POSITIVE {
@@ -217,14 +220,14 @@ mod tests {
                 sum += term;
                 term *= -r / f64::from(k + 5);
             }
-            assert!((drawn(r).1[3] - sum).abs() <= 4.0 * f64::EPSILON * sum, "{r}");
+            assert!((relaxation(r).1[3] - sum).abs() <= 4.0 * f64::EPSILON * sum, "{r}");
         }
     }
 
     #[test]
     fn what_a_drawn_state_takes_adds_up() {
         for r in [0.0, 1e-12, 1e-3, 0.1, 0.499, 0.501, 1.0, 5.0, 700.0, 1e9] {
-            let (kept, [first, second, third, fourth]) = drawn(r);
+            let (kept, [first, second, third, fourth]) = relaxation(r);
             assert!((kept + first - 1.0).abs() < 1e-14, "{r}");
             // By Simpson's rule over many parts.
             for (k, moment) in [(1, second), (2, third), (3, fourth)] {

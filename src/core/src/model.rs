@@ -11,7 +11,7 @@ use crate::{element, number};
 
 /// Displacements within which the springs on the mass must stay softer than the series spring, m.
 const STROKE: f64 = 0.1;
-/// Places on each side at which their slope is looked at: every half millimetre.
+/// Places on each side at which their derivative is looked at: every half millimetre.
 const PLACES: i32 = 200;
 
 /// Units of the private states of the elements beside the damper; "-" for those that are not here.
@@ -66,7 +66,7 @@ impl Model {
         Elements::memories_of(params)
     }
 
-    /// As [`Model::new`], where the model is kept: it is too large for the stack of a small thread.
+    /// Prepares the model in place, because it is too large for the stack of a small thread.
     ///
     /// # Errors
     /// The parameter at fault, and why; nothing is changed then.
@@ -79,15 +79,15 @@ impl Model {
         Ok(())
     }
 
-    /// The same model with another integration.
+    /// A copy of the model with another integration.
     pub fn with_integration(&self, integration: Integration) -> Model {
         Model { integration, ..*self }
     }
 }
 
 impl<T: Tables> Model<T> {
-    /// Number of states that a solver of the host's has to integrate: those of the internal mass and the private ones of the
-    /// elements that are on.
+    /// Number of states that a solver of the host integrates: those of the internal mass and the internal states of
+    /// the elements that are on.
     pub fn states(&self) -> usize {
         2 + self.elements.memories()
     }
@@ -100,7 +100,7 @@ impl<T: Tables> Model<T> {
             return Some(e.paths.state_name(place));
         }
         let (mut at, mut found) = (2 + e.paths.slots().count(), None);
-        e.each_memory_name(|name| {
+        e.each_stateful_name(|name| {
             if at == index {
                 found = Some((
                     name,
@@ -181,7 +181,7 @@ mod tests {
         assert_eq!(std::format!("{model:?}"), before);
     }
 
-    /// The guard looks at the slope of the springs on the mass to both sides of their zero, all of the stroke.
+    /// The guard looks at the derivative of the springs on the mass to both sides of their zero, all of the stroke.
     #[test]
     fn a_series_spring_softer_than_what_it_drives_is_refused() {
         let fault = |changes: &[(Number, f64)], lookup: Option<(&[f64], &[f64])>| {

@@ -196,7 +196,9 @@ fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadErr
     }
 }
 
-/// Reads the text into values that it need not leave as they were; what depends on a setting goes to the `axis`, where there is one, and is only checked else.
+/// Reads the text into values, which an error may leave changed.
+///
+/// Values that depend on a setting go to the `axis`, if there is one, and are only checked otherwise.
 #[inline(never)]
 fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Result<(), ReadError> {
     let (_, settings, _) = grid_of(text)?;
@@ -302,7 +304,9 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
     Ok(())
 }
 
-/// The name that stands where a file is refused for a name: of a parameter or an element that there is not, or an element named twice.
+/// The name at fault in the file, if the error is about a name.
+///
+/// It is an unknown parameter or element, or an element named twice.
 ///
 /// By bytes: the searches in texts of the standard library have panics that do not go away.
 pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
@@ -618,7 +622,8 @@ impl<'a> Reader<'a> {
         run
     }
 
-    /// Goes on to the end of the text and refuses tables that are named as a group of parameters: these would keep their defaults without a word.
+    /// Reads to the end of the text and rejects tables that are named as a group of parameters: their parameters
+    /// would silently keep their defaults.
     fn refuse_element_tables(&mut self) -> Result<(), ReadError> {
         loop {
             self.blank(true);

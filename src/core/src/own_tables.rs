@@ -3,7 +3,7 @@
 use crate::curve::{Above, Curve, Value};
 use crate::elements::fv_curve::FvCurve;
 use crate::elements::valve_hysteresis::Conductance;
-use crate::tables::{ForceLaw, Held, Lookup, Owned, Tables};
+use crate::tables::{ForceLaw, Lookup, Owned, OwnedElement, Tables};
 use core::fmt::Debug;
 
 impl Tables for Owned {
@@ -11,13 +11,13 @@ impl Tables for Owned {
     type Fv = FvCurve;
     type Spring = Curve;
     type Conductance = Conductance;
-    type Kept<E: Copy + Debug + 'static> = Held<E>;
+    type Kept<E: Copy + Debug + 'static> = OwnedElement<E>;
 }
 
 impl ForceLaw for FvCurve {
     #[inline(always)]
-    fn at(&self, u: f64) -> Value {
-        self.0.at(u)
+    fn evaluate(&self, u: f64) -> Value {
+        self.0.evaluate(u)
     }
 
     #[inline(always)]
@@ -44,6 +44,6 @@ impl ForceLaw for FvCurve {
 impl Lookup for Curve {
     #[inline(always)]
     fn lookup(&self, u: f64) -> Value {
-        self.at(u)
+        self.evaluate(u)
     }
 }

@@ -3,7 +3,7 @@
 use crate::element::Prepare;
 use crate::fault::Fault;
 use crate::parameter::Params;
-use crate::tables::Held;
+use crate::tables::OwnedElement;
 
 /// Whether an element can be prepared. Not inlined: each takes its room on the stack and gives it back.
 #[inline(never)]
@@ -32,7 +32,7 @@ impl<E: Prepare> Keep<E> for E {
     }
 }
 
-impl<E: Prepare> Keep<E> for Held<E> {
+impl<E: Prepare> Keep<E> for OwnedElement<E> {
     #[inline(always)]
     fn kept(&mut self) -> &mut E {
         &mut self.0

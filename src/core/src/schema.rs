@@ -18,9 +18,11 @@ pub enum Shape {
     List(usize),
 }
 
-/// How many times as strong as a passenger car's the smallest and the largest damper are, whose numbers are allowed: from one of an instrument,
-/// of some newtons, to the strut of an aeroplane or a lock, of some hundred kilonewtons. Wider bounds allow no damper that is not the same in
-/// proportion, so they only shift where a slip of units is refused.
+/// Strength of the smallest and the largest damper whose parameters are allowed, as a multiple of a passenger car's.
+///
+/// They go from a damper of an instrument, of some newtons, to the strut of an airplane or a lock, of some hundred
+/// kilonewtons. Wider bounds would allow no damper that is not the same in proportion. They would only move the point
+/// at which an error of units is rejected.
 pub const SIZES: (f64, f64) = (1e-3, 100.0);
 
 /// One row of the table.
@@ -63,13 +65,14 @@ impl Parameter {
         Parameter { name, unit, shape: Shape::Scalar, default, low, high, of_a_car: bounds, form: None, grows, meaning }
     }
 
-    /// The same row, of a number that counts with these words of a choice of the same element alone.
+    /// Restricts the parameter to some words of a choice of its element: it has no effect with others.
     pub const fn in_form(mut self, choice: &'static str, words: &'static [&'static str]) -> Parameter {
         self.form = Some((choice, words));
         self
     }
 
-    /// The same row of a number whose largest value stands for none, in a damper of any size: it need not go with the others.
+    /// Marks a parameter whose largest value stands for none, in a damper of any size: it need not be in proportion
+    /// to the others.
     pub const fn none_at_most(mut self) -> Parameter {
         self.high = self.of_a_car.1;
         self.grows = false;

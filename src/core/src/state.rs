@@ -1,9 +1,9 @@
 //! What the damper remembers between steps, and what it answers.
 
-use crate::element::Share;
+use crate::element::ForceComponent;
 
 /// Most private states that a model may carry.
-pub const MAX_MEMORY: usize = 8;
+pub const MAX_INTERNAL: usize = 8;
 
 /// State of one damper: plain numbers, owned and copied by the host. Hysteresis is always one of these continuous
 /// states, never a stored reversal point, so a copy is all that a rejected step or a saved run needs.
@@ -19,14 +19,14 @@ pub struct State {
     /// Velocity of the internal mass, m/s.
     pub mass_velocity: f64,
     /// Private states of the elements.
-    pub memory: [f64; 8],
+    pub internal: [f64; 8],
     /// Which states these are: see [`crate::layout`]; 0 where nobody wrote it.
     pub layout: f64,
     /// 0. Fourteen numbers are seven pairs, which processors read at once.
     pub reserved: f64,
 }
 
-const _: () = assert!(MAX_MEMORY == 8);
+const _: () = assert!(MAX_INTERNAL == 8);
 
 impl State {
     /// All zero.
@@ -35,7 +35,7 @@ impl State {
         velocity: 0.0,
         mass_displacement: 0.0,
         mass_velocity: 0.0,
-        memory: [0.0; 8],
+        internal: [0.0; 8],
         layout: 0.0,
         reserved: 0.0,
     };
@@ -44,7 +44,7 @@ impl State {
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
         let mut sum = (self.displacement + self.velocity) + (self.mass_displacement + self.mass_velocity);
-        for z in self.memory {
+        for z in self.internal {
             sum += z;
         }
         sum * 0.0 == 0.0
@@ -58,9 +58,9 @@ pub struct Output {
     /// Damper force, N, tension positive.
     pub force: f64,
     /// dF/dx over the displacement given, N/m. From a step: of that step's force, everything inside it included.
-    pub force_by_displacement: f64,
+    pub d_force_d_displacement: f64,
     /// dF/dv over the velocity given, N s/m.
-    pub force_by_velocity: f64,
+    pub d_force_d_velocity: f64,
     /// Force of the primary damper (FV curve), N.
     pub primary_force: f64,
     /// Force of the springs on the internal mass, N.
@@ -81,8 +81,8 @@ impl Output {
     /// All zero.
     pub const ZERO: Output = Output {
         force: 0.0,
-        force_by_displacement: 0.0,
-        force_by_velocity: 0.0,
+        d_force_d_displacement: 0.0,
+        d_force_d_velocity: 0.0,
         primary_force: 0.0,
         spring_force: 0.0,
         friction_force: 0.0,
@@ -95,7 +95,7 @@ impl Output {
     /// Whether every number is finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        let forces = (self.force + self.force_by_displacement) + (self.force_by_velocity + self.primary_force);
+        let forces = (self.force + self.d_force_d_displacement) + (self.d_force_d_velocity + self.primary_force);
         let parts = (self.spring_force + self.friction_force) + (self.gas_force + self.series_deflection);
         (forces + parts + (self.stop_force + self.oil_temperature)) * 0.0 == 0.0
     }
@@ -103,11 +103,11 @@ impl Output {
 
 impl Output {
     /// Counts the force of an element beside the damper where it belongs, besides the total.
-    pub(crate) fn count(&mut self, share: Share, force: f64) {
+    pub(crate) fn count(&mut self, share: ForceComponent, force: f64) {
         match share {
-            Share::Total => {}
-            Share::Friction => self.friction_force += force,
-            Share::Gas => self.gas_force += force,
+            ForceComponent::Total => {}
+            ForceComponent::Friction => self.friction_force += force,
+            ForceComponent::Gas => self.gas_force += force,
         }
     }
 }

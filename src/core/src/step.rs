@@ -29,7 +29,7 @@ use crate::element::{Motion, Response};
 use crate::input::{Input, Path};
 pub use crate::integration::{Integration, Method};
 use crate::integration::{LONGEST, SHORTEST};
-use crate::math::{larger, smaller};
+use crate::math::{max, min};
 use crate::model::Model;
 use crate::state::{Output, State};
 use crate::tables::Tables;
@@ -43,11 +43,13 @@ use tableau::{EULER, THREE_STAGE, Tableau};
 /// Steps longer than this, s, hide fast motion between their ends: a wheel hops in a tenth of a second.
 pub const LONG_STEP: f64 = 0.01;
 
-/// Advances `from` to the end of the step, where the host's input is `to`; returns the new state and the force there
-/// with its exact slopes over the displacement and the velocity of `to`.
+/// Advances `from` to the end of the step, where the host's input is `to`.
+///
+/// Returns the new state and the force there with its exact derivatives over the displacement and the velocity of
+/// `to`.
 ///
 /// `dt = 0` is a static evaluation: the state comes back as it was, with the force at which the damper would settle.
-/// Where the host gives velocity alone, the slope over velocity includes the displacement that it integrates to.
+/// Where the host gives velocity alone, the derivative over velocity includes the displacement that it integrates to.
 #[inline]
 pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output) {
     let (mut state, mut output) = (State::ZERO, Output::ZERO);
@@ -55,33 +57,36 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
     (state, output)
 }
 
-/// As [`step`], writing the new state and the answer where the caller keeps them. False, and both as they were, where the
-/// answer is not a finite number.
+/// Advances a state and writes the new state and the output to the caller's variables.
+///
+/// Returns false, and leaves both unchanged, if the output is not finite.
 #[inline]
 pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) -> bool {
     *state = *from;
     step_in_place(model, state, to, dt, output)
 }
 
-/// As [`step`], moving a state on where it is. False, and state and answer as they were, where the answer is not a finite
-/// number: that takes an input or a state far from what a damper meets.
+/// Advances a state in place.
+///
+/// Returns false, and leaves state and output unchanged, if the output is not finite. That takes an input or a state
+/// far outside the range of dampers.
 #[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     move_on(model, state, to, dt, output, true)
 }
 
-/// The force of [`step_in_place`], to the bit, where nobody asks for its slopes; `None` where it is not a finite number.
+/// The force of [`step_in_place`], to the bit, where nobody asks for its derivatives; `None` where it is not a finite number.
 #[inline(always)]
 pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> Option<f64> {
     let mut output = Output::ZERO;
     move_on(model, state, to, dt, &mut output, false).then_some(output.force)
 }
 
-/// A step; without `slopes` those of the answer are left to chance.
+/// A step; without `derivatives` those of the answer are left to chance.
 #[inline(always)]
-fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
+fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
     if !model.has_laid_out(state) {
-        return move_on_laid_out(model, state, *to, dt, output, slopes);
+        return move_on_laid_out(model, state, *to, dt, output, derivatives);
     }
     if dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass() {
         if !cheap_step::<true>(model, state, to, dt, output) {
@@ -90,15 +95,22 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
         // All is found in closed form from numbers whose fourth powers do not overflow.
         return true;
     }
-    step_of_any_kind(model, state, *to, dt, output, slopes)
+    step_of_any_kind(model, state, *to, dt, output, derivatives)
 }
 
 /// A step from a state of other elements, which is laid out anew first; where there is no answer it stays as it was.
 #[cold]
 #[inline(never)]
-fn move_on_laid_out(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
+fn move_on_laid_out(
+    model: &Model,
+    state: &mut State,
+    to: Input,
+    dt: f64,
+    output: &mut Output,
+    derivatives: bool,
+) -> bool {
     let mut reached = model.laid_out(state);
-    let done = step_of_any_kind(model, &mut reached, to, dt, output, slopes);
+    let done = step_of_any_kind(model, &mut reached, to, dt, output, derivatives);
     if done {
         *state = reached;
     }
@@ -113,7 +125,7 @@ pub(crate) fn step_borrowed(
     to: &Input,
     dt: f64,
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) -> bool {
     let (mut reached, mut answer) = (*state, Output::ZERO);
     let is_cheap = dt <= model.integration.cheap_up_to && dt > 0.0 && model.elements.is_plain_mass();
@@ -121,7 +133,7 @@ pub(crate) fn step_borrowed(
         if is_cheap {
             answer_by_table(&EULER, model, &mut reached, to, dt, &mut answer, true);
         } else {
-            step_by_its_method(model, &mut reached, to, dt, &mut answer, slopes);
+            step_by_its_method(model, &mut reached, to, dt, &mut answer, derivatives);
         }
     }
     let finite = reached.is_finite() && answer.is_finite();
@@ -136,9 +148,16 @@ pub(crate) fn step_borrowed(
 /// beside the others the call is nothing.
 #[cold]
 #[inline(never)]
-fn step_of_any_kind(model: &Model, state: &mut State, to: Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
+fn step_of_any_kind(
+    model: &Model,
+    state: &mut State,
+    to: Input,
+    dt: f64,
+    output: &mut Output,
+    derivatives: bool,
+) -> bool {
     let (mut reached, mut answer) = (*state, Output::ZERO);
-    step_by_its_method(model, &mut reached, &to, dt, &mut answer, slopes);
+    step_by_its_method(model, &mut reached, &to, dt, &mut answer, derivatives);
     let finite = reached.is_finite() && answer.is_finite();
     if finite {
         *state = reached;
@@ -154,7 +173,7 @@ fn step_by_its_method(
     to: &Input,
     dt: f64,
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) {
     if dt == 0.0 {
         let x = to.displacement.unwrap_or(state.displacement);
@@ -163,18 +182,18 @@ fn step_by_its_method(
     }
     if model.elements.has_paths() {
         if model.elements.fades_alone() && model.integration.method != Method::Euler {
-            step_of_a_fading_damper(model, state, to, dt, output, slopes);
+            step_of_a_fading_damper(model, state, to, dt, output, derivatives);
         } else {
-            step_through_paths(model, state, to, dt, output, slopes);
+            step_through_paths(model, state, to, dt, output, derivatives);
         }
         return;
     }
     if !is_common(model, dt) {
-        answer_by_table(tableau(model, dt), model, state, to, dt, output, slopes);
-    } else if model.elements.bends() {
-        answer::<Plain, true>(model, state, to, dt, output, slopes);
+        answer_by_table(tableau(model, dt), model, state, to, dt, output, derivatives);
+    } else if model.elements.is_nonlinear() {
+        answer::<Plain, true>(model, state, to, dt, output, derivatives);
     } else {
-        answer::<Plain, false>(model, state, to, dt, output, slopes);
+        answer::<Plain, false>(model, state, to, dt, output, derivatives);
     }
 }
 
@@ -190,11 +209,13 @@ fn is_common(model: &Model<impl Tables>, dt: f64) -> bool {
 /// The method of a step in which no spring gets stiffer.
 fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
     let of = &model.integration;
-    Tableau::of(of.method_of(dt, of.substeps(dt), || 1.0))
+    Tableau::for_method(of.method_of(dt, of.substeps(dt), || 1.0))
 }
 
-/// A step of a damper whose FV curve fades as a whole and which is a plain one otherwise ([`Elements::fades_alone`]): the factor
-/// is known before the step. The cheap step is another method than what goes through the paths, and does not come here.
+/// A step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]): the factor is known before
+/// the step.
+///
+/// The cheap step is another method than that through the force path, and does not come here.
 #[inline(never)]
 fn step_of_a_fading_damper(
     model: &Model<impl Tables>,
@@ -202,16 +223,16 @@ fn step_of_a_fading_damper(
     to: &Input,
     dt: f64,
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) {
     if is_common(model, dt) {
-        answer::<Faded, false>(model, state, to, dt, output, slopes);
+        answer::<Faded, false>(model, state, to, dt, output, derivatives);
     } else {
-        answer_by_table(tableau(model, dt), model, state, to, dt, output, slopes);
+        answer_by_table(tableau(model, dt), model, state, to, dt, output, derivatives);
     }
 }
 
-/// A step of a damper with elements in its series or hydraulic path, with exact slopes where they are asked for.
+/// A step of a damper with elements in its series or hydraulic path, with exact derivatives where they are asked for.
 #[inline(never)]
 fn step_through_paths(
     model: &Model<impl Tables>,
@@ -219,16 +240,16 @@ fn step_through_paths(
     to: &Input,
     dt: f64,
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) {
-    let mut by_end = paths::PathsByEnd::new(slopes);
+    let mut by_end = paths::PathsByEnd::new(derivatives);
     advance_paths_with(model, state, to, dt, &mut by_end, output);
     if to.displacement.is_none() {
-        output.force_by_velocity += 0.5 * paths::held(dt) * output.force_by_displacement;
+        output.d_force_d_velocity += 0.5 * paths::held(dt) * output.d_force_d_displacement;
     }
 }
 
-/// As [`advance`], for a damper with elements in its series or hydraulic path ([`Elements::has_paths`]).
+/// Advances a damper with elements in its series or hydraulic path ([`Elements::has_paths`]).
 pub fn advance_paths(
     model: &Model,
     state: &mut State,
@@ -253,7 +274,7 @@ fn advance_paths_with(
     let path = Path::new(state.displacement, state.velocity, to, paths::held(dt));
     let (x, v) = path.end();
     let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
-    let method = Tableau::of(model.integration.method_of(dt, substeps, || stiffer(e, state, v)));
+    let method = Tableau::for_method(model.integration.method_of(dt, substeps, || stiffer(e, state, v)));
     let side = (to.side_force, to.temperature);
     let drive = paths::Drive { model, path: &path, substeps, side, method };
     let through = paths::advance(&drive, state, output, follow);
@@ -266,21 +287,31 @@ fn advance_paths_with(
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
     if e.has_beside() {
-        extras = advance_extras((method, substeps), e, &path, &outer, &mut state.memory, output, follow.wants_slopes());
+        extras = advance_extras(
+            (method, substeps),
+            e,
+            &path,
+            &outer,
+            &mut state.internal,
+            output,
+            follow.wants_derivatives(),
+        );
     }
     output.force = through.force + friction.force + preload.force + extras.force;
-    output.force_by_displacement = through.by_x + friction.by_x + preload.by_x + extras.by_x;
-    output.force_by_velocity = through.by_v + friction.by_v + preload.by_v + extras.by_v;
+    output.d_force_d_displacement =
+        through.d_force_d_x + friction.d_force_d_x + preload.d_force_d_x + extras.d_force_d_x;
+    output.d_force_d_velocity = through.d_force_d_v + friction.d_force_d_v + preload.d_force_d_v + extras.d_force_d_v;
 }
 
-/// How many times as stiff as at rest rubber gets before the energy at the start of a step, with the driven end at the faster of its speeds, is
-/// all in it.
+/// Ratio of the stiffness of rubber to that at rest, if it stores all energy at the start of a step.
+///
+/// The moving end has the higher of its two velocities.
 fn stiffer(e: &Elements<impl Tables>, from: &State, v: f64) -> f64 {
     if !e.paths.has_bushing() {
         return 1.0;
     }
     let s = &e.paths.series_compliance;
-    let speed = larger(v.abs(), from.velocity.abs()) + from.mass_velocity.abs();
+    let speed = max(v.abs(), from.velocity.abs()) + from.mass_velocity.abs();
     e.paths.bushing.stiffer(from.displacement - from.mass_displacement, s.mass / s.stiffness * (speed * speed))
 }
 
@@ -338,7 +369,8 @@ fn cheap_step<const AT_ONCE: bool>(
     output.stop_force = 0.0;
     output.oil_temperature = to.temperature;
     let beside = friction.force + preload.force;
-    let (by_x_beside, by_v_beside) = (friction.by_x + preload.by_x, friction.by_v + preload.by_v);
+    let (by_x_beside, by_v_beside) =
+        (friction.d_force_d_x + preload.d_force_d_x, friction.d_force_d_v + preload.d_force_d_v);
 
     let after = cheap::take(elements, &before, &end, at.displacement, springs);
     // A spring that answers at once does not bend.
@@ -364,8 +396,8 @@ fn cheap_step<const AT_ONCE: bool>(
     if to.displacement.is_none() {
         by_v += 0.5 * dt * by_x;
     }
-    output.force_by_displacement = by_x;
-    output.force_by_velocity = by_v;
+    output.d_force_d_displacement = by_x;
+    output.d_force_d_velocity = by_v;
     true
 }
 
@@ -378,7 +410,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// A common step with its exact slopes where they are asked for; `BENT`: with springs that bend. Not inlined, so that it has the registers to itself.
+/// A common step with its exact derivatives where they are asked for; `BENT`: with springs that bend. Not inlined, so that it has the registers to itself.
 #[inline(never)]
 fn answer<P: Primary, const BENT: bool>(
     model: &Model<impl Tables>,
@@ -386,9 +418,9 @@ fn answer<P: Primary, const BENT: bool>(
     to: &Input,
     dt: f64,
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) {
-    answer_by::<P, true, BENT>(&THREE_STAGE, model, state, to, dt, output, slopes);
+    answer_by::<P, true, BENT>(&THREE_STAGE, model, state, to, dt, output, derivatives);
 }
 
 /// Any step, in the same way.
@@ -400,9 +432,9 @@ fn answer_by_table(
     to: &Input,
     dt: f64,
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) {
-    answer_by::<Any, false, true>(method, model, state, to, dt, output, slopes);
+    answer_by::<Any, false, true>(method, model, state, to, dt, output, derivatives);
 }
 
 /// The answer of one way of stepping; where the host gives no displacement, its own at the end follows the velocity there.
@@ -414,18 +446,20 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
     to: &Input,
     dt: f64,
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) {
-    let mut by_end = ByEnd::new(slopes);
+    let mut by_end = ByEnd::new(derivatives);
     advance_by::<P, _, _, COMMON, BENT>(method, model, to, dt, &mut by_end, state, output);
     if to.displacement.is_none() {
-        output.force_by_velocity += 0.5 * dt * output.force_by_displacement;
+        output.d_force_d_velocity += 0.5 * dt * output.d_force_d_displacement;
     }
 }
 
-/// As [`step_in_place`], telling `follow` every stage. The slopes of the output hold the internal mass and, unless `follow`
-/// asks for them, the private states still. For a damper without elements in its series or hydraulic path, whose stages are of
-/// another kind: see [`advance_paths`].
+/// Advances a state in place and passes every stage to `follow`.
+///
+/// The derivatives of the output hold the internal mass constant and, unless `follow` asks for them, the internal
+/// states too. This is for a damper without elements in its series or hydraulic path, whose stages are of another
+/// kind: see [`advance_paths`].
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = tableau(model, dt);
     advance_by::<Plain, _, _, false, true>(method, model, to, dt, follow, state, output);
@@ -447,8 +481,8 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
     output.stop_force = 0.0;
     output.oil_temperature = to.temperature;
     let substeps = if COMMON { 1 } else { model.integration.substeps(dt) };
-    let dt = larger(dt, SHORTEST);
-    let dt = smaller(dt, LONGEST);
+    let dt = max(dt, SHORTEST);
+    let dt = min(dt, LONGEST);
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let (x, v) = path.end();
     let side = (to.side_force, to.temperature);
@@ -482,8 +516,8 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
         output.spring_force = inner.force;
         output.series_deflection = 0.0;
         force = inner.force + primary.value;
-        by_x = inner.by_x;
-        by_v = inner.by_v + primary.slope;
+        by_x = inner.d_force_d_x;
+        by_v = inner.d_force_d_v + primary.derivative;
     }
     // Where it is in most steps it stands here, elsewhere it is called.
     let Outer { friction, preload } = if COMMON && !BENT {
@@ -494,20 +528,27 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
     output.friction_force = friction.force;
     output.gas_force = preload.force;
     force += friction.force + preload.force;
-    by_x += friction.by_x + preload.by_x;
-    by_v += friction.by_v + preload.by_v;
+    by_x += friction.d_force_d_x + preload.d_force_d_x;
+    by_v += friction.d_force_d_v + preload.d_force_d_v;
     if e.has_beside() {
         // Copies, so that nobody but this branch keeps them in memory.
         let (path, outer) = (path, outer);
-        let sum =
-            advance_extras((method, substeps), e, &path, &outer, &mut state.memory, output, follow.wants_slopes());
+        let sum = advance_extras(
+            (method, substeps),
+            e,
+            &path,
+            &outer,
+            &mut state.internal,
+            output,
+            follow.wants_derivatives(),
+        );
         force += sum.force;
-        by_x += sum.by_x;
-        by_v += sum.by_v;
+        by_x += sum.d_force_d_x;
+        by_v += sum.d_force_d_v;
     }
     output.force = force;
-    output.force_by_displacement = by_x;
-    output.force_by_velocity = by_v;
+    output.d_force_d_displacement = by_x;
+    output.d_force_d_velocity = by_v;
 }
 
 #[cfg(test)]
@@ -527,7 +568,7 @@ mod tests {
 
     /// How far a method is from the conditions up to an order.
     fn misses(method: Method, order: usize) -> f64 {
-        let a = matrix(Tableau::of(method));
+        let a = matrix(Tableau::for_method(method));
         let c: Vec<f64> = a.iter().map(|row| row.iter().sum()).collect();
         let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
         let through = |y: &[f64]| a.iter().map(|row| dot(row, y)).collect::<Vec<f64>>();
@@ -563,7 +604,7 @@ mod tests {
 
     /// Largest growth of an oscillation of any frequency, and how much of an infinitely stiff motion is left.
     fn growth(method: Method) -> (f64, f64) {
-        let a = matrix(Tableau::of(method));
+        let a = matrix(Tableau::for_method(method));
         let after = |y: f64| {
             // Complex numbers by hand: z = iy, k_i = 1 + z Σ a_ij k_j.
             let mut stages: Vec<(f64, f64)> = Vec::new();

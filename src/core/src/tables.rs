@@ -9,16 +9,16 @@ use core::ops::{Deref, DerefMut};
 
 /// A non-decreasing law of force over velocity: the FV curve.
 pub trait ForceLaw: Copy + Debug {
-    /// Force and slope at a velocity.
-    fn at(&self, u: f64) -> Value;
+    /// Force and derivative at a velocity.
+    fn evaluate(&self, u: f64) -> Value;
 
-    /// Force above that at standstill, with slope and curvature.
+    /// Force above that at standstill, with derivative and curvature.
     fn above_zero(&self, u: f64) -> Above;
 
     /// Force at standstill.
     fn at_zero(&self) -> f64;
 
-    /// The velocity u with `a u + f(u) = r` for `a > 0`, with force and slope there: see [`crate::curve::Curve::solve`].
+    /// The velocity u with `a u + f(u) = r` for `a > 0`, with force and derivative there: see [`crate::curve::Curve::solve`].
     fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value);
 
     /// First and last velocity that the points cover.
@@ -27,7 +27,7 @@ pub trait ForceLaw: Copy + Debug {
 
 /// A table that is only evaluated.
 pub trait Lookup: Copy + Debug {
-    /// Value and slope at a place.
+    /// Value and derivative at a place.
     fn lookup(&self, u: f64) -> Value;
 }
 
@@ -63,9 +63,9 @@ pub trait Tables: Copy + Debug {
 /// An element that a model owns.
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
-pub struct Held<E>(pub E);
+pub struct OwnedElement<E>(pub E);
 
-impl<E> Deref for Held<E> {
+impl<E> Deref for OwnedElement<E> {
     type Target = E;
 
     #[inline(always)]
@@ -74,7 +74,7 @@ impl<E> Deref for Held<E> {
     }
 }
 
-impl<E> DerefMut for Held<E> {
+impl<E> DerefMut for OwnedElement<E> {
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut E {
         &mut self.0

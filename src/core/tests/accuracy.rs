@@ -60,8 +60,9 @@ fn velocity_alone_is_within_half_a_percent() {
     }
 }
 
-/// Masses and springs of every weight, and curves that damp a third of what the default one does: what the automatic choice of
-/// method and substeps was measured over.
+/// Masses and springs of every size, and curves with a third of the default damping.
+///
+/// The automatic choice of method and substeps was measured over them.
 #[test]
 fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
     let mut table = String::new();

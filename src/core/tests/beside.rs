@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 /// Displacement, force and time over a run at step `dt`, from the settled start of the motion.
 fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64)> {
     let (x, v) = motion(0.0);
-    let mut state = model.settled(&Input::motion(x, v));
+    let mut state = model.steady_state(&Input::motion(x, v));
     (1..=steps)
         .map(|i| {
             let (x, v) = motion(i as f64 * dt);
@@ -98,7 +98,9 @@ fn a_gas_spring_pressed_beyond_its_volume_stays_finite_and_rises() {
     }
 }
 
-/// A mass of 5 kg up to 30 Hz at host steps of 0.25 to 2 ms, default time: its force within 6 % of M a, from both.
+/// The force of a mass of 5 kg is within 6 % of M a.
+///
+/// The motion goes up to 30 Hz, with host steps of 0.25 to 2 ms.
 #[test]
 fn moving_mass_is_a_mass() {
     let mass = 5.0;
@@ -170,19 +172,19 @@ fn a_contact_of_high_power_bends_before_it_slips() {
     // A contact that creeps has less friction at low speed, however long the way.
     let creeping = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_creep", 1e-3)]);
     for v in [3e-4, 1e-3, 0.1] {
-        let settled = creeping.settled(&Input::motion(0.0, v));
+        let settled = creeping.steady_state(&Input::motion(0.0, v));
         let (moved, output) = step(&creeping, &settled, &Input::motion(1e-3 * v, v), 1e-3);
         assert!((output.force / (level * v / (v * v + 1e-6f64).sqrt()) - 1.0).abs() < 1e-6, "{v}: {}", output.force);
-        assert!((moved.memory[0] / settled.memory[0] - 1.0).abs() < 1e-9);
+        assert!((moved.internal[0] / settled.internal[0] - 1.0).abs() < 1e-9);
     }
     // Back from sliding: Dahl's contact turns over twice as fast as it bent, an elastic return just as fast.
-    for (back, slope) in [(0.0, 2.0), (1.0, 1.0)] {
+    for (back, derivative) in [(0.0, 2.0), (1.0, 1.0)] {
         let model = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_return", back)]);
         let v = -0.01;
         let slid = State {
             velocity: v,
-            memory: {
-                let mut m = State::ZERO.memory;
+            internal: {
+                let mut m = State::ZERO.internal;
                 m[0] = length;
                 m
             },
@@ -191,7 +193,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         let travel = 0.02 * length;
         let dt = travel / -v;
         let force = step(&model, &slid, &Input::motion(-travel, v), dt).1.force;
-        assert!(((level - force) / (level * 0.02) / slope - 1.0).abs() < 0.03, "{back}: {force}");
+        assert!(((level - force) / (level * 0.02) / derivative - 1.0).abs() < 0.03, "{back}: {force}");
     }
     // Half the length: a spring; two lengths: sliding.
     assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
@@ -263,8 +265,8 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
         // Slopes are continuous at the contact and at standstill.
         for (x, v, dx, dv) in [(0.03, 0.5, 1e-9, 0.0), (0.05, 0.0, 0.0, 1e-9)] {
             let (a, b) = (at(x - dx, v - dv), at(x + dx, v + dv));
-            assert!((a.force_by_displacement - b.force_by_displacement).abs() < 1.0, "{element} {x}");
-            assert!((a.force_by_velocity - b.force_by_velocity).abs() < 1e-2, "{element} {x}");
+            assert!((a.d_force_d_displacement - b.d_force_d_displacement).abs() < 1.0, "{element} {x}");
+            assert!((a.d_force_d_velocity - b.d_force_d_velocity).abs() < 1e-2, "{element} {x}");
         }
         let area = loop_area(&model, 0.06, 1.0, 1);
         assert!(area > 0.0);
@@ -275,9 +277,9 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
 #[test]
 fn states_are_compact() {
     let model = only(&["moving_mass", "presliding_friction"], &[]);
-    let settled = model.settled(&Input::motion(0.0, 0.3));
+    let settled = model.steady_state(&Input::motion(0.0, 0.3));
     assert_eq!(model.elements().memories(), 2);
-    assert_eq!(settled.memory[..3], [3e-4, 0.3, 0.0]);
+    assert_eq!(settled.internal[..3], [3e-4, 0.3, 0.0]);
     assert!(!Reason::TooManyStates.text().is_empty());
 }
 
@@ -300,8 +302,9 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
     }
 }
 
-/// Where the element is smooth the order of the method shows; presliding has the kink of |v| at every reversal and
-/// is held to order 2 between reversals.
+/// Smooth elements show the order of the method.
+///
+/// Presliding has the kink of |v| at every reversal; its order between reversals is 2.
 #[test]
 fn order_of_the_step_with_each_element() {
     for (elements, changes, orders) in [
@@ -322,9 +325,9 @@ fn order_of_the_step_with_each_element() {
                 errors(&forces, &exact).0
             };
             let (coarse, fine) = (error(1), error(2));
-            let slope = (coarse / fine).log2();
+            let derivative = (coarse / fine).log2();
             // Four orders of the path: the motion itself is a cubic inside a step.
-            assert!(slope > order || fine < 1e-9, "{elements:?} {method:?}: {coarse:.2e} {fine:.2e} {slope}");
+            assert!(derivative > order || fine < 1e-9, "{elements:?} {method:?}: {coarse:.2e} {fine:.2e} {derivative}");
         }
     }
 }

@@ -78,7 +78,7 @@ proptest! {
             let one = Integration::fixed(Method::Fourth, 1);
             let run = |m: Model| {
                 let m = m.with_integration(one);
-                step(&m, &m.settled(&Input::motion(0.0, 0.0)), &Input::motion(x, v), 1e-3)
+                step(&m, &m.steady_state(&Input::motion(0.0, 0.0)), &Input::motion(x, v), 1e-3)
             };
             prop_assert_eq!(run(before), run(after), "{} is off", element);
         }
@@ -93,7 +93,7 @@ proptest! {
         }
         let model = Model::new(&p).unwrap();
         let input = Input::motion(x, v);
-        let stepped = step(&model, &model.settled(&Input::motion(0.0, 0.0)), &input, dt).1;
+        let stepped = step(&model, &model.steady_state(&Input::motion(0.0, 0.0)), &input, dt).1;
         let direct = evaluate(&model, &State::ZERO, &input).0;
         // What flows past the valves is found by rounds, to a ten-millionth of the velocity.
         let grooved = p.is_on(element!("position_dependent_damping")) && p.number(number!("bypass_form")) == 1.0;
@@ -162,7 +162,7 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     for (method, tolerance) in [(Method::Euler, 0.05), (Method::Second, 2e-3), (Method::Fourth, 2e-5)] {
         let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
         // From rest at a velocity that is held from the first step on.
-        let mut state = State { velocity: 0.2, ..model.settled(&Input::motion(0.0, 0.0)) };
+        let mut state = State { velocity: 0.2, ..model.steady_state(&Input::motion(0.0, 0.0)) };
         for i in 1..=20 {
             let t = i as f64 * 1e-3;
             let (next, output) = step(&model, &state, &Input::motion(0.2 * t, 0.2), 1e-3);
@@ -242,7 +242,7 @@ fn numbers_of_other_forms_do_not_count() {
             params.set(choice, place as f64).unwrap();
             let forces = |params: &Params| -> Vec<f64> {
                 let model = Model::new(params).unwrap();
-                let mut state = model.settled(&Input::motion(0.0, 0.0));
+                let mut state = model.steady_state(&Input::motion(0.0, 0.0));
                 let motion = common::sine(0.03, 4.0);
                 let mut heated = |i: usize| {
                     let (x, v) = motion(i as f64 * 1e-3);
@@ -263,7 +263,7 @@ fn numbers_of_other_forms_do_not_count() {
                         let values: Vec<f64> = params.list(list).iter().map(|v| (1.0 + share) * v).collect();
                         other.set_list(list, &values).unwrap();
                     }
-                    // Of slopes and knees, in whose middle no damper is.
+                    // Of derivatives and knees, in whose middle no damper is.
                     Shape::Scalar => {
                         let number = Number::find(row.parameter.name).unwrap();
                         let near = number.default() * (0.5 + share);

@@ -53,7 +53,7 @@ fn apart(family: &Family, model: &Model, setting: f64, dt: f64) -> (f64, f64) {
     let model = model.with_integration(family.model().integration());
     let motion = sine(0.02, 4.0);
     let start = Input::motion(0.0, 0.0);
-    let (mut own, mut plain) = (family.settled(&start, Some(setting)), model.settled(&start));
+    let (mut own, mut plain) = (family.steady_state(&start, Some(setting)), model.steady_state(&start));
     let mut delay = Delay::UNSET;
     let (mut off, mut largest) = (0.0f64, 0.0f64);
     for k in 1..=300 {
@@ -126,7 +126,7 @@ fn a_constant_setting_is_the_ordinary_damper_of_the_interpolated_numbers() {
                 ),
             };
             for setting in [0.0, 0.13, 0.4, 0.71, 1.6] {
-                let ordinary = axis.at(&params, setting);
+                let ordinary = axis.params_at(&params, setting);
                 let model = Model::new(&ordinary).unwrap();
                 let (off, largest) = apart(&family, &model, setting, 1e-3);
                 assert!(
@@ -150,7 +150,7 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
         let to = Input::motion(0.0, v);
         let force = |setting: f64| {
             let mut output = Output::ZERO;
-            let mut state = family.settled(&to, Some(setting));
+            let mut state = family.steady_state(&to, Some(setting));
             assert!(family.step_in_place(
                 &mut state,
                 &mut Delay::default(),
@@ -163,7 +163,7 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
             output.force
         };
         for setting in GRID {
-            let wanted = Model::new(&axis.at(&params, setting)).unwrap().static_output(&to).force;
+            let wanted = Model::new(&axis.params_at(&params, setting)).unwrap().static_output(&to).force;
             assert!((force(setting) - wanted).abs() < 1e-9 * wanted.abs(), "{setting}: {} {wanted}", force(setting));
         }
         let mut last = force(0.0);
@@ -174,19 +174,19 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
         }
         // Outside it is clamped.
         assert_eq!((force(-1.0), force(5.0)), (force(0.0), force(1.6)));
-        let slope = |setting: f64| {
+        let derivative = |setting: f64| {
             family
-                .force_by_setting(&family.settled(&to, Some(setting)), &Delay::UNSET, &to, Some(setting), 0.0)
+                .d_force_d_setting(&family.steady_state(&to, Some(setting)), &Delay::UNSET, &to, Some(setting), 0.0)
                 .unwrap()
         };
         for setting in [0.4, 0.8, 1.2] {
-            let (before, after) = (slope(setting - 1e-4), slope(setting + 1e-4));
+            let (before, after) = (derivative(setting - 1e-4), derivative(setting + 1e-4));
             assert!(
                 (before - after).abs() < 0.02 * (before.abs() + after.abs()) + 0.1,
                 "{before} {after} at {setting}, {v}"
             );
             // No flat place on the grid: a controller finds a gain there.
-            assert!(v.abs() < 0.1 || slope(setting).abs() > 10.0, "{} at {setting}, {v}", slope(setting));
+            assert!(v.abs() < 0.1 || derivative(setting).abs() > 10.0, "{} at {setting}, {v}", derivative(setting));
         }
     }
 }
@@ -220,7 +220,7 @@ proptest! {
             axis = without;
         }
         let Ok(family) = family(&params, &axis) else { return Ok(()) };
-        let Ok(model) = Model::new(&axis.at(&params, setting)) else { return Err(TestCaseError::fail("no model between two")) };
+        let Ok(model) = Model::new(&axis.params_at(&params, setting)) else { return Err(TestCaseError::fail("no model between two")) };
         let (off, largest) = apart(&family, &model, setting, 5e-4);
         prop_assert!(off <= 1e-7 * largest.max(1.0), "{off} of {largest} N: {}", told(&params));
     }
@@ -250,7 +250,7 @@ proptest! {
         let Ok(family) = family(&params, &axis) else { return Ok(()) };
         let (per_cycle, dt) = (256u32, 5e-4);
         let motion = sine(amplitude, 1.0 / (f64::from(per_cycle) * dt));
-        let mut state = family.settled(&Input::motion(-amplitude, 0.0), None);
+        let mut state = family.steady_state(&Input::motion(-amplitude, 0.0), None);
         let mut delay = Delay::UNSET;
         let (mut work, mut gross, mut last) = (0.0, 0.0, 0.0);
         for i in 1..=4 * per_cycle {
@@ -303,8 +303,8 @@ fn the_valve_follows_a_command_in_its_time_up_and_down() {
     let family = family(&params, &axis).unwrap();
     let input = Input::motion(0.0, 0.3);
     for (from, to, time) in [(0.4, 1.2, 8e-3), (1.2, 0.4, 20e-3)] {
-        let mut state = family.settled(&input, Some(from));
-        let mut delay = family.settled_delay(Some(from));
+        let mut state = family.steady_state(&input, Some(from));
+        let mut delay = family.steady_delay(Some(from));
         let dt = 0.25e-3;
         let mut reached = None;
         for k in 1..=400 {
@@ -347,7 +347,7 @@ fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
         }
         (forces, (state, delay))
     };
-    let start = (family.settled(&Input::motion(0.0, 0.0), None), Delay::UNSET);
+    let start = (family.steady_state(&Input::motion(0.0, 0.0), None), Delay::UNSET);
     let (all, _) = run(start, 1..400);
     let (_, half) = run(start, 1..200);
     let (rest, _) = run(half, 200..400);
@@ -366,7 +366,7 @@ fn rates_are_what_the_steps_integrate() {
         let (x, v) = motion(f64::from(k) * dt);
         Input::motion(x, v)
     };
-    let mut stepped = family.settled(&input(0, 0.0), Some(0.0));
+    let mut stepped = family.steady_state(&input(0, 0.0), Some(0.0));
     let mut integrated = stepped;
     let dt = 2e-6;
     for k in 0..5000 {
@@ -376,7 +376,7 @@ fn rates_are_what_the_steps_integrate() {
         integrated.displacement = at.displacement.unwrap();
         integrated.mass_displacement += dt * rate.mass_displacement;
         integrated.mass_velocity += dt * rate.mass_velocity;
-        for (z, rate) in integrated.memory.iter_mut().zip(rate.memory) {
+        for (z, rate) in integrated.internal.iter_mut().zip(rate.internal) {
             *z += dt * rate;
         }
         assert!(family.step_in_place(
@@ -390,10 +390,10 @@ fn rates_are_what_the_steps_integrate() {
         ));
     }
     let near = |a: f64, b: f64, size: f64| (a - b).abs() < 2e-3 * size;
-    assert!(near(stepped.memory[0], integrated.memory[0], 1.0), "{stepped:?} {integrated:?}");
-    assert!(near(stepped.memory[1], integrated.memory[1], 1.0), "{stepped:?} {integrated:?}");
+    assert!(near(stepped.internal[0], integrated.internal[0], 1.0), "{stepped:?} {integrated:?}");
+    assert!(near(stepped.internal[1], integrated.internal[1], 1.0), "{stepped:?} {integrated:?}");
     assert!(near(stepped.mass_velocity, integrated.mass_velocity, 0.3), "{stepped:?} {integrated:?}");
-    assert!(stepped.memory[0] > 0.5);
+    assert!(stepped.internal[0] > 0.5);
 }
 
 #[test]
@@ -403,10 +403,10 @@ fn partials_of_a_family_are_differences_of_its_rates() {
     p.enable(element!("oil_compressibility"), true);
     let family = family(&p, &moved(&p)).unwrap();
     let input = Input::motion(0.004, 0.2);
-    let mut state = family.settled(&Input::motion(0.0, 0.18), Some(0.7));
+    let mut state = family.steady_state(&Input::motion(0.0, 0.18), Some(0.7));
     state.mass_velocity += 0.02;
-    state.memory[2] = 0.63;
-    state.memory[3] = 0.2;
+    state.internal[2] = 0.63;
+    state.internal[3] = 0.2;
     let (own, by_setting) = family.partials(&state, &input, Some(1.1));
     assert_eq!(family.states(), 6);
     assert_eq!(
@@ -417,7 +417,7 @@ fn partials_of_a_family_are_differences_of_its_rates() {
     let numbers = |state: &State, input: &Input, setting: f64| {
         let (output, rate) = family.evaluate(state, input, Some(setting));
         let mut all = vec![output.force, rate.mass_displacement, rate.mass_velocity];
-        all.extend(rate.memory);
+        all.extend(rate.internal);
         all
     };
     let near = |exact: f64, seen: f64, size: f64| (exact - seen).abs() < 2e-4 * (size + seen.abs());
@@ -427,19 +427,19 @@ fn partials_of_a_family_are_differences_of_its_rates() {
             match k {
                 0 => state.mass_displacement += by,
                 1 => state.mass_velocity += by,
-                _ => state.memory[k - 2] += by,
+                _ => state.internal[k - 2] += by,
             }
             numbers(&state, &input, 1.1)
         };
         let size = [1e-8, 1e-6, 1e-7, 1e-7, 1e-6, 1e-6][k];
         let (plus, minus) = (moved(size), moved(-size));
         let seen: Vec<f64> = plus.iter().zip(&minus).map(|(a, b)| (a - b) / (2.0 * size)).collect();
-        assert!(near(own.force_by_state[k], seen[0], 1.0), "force by {k}: {} {}", own.force_by_state[k], seen[0]);
+        assert!(near(own.d_force_d_state[k], seen[0], 1.0), "force by {k}: {} {}", own.d_force_d_state[k], seen[0]);
         for i in 0..6 {
             assert!(
-                near(own.rate_by_state[i][k], seen[1 + i], 1.0),
+                near(own.d_rate_d_state[i][k], seen[1 + i], 1.0),
                 "rate {i} by {k}: {} {}",
-                own.rate_by_state[i][k],
+                own.d_rate_d_state[i][k],
                 seen[1 + i]
             );
         }
@@ -453,17 +453,17 @@ fn partials_of_a_family_are_differences_of_its_rates() {
     // Without an actuator the command acts at once.
     let axis = over(&p, &[number!("gas_force")]);
     let at_once = self::family(&p, &axis).unwrap();
-    let state = at_once.settled(&Input::motion(0.0, 0.18), Some(0.7));
+    let state = at_once.steady_state(&Input::motion(0.0, 0.18), Some(0.7));
     let (_, by_setting) = at_once.partials(&state, &input, Some(0.7));
     let force = |setting: f64| at_once.evaluate(&state, &input, Some(setting)).0.force;
     assert!(near(by_setting.force, (force(0.7 + 1e-5) - force(0.7 - 1e-5)) / 2e-5, 1.0), "{}", by_setting.force);
     // What the ordinary damper there says of the rest.
-    let model = Model::new(&axis.at(&p, 0.7)).unwrap();
+    let model = Model::new(&axis.params_at(&p, 0.7)).unwrap();
     let (wanted, got) =
         (partials(&model, &model.laid_out(&state), &input), at_once.partials(&state, &input, Some(0.7)).0);
     assert!(
-        near(got.force_by_input[0], wanted.force_by_input[0], 1.0)
-            && near(got.rate_by_state[1][1], wanted.rate_by_state[1][1], 1.0)
+        near(got.d_force_d_input[0], wanted.d_force_d_input[0], 1.0)
+            && near(got.d_rate_d_state[1][1], wanted.d_rate_d_state[1][1], 1.0)
     );
     let (output, _) = evaluate(&model, &model.laid_out(&state), &input);
     assert!(near(output.force, force(0.7), 1.0));
@@ -475,12 +475,12 @@ fn a_state_of_the_ordinary_damper_is_one_of_the_family() {
     let mut p = params(&[]);
     p.enable(element!("gas_spring"), true);
     let (family, model) = (family(&p, &moved(&p)).unwrap(), Model::new(&p).unwrap());
-    let mut state = model.settled(&Input::motion(0.01, 0.0));
-    state.memory[0] *= 0.5;
+    let mut state = model.steady_state(&Input::motion(0.01, 0.0));
+    state.internal[0] *= 0.5;
     let own = family.laid_out(&state, Some(0.8));
-    assert_eq!((own.memory[0], own.memory[1], own.memory[2]), (state.memory[0], 0.8, 0.0));
+    assert_eq!((own.internal[0], own.internal[1], own.internal[2]), (state.internal[0], 0.8, 0.0));
     let back = model.laid_out(&own);
-    assert_eq!(back.memory[0], state.memory[0]);
+    assert_eq!(back.internal[0], state.internal[0]);
     let mut output = Output::ZERO;
     assert!(family.step_in_place(
         &mut state,
@@ -522,7 +522,7 @@ fn what_is_no_family_is_rejected_with_the_number_at_fault() {
     falling.reverse();
     axis.set_forces(0, &forces(&p, 0.0)).unwrap();
     axis.set_forces(1, &falling).unwrap();
-    assert_eq!(Family::check(&p, &axis).unwrap_err(), list!("fv_force").fault(Reason::Falls));
+    assert_eq!(Family::check(&p, &axis).unwrap_err(), list!("fv_force").fault(Reason::ForceDecreases));
     axis.set_grid(&[0.0, 1.0]).unwrap();
     axis.set_number(0, 1.5).unwrap();
     assert_eq!(Family::check(&p, &axis).unwrap_err().reason, Reason::OutOfBounds);
@@ -553,7 +553,7 @@ fn a_family_through_dampers_is_each_of_them_at_its_setting() {
     let (base, axis) = Axis::through(&grid, &sets).unwrap();
     assert_eq!(axis.numbers().len(), 1);
     for (setting, set) in grid.iter().zip(&sets) {
-        assert_eq!(&axis.at(&base, *setting), set);
+        assert_eq!(&axis.params_at(&base, *setting), set);
     }
     family(&base, &axis).unwrap();
     let mut other = sets.clone();

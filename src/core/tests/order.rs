@@ -7,8 +7,10 @@ use dashpot_core::step::{Integration, Method};
 use dashpot_core::{Model, Params};
 use dashpot_core::{list, number};
 
-/// The same with elements of both paths that are as smooth; their own heat damps with the temperature of a stage before,
-/// which is of the first order and far below these errors.
+/// A model with smooth elements of both force paths.
+///
+/// Their own heat damps with the temperature of the stage before, which is of the first order and far below these
+/// errors.
 fn smooth_paths() -> Model {
     let mut params = smooth_params();
     for element in ["bushing", "oil_compressibility", "frequency_selective_damping", "temperature_fade"] {
@@ -72,10 +74,10 @@ fn falls(model: Model) {
             errors(&forces, &exact).0
         };
         let (e1, e2, e4) = (error(1), error(2), error(4));
-        let slopes = ((e1 / e2).log2(), (e2 / e4).log2());
+        let derivatives = ((e1 / e2).log2(), (e2 / e4).log2());
         assert!(
-            slopes.0 > order && slopes.1 > order,
-            "{method:?}: errors {e1:.2e} {e2:.2e} {e4:.2e}, slopes {slopes:?}"
+            derivatives.0 > order && derivatives.1 > order,
+            "{method:?}: errors {e1:.2e} {e2:.2e} {e4:.2e}, slopes {derivatives:?}"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Every slope that the kernel hands out is the derivative of what it hands out.
+//! Every derivative that the kernel hands out is the derivative of what it hands out.
 
 mod common;
 use common::*;
@@ -25,8 +25,10 @@ fn one_sided(f: &impl Fn(f64) -> f64, h: f64) -> [f64; 2] {
     })
 }
 
-/// Whether a slope is the derivative of f: the difference of one of the widths or, where f bends or jumps inside all of them, one of
-/// the one-sided differences or between the two. `near` says whether a slope is a difference.
+/// Whether a value is the derivative of f.
+///
+/// It is, if it equals the difference of one of the widths. If f has a knee or jump inside all of them, it may be a
+/// one-sided difference or lie between the two. `near` compares a derivative with a difference.
 fn is_derivative(got: f64, f: impl Fn(f64) -> f64, widths: &[f64], near: impl Fn(f64) -> bool) -> Result<(), String> {
     let central: Vec<f64> = widths.iter().map(|h| difference(&f, *h)).collect();
     if central.iter().any(|wanted| near(*wanted)) {
@@ -97,26 +99,28 @@ fn input(x: Option<f64>, v: f64) -> Input {
     Input { displacement: x, velocity: v, side_force: 300.0, temperature: 20.0 }
 }
 
-/// Whether the motion comes too near to a kink of any curve for differences to mean something: near speed 0, where
-/// the second slopes jump, near the knees of straight-line curves, and near the points of the tables.
+/// Whether the motion is too close to a kink of a curve for differences to mean something.
+///
+/// Kinks are velocity 0, where the second derivatives jump, the knees of piecewise linear curves, and the points of
+/// tables.
 fn near(value: f64, places: &[f64], distance: f64) -> bool {
     places.iter().any(|p| (value - p).abs() < distance)
 }
 
 proptest! {
-    // Held, for one seed in two dozens finds a void with gas, nanometres wide, whose slopes are up to a twentieth off (of 1 to 70 and 1001 to 1080:
+    // Held, for one seed in two dozens finds a void with gas, nanometres wide, whose derivatives are up to a twentieth off (of 1 to 70 and 1001 to 1080:
     // 16, 22, 29, 35, 1050, 1053).
     #![proptest_config(held(60, 1))]
 
     #[test]
-    fn step_slopes(x in -0.03..0.03f64, v in -1.2..1.2f64, dx in -2e-5..2e-5f64, dv in -0.3..0.3f64) {
+    fn step_derivatives(x in -0.03..0.03f64, v in -1.2..1.2f64, dx in -2e-5..2e-5f64, dv in -0.3..0.3f64) {
         for (name, params) in variants() {
             let knees = [params.list(list!("fv_velocity")), &[-0.13, 0.13, 0.4]].concat();
             let ramp = [0.0, 0.05, -0.05, 0.5, -0.5];
             for method in METHODS {
                 for (substeps, dt) in [(1, 1e-3), (3, 1e-3), (1, 1e-4)] {
                     let model = Model::new(&params).unwrap().with_integration(Integration::fixed(method, substeps));
-                    let from = step(&model, &model.settled(&input(Some(x), v)), &input(Some(x + 1e-3 * v), v), 1e-3).0;
+                    let from = step(&model, &model.steady_state(&input(Some(x), v)), &input(Some(x + 1e-3 * v), v), 1e-3).0;
                     let (x1, v1) = (from.displacement + dt * v + dx * dt / 1e-3, v + dv * dt / 1e-3);
                     let (end, output) = step(&model, &from, &input(Some(x1), v1), dt);
                     // Knees that any stage may cross: stages lie between and about the ends.
@@ -130,7 +134,7 @@ proptest! {
                     // Several, so that a knee of an element that lies inside the wider difference does not count; what a void of nanometres
                     // does, a wider one steps over.
                     let widths = |size: f64| [fine * size, 0.03 * fine * size, 1e-3 * fine * size];
-                    let alone = step(&model, &from, &input(None, v1), dt).1.force_by_velocity;
+                    let alone = step(&model, &from, &input(None, v1), dt).1.d_force_d_velocity;
                     let k = params.number(number!("series_stiffness"));
                     // The solver leaves the straight step's square: a difference over so little is no better than this.
                     // A void with gas is solved by steps of its own inside each look.
@@ -140,7 +144,7 @@ proptest! {
                         false => 1e-6,
                     };
                     let close = |got: f64, scale: f64| move |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + scale);
-                    let (by_x, by_v) = (output.force_by_displacement, output.force_by_velocity);
+                    let (by_x, by_v) = (output.d_force_d_displacement, output.d_force_d_velocity);
                     for (what, told) in [
                         ("dF/dx", is_derivative(by_x, |h| force(Some(x1 + h), v1), &widths(1e-7), close(by_x, k))),
                         ("dF/dv", is_derivative(by_v, |h| force(Some(x1), v1 + h), &widths(1e-4), close(by_v, k * dt))),
@@ -154,7 +158,7 @@ proptest! {
     }
 
     #[test]
-    fn evaluate_slopes(
+    fn evaluate_derivatives(
         x in 0.005..0.025f64, left in any::<bool>(), v in -1.2..1.2f64,
         e in -5e-4..5e-4f64, u in -1.2..1.2f64, z in -500.0..500.0f64,
     ) {
@@ -166,12 +170,12 @@ proptest! {
                 continue;
             }
             let mut state = State { displacement: x, velocity: v, mass_displacement: x - e, mass_velocity: u, ..State::ZERO };
-            // A memory of millimetres, of shares or of forces: whatever it is, its slopes are exact.
-            state.memory = [z, 1e-3 * z, 1e-2 * z, 0.3 * z, 0.0, 0.0, 0.0, 0.0];
+            // A memory of millimetres, of shares or of forces: whatever it is, its derivatives are exact.
+            state.internal = [z, 1e-3 * z, 1e-2 * z, 0.3 * z, 0.0, 0.0, 0.0, 0.0];
             let paths = model.elements().has_paths();
             if paths {
                 // Deflections, shares and kelvins that an oil column, a void and a valve can have.
-                state.memory = [1e-6, 0.7e-6, 1.2e-6, 0.9e-6, 1e-6, 1.1e-6, 0.8e-6, 1e-6].map(|m| m * z);
+                state.internal = [1e-6, 0.7e-6, 1.2e-6, 0.9e-6, 1e-6, 1.1e-6, 0.8e-6, 1e-6].map(|m| m * z);
             }
             let p = partials(&model, &state, &input(Some(x), v));
             let share = if paths { 2e-5 } else { 1e-6 };
@@ -182,7 +186,7 @@ proptest! {
                 match i {
                     0 => s.mass_displacement += h,
                     1 => s.mass_velocity += h,
-                    i => s.memory[i - 2] += h,
+                    i => s.internal[i - 2] += h,
                 }
                 s
             };
@@ -190,14 +194,14 @@ proptest! {
             let row = |state: &State, x: f64, v: f64| {
                 let (output, rate) = evaluate(&model, state, &input(Some(x), v));
                 let mut row = vec![output.force, rate.mass_displacement, rate.mass_velocity];
-                row.extend(rate.memory);
+                row.extend(rate.internal);
                 row
             };
             // Through the paths as narrow as the shortest that a state comes to: wider ones step over a void of nanometres.
             let widths = [1.0, 0.1, if paths { 1e-3 } else { 0.1 }];
             for (column, size) in (0..states).map(|i| (i, [2e-6, 1e-4].get(i).copied().unwrap_or(if paths { 1e-7 } else { 1e-4 }))) {
                 for out in 0..=states {
-                    let got = if out == 0 { p.force_by_state[column] } else { p.rate_by_state[out - 1][column] };
+                    let got = if out == 0 { p.d_force_d_state[column] } else { p.d_rate_d_state[out - 1][column] };
                     let value = row(&state, x, v)[out].abs();
                     let close = |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size;
                     let told = is_derivative(got, |h| row(&moved(column, h), x, v)[out], &widths.map(|width| width * size), close);
@@ -206,7 +210,7 @@ proptest! {
             }
             for (column, size) in [(0, 2e-6), (1, 1e-4)] {
                 for out in 0..=states {
-                    let got = if out == 0 { p.force_by_input[column] } else { p.rate_by_input[out - 1][column] };
+                    let got = if out == 0 { p.d_force_d_input[column] } else { p.d_rate_d_input[out - 1][column] };
                     let value = row(&state, x, v)[out].abs();
                     let close = |wanted: f64| (got - wanted).abs() <= share * (wanted.abs() + 1.0) + small * value / size;
                     let moved = |h: f64| row(&state, x + if column == 0 { h } else { 0.0 }, v + if column == 1 { h } else { 0.0 })[out];

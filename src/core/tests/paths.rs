@@ -3,7 +3,7 @@
 mod common;
 use common::*;
 use dashpot_core::parameter::{Element, Params};
-use dashpot_core::step::paths::{FollowPaths, StageSlopes};
+use dashpot_core::step::paths::{FollowPaths, StageDerivatives};
 use dashpot_core::step::{Integration, Method, advance_paths, step};
 use dashpot_core::{Input, Model, Output, Reason, State, evaluate};
 use dashpot_core::{element, list, number};
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// Input and answer at each step.
 fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64, Output)> {
     let (x, v) = motion(0.0);
-    let mut state = model.settled(&Input::motion(x, v));
+    let mut state = model.steady_state(&Input::motion(x, v));
     (1..=steps)
         .map(|i| {
             let (x, v) = motion(i as f64 * dt);
@@ -107,7 +107,7 @@ fn free_play_is_a_dead_band_of_its_length() {
     };
     // Between large forces of both signs the deflection is the spring's and the whole gap.
     for x in [0.02, 0.05] {
-        let (a, b) = (model.settled(&Input::motion(x, 0.0)), model.settled(&Input::motion(-x, 0.0)));
+        let (a, b) = (model.steady_state(&Input::motion(x, 0.0)), model.steady_state(&Input::motion(-x, 0.0)));
         let force = 1e5 * a.mass_displacement;
         let deflection = (a.displacement - a.mass_displacement) - (b.displacement - b.mass_displacement);
         let expected = 2.0 * force / k + gap * force / (force + f0);
@@ -133,7 +133,7 @@ fn friction_in_a_bushing_loses_the_same_at_any_rate() {
         );
         let (z, dt) = (0.0f64, 1.0 / frequency / 4000.0);
         let mut state = State { ..State::ZERO };
-        state.memory[0] = z;
+        state.internal[0] = z;
         let (mut energy, w) = (0.0, TAU * frequency);
         for i in 0..8000 {
             let t = dt * f64::from(i);
@@ -143,7 +143,7 @@ fn friction_in_a_bushing_loses_the_same_at_any_rate() {
             if i >= 4000 {
                 energy += (output.force - output.friction_force) * rate * dt;
             }
-            state.memory[0] += rates.memory[0] * dt;
+            state.internal[0] += rates.internal[0] * dt;
         }
         energy
     };
@@ -241,24 +241,24 @@ fn an_oil_column_is_softer_where_it_is_longer() {
             &["oil_compressibility"],
             &[("oil_stiffness", k), ("oil_shortening", shortening), ("oil_chambers", chambers)],
         );
-        // A stroke so short that the place is the same: 20 mm out, both strokes; the slope of force over distance where
+        // A stroke so short that the place is the same: 20 mm out, both strokes; the derivative of force over distance where
         // the valves have not yet followed is k/ℓ.
         for (sign, length) in [1.0, -1.0].into_iter().zip(at_rebound_end) {
             let x0 = 0.02;
-            let start = State { displacement: x0, ..model.settled(&Input::motion(x0, 0.0)) };
+            let start = State { displacement: x0, ..model.steady_state(&Input::motion(x0, 0.0)) };
             let (dt, v) = (1e-5, sign * 0.5);
             // First build up some force, so that the chamber under pressure is known.
             let mut state = State { velocity: v, ..start };
             let mut before = 0.0;
-            let mut slope = 0.0;
+            let mut derivative = 0.0;
             for i in 1..=60 {
                 let x = x0 + v * dt * f64::from(i);
                 let (next, output) = step(&model, &state, &Input::motion(x, v), dt);
                 let w = output.force / C;
-                slope = (output.force - before) / dt / (v - w);
+                derivative = (output.force - before) / dt / (v - w);
                 (state, before) = (next, output.force);
             }
-            assert!((slope * length / k - 1.0).abs() < 0.03, "{chambers} {sign}: {}", slope / k);
+            assert!((derivative * length / k - 1.0).abs() < 0.03, "{chambers} {sign}: {}", derivative / k);
         }
     }
 }
@@ -329,11 +329,14 @@ fn gas_in_a_void_gives_way_as_it_expands() {
 
 #[test]
 fn viscosity_follows_vogel() {
-    let (reference, offset, slope) = (25.0, 95.0, 0.03f64);
-    let changes =
-        [("fade_reference", reference), ("fade_coefficient", slope), ("fade_slackening", 1.0 / (reference + offset))];
+    let (reference, offset, derivative) = (25.0, 95.0, 0.03f64);
+    let changes = [
+        ("fade_reference", reference),
+        ("fade_coefficient", derivative),
+        ("fade_slackening", 1.0 / (reference + offset)),
+    ];
     let model = straight(&["temperature_fade"], &changes);
-    let b = slope * (reference + offset) * (reference + offset);
+    let b = derivative * (reference + offset) * (reference + offset);
     for temperature in [0.0, 25.0, 60.0, 110.0] {
         let at = Input { temperature, ..Input::motion(0.0, 0.5) };
         let force = step(&model, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force;
@@ -364,7 +367,7 @@ fn fade_follows_the_temperature_given_and_the_heat_made() {
     let changes = [("fade_source", 1.0), ("fade_coefficient", a), ("heat_capacity", 500.0), ("heat_transfer", 50.0)];
     let own = straight(&["temperature_fade"], &changes);
     let (v, dt) = (0.5, 1e-3);
-    let mut state = State { velocity: v, ..own.settled(&Input::motion(0.0, 0.0)) };
+    let mut state = State { velocity: v, ..own.steady_state(&Input::motion(0.0, 0.0)) };
     let (mut rise, mut output) = (0.0f64, Output::ZERO);
     for i in 1..=5000 {
         (state, output) = step(&own, &state, &Input::motion(v * dt * i as f64, v), dt);
@@ -490,14 +493,14 @@ fn settled_states_rest() {
         let model = Model::new(&params).unwrap();
         for (x, v) in [(0.0, 0.0), (0.02, 0.0), (-0.02, 0.0), (0.01, 0.2), (-0.01, -0.2)] {
             let input = Input::motion(x, v);
-            let state = model.settled(&input);
+            let state = model.steady_state(&input);
             let rate = evaluate(&model, &state, &input).1;
             let moving = if params.is_on(element!("series_compliance")) { v } else { 0.0 };
             assert!((rate.mass_displacement - moving).abs() < 1e-9, "{name} at {x} {v}: {rate:?}");
             assert!(rate.mass_velocity.abs() < 1e-2, "{name} at {x} {v}: {rate:?}");
             if v == 0.0 {
-                let scale = 1e-6 * (1.0 + state.memory.iter().fold(0.0f64, |m, z| m.max(z.abs())));
-                assert!(rate.memory.iter().all(|r| r.abs() < scale), "{name} at {x} {v}: {rate:?}");
+                let scale = 1e-6 * (1.0 + state.internal.iter().fold(0.0f64, |m, z| m.max(z.abs())));
+                assert!(rate.internal.iter().all(|r| r.abs() < scale), "{name} at {x} {v}: {rate:?}");
             }
         }
     }
@@ -510,7 +513,7 @@ fn a_step_ends_where_evaluation_finds_it() {
         for method in METHODS {
             let model = Model::new(&params).unwrap().with_integration(Integration::fixed(method, 1));
             let motion = sine(0.01, 5.0);
-            let mut state = model.settled(&Input::motion(-0.01, 0.0));
+            let mut state = model.steady_state(&Input::motion(-0.01, 0.0));
             for i in 1..=200 {
                 let (x, v) = motion(i as f64 * 1e-3);
                 let (next, output) = step(&model, &state, &Input::motion(x, v), 1e-3);
@@ -532,9 +535,9 @@ fn a_step_ends_where_evaluation_finds_it() {
     }
 }
 
-/// A valve that the method would carry beyond open, and a control chamber beyond full, stay where they end; the slopes know it.
+/// A valve that the method would carry beyond open, and a control chamber beyond full, stay where they end; the derivatives know it.
 #[test]
-fn openings_and_fillings_stay_within_their_ranges_with_exact_slopes() {
+fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
     let late: &[(&str, f64)] = &[("valve_hysteresis_share", 0.75)];
     let stroke: &[(&str, f64)] = &[("fsd_form", 1.0), ("fsd_time", 1e-3), ("fsd_velocity", 1e-3)];
     let bypass: &[(&str, f64)] = &[("fsd_form", 2.0), ("fsd_time", 1e-3), ("fsd_force", 1.0)];
@@ -550,7 +553,7 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_slopes() {
         p.set_list(list!("fv_velocity"), &[-0.003, 0.0, 0.001, 0.01, 0.06, 0.09]).unwrap();
         p.set_list(list!("fv_force"), &[-360.0, 0.0, 620.0, 625.0, 700.0, 740.0]).unwrap();
         let model = Model::new(&p).unwrap().with_integration(Integration::fixed(METHODS[2], 1));
-        let mut state = model.settled(&Input::motion(0.0, 0.0));
+        let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         let mut ends = 0;
         for i in 0..400 {
             // To and fro at uneven speeds.
@@ -558,16 +561,16 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_slopes() {
             let input = |x: f64, v: f64| Input::motion(x, v);
             let x = 0.003 * (0.9 * f64::from(i)).sin();
             let (next, output) = step(&model, &state, &input(x, v), 2e-3);
-            let at = next.memory[0];
+            let at = next.internal[0];
             assert!((least..=1.0).contains(&at), "{elements:?} {i}: {at}");
             // What is beyond its range when the last stage begins ends near there.
             ends += usize::from(at > 0.9 || at < least + 0.1);
-            // Where differences themselves agree, the slope is theirs.
+            // Where differences themselves agree, the derivative is theirs.
             let force = |h: f64| step(&model, &state, &input(x, v + h), 2e-3).1.force;
             let central = |h: f64| (force(h) - force(-h)) / (2.0 * h);
             let (coarse, fine) = (central(1e-6), central(5e-7));
             if (coarse - fine).abs() < 1e-4 * fine.abs() {
-                let got = output.force_by_velocity;
+                let got = output.d_force_d_velocity;
                 assert!((got - fine).abs() < 1e-3 * (fine.abs() + 100.0), "{elements:?} {i}: {got} {fine}");
             }
             state = next;
@@ -580,7 +583,7 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_slopes() {
 struct Nobody;
 
 impl FollowPaths for Nobody {
-    fn paths_stage(&mut self, _: &dyn StageSlopes) {}
+    fn paths_stage(&mut self, _: &dyn StageDerivatives) {}
 }
 
 /// A damper that fades as a whole takes the plain step; the paths come to the same, since their equation then is its own.
@@ -598,7 +601,7 @@ fn a_fading_damper_steps_as_through_the_paths() {
             for (substeps, dt) in [(1, 1e-3), (3, 1e-3), (1, 1e-4)] {
                 let model = alone.with_integration(Integration::fixed(method, substeps));
                 let motion = sine(0.01, 12.0);
-                let mut through = model.settled(&Input::motion(-0.01, 0.0));
+                let mut through = model.steady_state(&Input::motion(-0.01, 0.0));
                 let mut plain = through;
                 for i in 1..=200 {
                     let (x, v) = motion(f64::from(i) * dt);

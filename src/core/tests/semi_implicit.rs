@@ -1,5 +1,7 @@
-//! Hosts whose displacement is not the integral of their velocity: those that advance it with the velocity of one end of the step, the new one
-//! (semi-implicit: MuJoCo's Euler, game engines) or the old one. Every element acts there as it does in a host that samples a motion.
+//! Hosts whose displacement is not the integral of their velocity.
+//!
+//! They advance it with the velocity of one end of the step, the new one (semi-implicit: MuJoCo's Euler, game
+//! engines) or the old one. Every element acts there as it does in a host that samples a motion.
 
 mod common;
 use common::*;
@@ -20,7 +22,7 @@ const STEP: f64 = 1e-3;
 /// Forces in a host with the velocities of the motion.
 fn in_host(model: &Model, motion: &impl Fn(f64) -> (f64, f64), host: Advances, steps: usize) -> Vec<f64> {
     let (mut x, mut v) = motion(0.0);
-    let mut state = model.settled(&Input::motion(x, v));
+    let mut state = model.steady_state(&Input::motion(x, v));
     (1..=steps)
         .map(|i| {
             let old = v;
@@ -82,13 +84,16 @@ fn cases() -> Vec<(String, Params)> {
     all
 }
 
-/// A spool with a mass, without series compliance, feels the mean velocity of the displacement at once: half a step of lag decides how far it opens, and
-/// the force peaks as it does. Everything else is held to the first.
+/// Tolerance for a spool with a mass, without series compliance.
+///
+/// It responds to the mean velocity of the displacement at once: half a step of lag decides how far it opens, and the
+/// force peaks with it. Everything else has the first tolerance.
 const WITHIN: f64 = 0.03;
 const SPOOL_WITHIN: f64 = 0.2;
 
-/// The displacement of such a host is half a step early or late, and so may the force be, not more: it lies between the least and the largest that
-/// the sampled motion has within a step and a half.
+/// The force of such a host lies between the extremes of the sampled motion within a step and a half.
+///
+/// Its displacement leads or lags by half a step, and so may the force.
 #[test]
 fn every_element_is_no_more_than_a_step_early_or_late() {
     const FINER: usize = 50;

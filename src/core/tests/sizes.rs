@@ -1,6 +1,8 @@
-//! A damper of another size, the same in proportion, gives forces of that size: what the other tests find of dampers in the bounds of a passenger
-//! car's holds for all that are allowed. Oil, voids and valves have small forces of their own (a leakage, a laminar flow, a contact) that do not
-//! grow; with those the search of the C interface draws dampers of all sizes.
+//! A damper of another size, in proportion, has forces of that size.
+//!
+//! So what the other tests find for dampers in the bounds of a passenger car's holds for all that are allowed. Oil,
+//! voids and valves have small forces of their own (a leakage, a laminar flow, a contact) that do not scale. With
+//! those the search of the C interface draws dampers of all sizes.
 
 mod common;
 
@@ -55,7 +57,7 @@ proptest! {
         let (Ok(a), Ok(b)) = (Model::new(&params), Model::new(&other)) else { return Ok(()) };
         let x = |t: f64| amplitude * (std::f64::consts::TAU * frequency * t).sin();
         let start = Input::motion(0.0, 0.0);
-        let (mut one, mut two) = (a.settled(&start), b.settled(&start));
+        let (mut one, mut two) = (a.steady_state(&start), b.steady_state(&start));
         let mut largest = 1e-3f64;
         for i in 1..=200 {
             let (t, before) = (i as f64 * dt, (i - 1) as f64 * dt);

@@ -20,7 +20,7 @@ fn run(
 ) -> Result<(), TestCaseError> {
     let model = Model::new(params).unwrap();
     let (k, m) = (params.number(number!("series_stiffness")), params.number(number!("internal_mass")));
-    let mut state = model.settled(&Input::motion(motion[0].0, 0.0));
+    let mut state = model.steady_state(&Input::motion(motion[0].0, 0.0));
     let start = dashpot_core::evaluate(&model, &state, &Input::motion(motion[0].0, 0.0)).0;
     let mut length =
         1e-3 + start.series_deflection.abs() + (2.0 * start.spring_force.abs() * motion[0].0.abs() / k).sqrt();
@@ -31,7 +31,7 @@ fn run(
         length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
         state = next;
         prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", told(params));
-        prop_assert!(output.force_by_displacement.is_finite() && output.force_by_velocity.is_finite());
+        prop_assert!(output.d_force_d_displacement.is_finite() && output.d_force_d_velocity.is_finite());
         if model.elements().has_series() {
             let kicked = length + (m / k).sqrt() * v.abs();
             let series = output.series_deflection.abs();
@@ -49,7 +49,7 @@ fn run(
     }
     let (end, output) = step(&model, &state, &hold, 1e-2);
     prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", told(params));
-    let still = (0..8).all(|i| (end.memory[i] - state.memory[i]).abs() <= 1e-12 * state.memory[i].abs());
+    let still = (0..8).all(|i| (end.internal[i] - state.internal[i]).abs() <= 1e-12 * state.internal[i].abs());
     // Beyond 50 mm of deflection the step takes the parallel spring as straight (see `step`). A bent contact stays bent.
     let bends = params.is_on(element!("presliding_friction"));
     if !bends && end.mass_velocity.abs() < 1e-12 && still && output.series_deflection.abs() < 0.05 {
@@ -100,7 +100,7 @@ proptest! {
     fn stiff_corner(
         k in (5.0..8.0f64).prop_map(|d| 10f64.powf(d)),
         m in (-1.3..1.0f64).prop_map(|d| 10f64.powf(d)),
-        slope in (0.0..6.0f64).prop_map(|d| 10f64.powf(d)),
+        derivative in (0.0..6.0f64).prop_map(|d| 10f64.powf(d)),
         substeps in 0u32..5,
         method in 0..3usize,
         motion in prop::collection::vec((-0.05..0.05f64, -2.0..2.0f64), 100),
@@ -112,7 +112,7 @@ proptest! {
         ]);
         p.enable(element!("coulomb_friction"), true);
         p.set_list(list!("fv_velocity"), &[-1.0, -0.02, -0.01, 0.0, 0.01, 0.02, 1.0]).unwrap();
-        let f = [-0.05, -0.03, -0.01, 0.0, 0.01, 0.03, 0.05].map(|s| s * slope);
+        let f = [-0.05, -0.03, -0.01, 0.0, 0.01, 0.03, 0.05].map(|s| s * derivative);
         p.set_list(list!("fv_force"), &f).unwrap();
         run(&p, &motion, dt, false)?;
     }
@@ -123,15 +123,17 @@ fn steps_of_any_length_stay_finite() {
     for method in METHODS {
         let model = model(&[]).with_integration(Integration::fixed(method, 1));
         for dt in [1e-300, 1e-200, 1e-100, 1e-30, 1e-12, 1.0, 1e6, 1e12, 1e30] {
-            let state = model.settled(&Input::motion(0.01, 0.0));
+            let state = model.steady_state(&Input::motion(0.01, 0.0));
             let (state, output) = step(&model, &state, &Input::motion(0.01, 0.2), dt);
             assert!(state.is_finite() && output.force.is_finite(), "{method:?} {dt}: {state:?} {output:?}");
         }
     }
 }
 
-/// Two chambers of which the one that takes over is twenty times as long, behind an FV curve that holds 19 kN at rest: with the
-/// column's deflection as its state, the step in which the force turned answered -24 kN for 9 kN, and 0.6 GN eight steps later.
+/// Two chambers, of which the one that takes over is twenty times as long, behind an FV curve with 19 kN at rest.
+///
+/// With the column's deflection as its state, the step in which the force turned returned -24 kN instead of 9 kN, and
+/// 0.6 GN eight steps later.
 #[test]
 fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     let mut p = params(&[
@@ -155,7 +157,7 @@ fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
         let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
         let forces = |pieces: usize| {
             let dt = 4.896e-4 / pieces as f64;
-            let mut state = model.settled(&Input::motion(motion(0.0).0, 0.0));
+            let mut state = model.steady_state(&Input::motion(motion(0.0).0, 0.0));
             let mut forces = Vec::new();
             for i in 1..=20 * pieces {
                 let (x, v) = motion(i as f64 * dt);
@@ -188,7 +190,7 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     p.set_list(list!("fv_velocity"), &[-3.0, -2.9993821161933023, 3.0]).unwrap();
     p.set_list(list!("fv_force"), &[-2e4, 2e4, 2e4]).unwrap();
     let model = Model::new(&p).unwrap();
-    let mut state = model.settled(&Input::motion(0.0, 0.0));
+    let mut state = model.steady_state(&Input::motion(0.0, 0.0));
     for _ in 0..100 {
         let (next, output) = step(&model, &state, &Input::motion(-0.0992, 0.0), 1.0735e-5);
         assert!(output.series_deflection.abs() < 0.2, "{output:?}");
@@ -196,9 +198,10 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     }
 }
 
-/// A column of which one chamber is forty times as long as the other at one end of the motion, behind a series path that is
-/// damped so strongly that it hides what the column and a late valve do: the method of fourth order put 1325 m of oil together
-/// from its stages, and four steps later the mass left at 18 km/s.
+/// A column with one chamber forty times as long as the other, behind a strongly damped series path.
+///
+/// The damping hides the effect of the column and of a delayed valve. The method of fourth order combined its stages
+/// to 1325 m of oil, and four steps later the mass left at 18 km/s.
 #[test]
 fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     let mut p = params(&[
@@ -242,7 +245,7 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
         motion[at].1 = v;
     }
     let model = Model::new(&p).unwrap();
-    let mut state = model.settled(&Input::motion(motion[0].0, 0.0));
+    let mut state = model.steady_state(&Input::motion(motion[0].0, 0.0));
     for (x, v) in motion {
         let (next, output) = step(&model, &state, &Input::motion(x, v), 4.0225e-4);
         assert!(output.series_deflection.abs() < 5e-3, "{output:?}");
@@ -250,8 +253,11 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// A column that stands under 15 kN, and strokes of 60 mm between two instants of rest, in which it gets a tenth as long and back: by the speeds at
-/// which the stages look, the cheapest method did not move it at all, and its force went up with what it holds; the method of fourth order came to 9 MN.
+/// A column under 15 kN, and strokes of 60 mm between two instants of rest, in which it shrinks to a tenth and
+/// returns.
+///
+/// With the velocities of the stages, the cheapest method did not move it at all, and its force rose with its load.
+/// The method of fourth order reached 9 MN.
 #[test]
 fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves() {
     for (shortening, chambers) in [(10.0, 0.0), (-50.0, 0.0), (10.0, 1.0), (-15.0, 1.0)] {
@@ -269,7 +275,7 @@ fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves()
         p.set_list(list!("fv_force"), &[-2e4, -1.5e4, 2e4]).unwrap();
         for method in METHODS {
             let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
-            let mut state = model.settled(&Input::motion(0.0, 0.0));
+            let mut state = model.steady_state(&Input::motion(0.0, 0.0));
             for i in 0..200 {
                 let to = if i / 20 % 2 == 0 { 0.0 } else { 0.06 };
                 let (next, output) = step(&model, &state, &Input::motion(to, 0.0), 2.4e-4);

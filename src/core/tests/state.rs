@@ -14,15 +14,15 @@ fn bits(state: &State, output: &Output) -> Vec<u64> {
     let s = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
     let o = [
         output.force,
-        output.force_by_displacement,
-        output.force_by_velocity,
+        output.d_force_d_displacement,
+        output.d_force_d_velocity,
         output.primary_force,
         output.spring_force,
         output.friction_force,
         output.gas_force,
         output.series_deflection,
     ];
-    s.iter().chain(&state.memory).chain(&o).map(|f| f.to_bits()).collect()
+    s.iter().chain(&state.internal).chain(&o).map(|f| f.to_bits()).collect()
 }
 
 proptest! {
@@ -46,7 +46,7 @@ proptest! {
             }
             (seen, states)
         };
-        let start = model.settled(&Input::motion(0.0, 0.0));
+        let start = model.steady_state(&Input::motion(0.0, 0.0));
         let (first, states) = run(start, &motion);
         prop_assert_eq!(&run(start, &motion).0, &first, "a second run differs");
         prop_assert_eq!(&run(states[at - 1], &motion[at..]).0[..], &first[at..], "the restored run differs");
@@ -55,10 +55,10 @@ proptest! {
     #[test]
     fn a_step_of_no_time_is_the_static_answer(params in any_params(), x in -0.05..0.05f64, v in -1.0..1.0f64) {
         let model = Model::new(&params).unwrap();
-        let from = model.settled(&Input::motion(0.3 * x, 0.0));
+        let from = model.steady_state(&Input::motion(0.3 * x, 0.0));
         let (state, output) = step(&model, &from, &Input::motion(x, v), 0.0);
         prop_assert_eq!(state, from);
-        let settled = model.settled_from(&from, &Input::motion(x, v));
+        let settled = model.steady_state_from(&from, &Input::motion(x, v));
         let wanted = dashpot_core::evaluate(&model, &settled, &Input::motion(x, v)).0.force;
         prop_assert!((output.force - wanted).abs() <= 1e-9 * (1.0 + wanted.abs()));
     }
@@ -70,7 +70,7 @@ proptest! {
     ) {
         let model = Model::new(&params).unwrap();
         let inputs: Vec<Input> = motion.iter().map(|(x, v)| Input::motion(*x, *v)).collect();
-        let from: Vec<State> = motion.iter().map(|(x, _)| model.settled(&Input::motion(0.9 * x, 0.0))).collect();
+        let from: Vec<State> = motion.iter().map(|(x, _)| model.steady_state(&Input::motion(0.9 * x, 0.0))).collect();
         let mut states = [State::ZERO; 8];
         let mut outputs = [Output::ZERO; 8];
         step_batch(&model, &from, &inputs, 1e-3, &mut states, &mut outputs);
@@ -81,7 +81,9 @@ proptest! {
     }
 }
 
-/// A slider that switches an element must not hand its state to another: 0.3 mm of a contact were taken for newtons, and made 24 MN.
+/// A slider that switches an element must not pass its state to another.
+///
+/// Once, 0.3 mm of a contact were read as newtons, and made 24 MN.
 #[test]
 fn a_state_outlives_a_switch_of_elements() {
     for switched in WITH_STATES {
@@ -100,10 +102,10 @@ fn a_state_outlives_a_switch_of_elements() {
         let Ok(without) = Model::new(&p) else { continue };
         let named = |model: &Model, state: &State| {
             let name = |k: usize| model.state_name(k).unwrap().0;
-            (2..model.states()).map(|k| (name(k), state.memory[k - 2])).collect::<Vec<_>>()
+            (2..model.states()).map(|k| (name(k), state.internal[k - 2])).collect::<Vec<_>>()
         };
         let motion = sine(0.01, 4.0);
-        let mut state = with.settled(&Input::motion(-0.01, 0.0));
+        let mut state = with.steady_state(&Input::motion(-0.01, 0.0));
         for k in 1..=70 {
             let (x, v) = motion(f64::from(k) * 1e-3);
             state = step(&with, &state, &Input::motion(x, v), 1e-3).0;
@@ -125,7 +127,7 @@ fn a_state_outlives_a_switch_of_elements() {
     }
 }
 
-/// A host that pauses with steps of no time must not see the friction vanish, nor a slope that no motion has.
+/// A host that pauses with steps of no time must not see the friction vanish, nor a derivative that no motion has.
 #[test]
 fn a_pause_keeps_the_friction_of_a_bent_contact() {
     for elements in [&["presliding_friction"][..], &["presliding_friction", "oil_compressibility"]] {
@@ -135,7 +137,7 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         }
         p.enable(element!("stribeck_friction"), false);
         let model = Model::new(&p).unwrap();
-        let mut state = model.settled(&Input::motion(0.0, 0.0));
+        let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         // Ten millimetres with smooth ends, then held.
         let motion = |t: f64| {
             let share = (t / 0.2).min(1.0);
@@ -154,22 +156,22 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         // Slopes: of the contact's stiffness in the mean of both directions, and of the FV curve at rest.
         let moved = |by: f64| step(&model, &state, &Input::motion(state.displacement + by, 0.0), 0.0).1.force;
         let by_x = (moved(1e-7) - moved(-1e-7)) / 2e-7;
-        assert!((output.force_by_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");
-        let by_v = model.elements().paths.fv_curve.at(0.0).slope;
-        assert!((output.force_by_velocity - by_v).abs() < 1e-2 * by_v, "{elements:?}: {by_v} {output:?}");
+        assert!((output.d_force_d_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");
+        let by_v = model.elements().paths.fv_curve.evaluate(0.0).derivative;
+        assert!((output.d_force_d_velocity - by_v).abs() < 1e-2 * by_v, "{elements:?}: {by_v} {output:?}");
     }
 }
 
 #[test]
-fn static_slopes_are_those_of_the_static_force() {
+fn static_derivatives_are_those_of_the_static_force() {
     let model = model(&[]);
     let force = |x: f64, v: f64| step(&model, &State::ZERO, &Input::motion(x, v), 0.0).1.force;
     for (x, v) in [(0.02, 0.3), (-0.03, -0.7), (0.01, 0.02)] {
         let output = step(&model, &State::ZERO, &Input::motion(x, v), 0.0).1;
         let by_x = (force(x + 1e-6, v) - force(x - 1e-6, v)) / 2e-6;
         let by_v = (force(x, v + 1e-6) - force(x, v - 1e-6)) / 2e-6;
-        assert!((output.force_by_displacement - by_x).abs() < 1e-5 * (by_x.abs() + 1.0), "{by_x} {output:?}");
-        assert!((output.force_by_velocity - by_v).abs() < 1e-5 * (by_v.abs() + 1.0), "{by_v} {output:?}");
+        assert!((output.d_force_d_displacement - by_x).abs() < 1e-5 * (by_x.abs() + 1.0), "{by_x} {output:?}");
+        assert!((output.d_force_d_velocity - by_v).abs() < 1e-5 * (by_v.abs() + 1.0), "{by_v} {output:?}");
     }
 }
 
@@ -179,7 +181,7 @@ fn the_run_has_these_digits_on_every_platform() {
     let mut sum = 0u64;
     for method in METHODS {
         let model = model(&[]).with_integration(Integration::fixed(method, 2));
-        let mut state = model.settled(&Input::motion(0.0, 0.0));
+        let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         for i in 0..500 {
             // Triangles: no library's sine.
             let phase = (i % 100) as f64 / 100.0;
@@ -207,7 +209,7 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     for method in METHODS {
         let model = compliant.with_integration(Integration::fixed(method, 1));
         let at = Input::motion(0.01, 0.0);
-        let mut state = model.settled(&at);
+        let mut state = model.steady_state(&at);
         let wanted = dashpot_core::evaluate(&model, &state, &at).0.force;
         for _ in 0..20 {
             let (after, output) = step(&model, &state, &at, 1e-3);
@@ -227,8 +229,9 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     }
 }
 
-/// Behind a groove a valve that is nearly shut takes so much more force that its state went to and fro for ever: the static force was 83 kN, of valves
-/// that made 0.3.
+/// Behind a groove, a valve that is nearly shut has so much more force that its state once oscillated for ever.
+///
+/// The static force was 83 kN, from valves that made 0.3.
 #[test]
 fn a_static_answer_is_balanced_where_a_state_overshoots_what_it_is_drawn_to() {
     let mut p = params(&[
@@ -253,7 +256,7 @@ fn a_static_answer_is_balanced_where_a_state_overshoots_what_it_is_drawn_to() {
             let beside = at.friction_force + at.gas_force;
             let left = at.force - beside - at.primary_force - at.spring_force;
             assert!(left.abs() < 1e-6 * (at.primary_force.abs() + 1.0), "{knee} {x}: {at:?}");
-            let mut state = model.settled(&hold);
+            let mut state = model.steady_state(&hold);
             for _ in 0..2000 {
                 state = step(&model, &state, &hold, 1e-3).0;
             }

@@ -1,4 +1,4 @@
-//! A step that nobody asks for slopes goes where one with them goes, to the bit.
+//! A step that nobody asks for derivatives goes where one with them goes, to the bit.
 
 mod common;
 use common::*;
@@ -11,13 +11,13 @@ proptest! {
     #![proptest_config(drawn(300))]
 
     #[test]
-    fn force_and_state_are_those_of_the_step_with_slopes(
+    fn force_and_state_are_those_of_the_step_with_derivatives(
         params in any_params(),
         speeds in prop::collection::vec(-3.0..3.0f64, 1..20),
         dt in (-5.0..-2.0f64).prop_map(|d| 10f64.powf(d)),
     ) {
         let Ok(model) = Model::new(&params) else { return Ok(()) };
-        let mut with = model.settled(&Input::motion(0.01, 0.0));
+        let mut with = model.steady_state(&Input::motion(0.01, 0.0));
         let mut without = with;
         for v in speeds {
             let mut output = Output::ZERO;

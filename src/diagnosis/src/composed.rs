@@ -344,7 +344,7 @@ impl Composed<'_> {
             let none = 1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>().min(0.99);
             let summary = Sentence::from(phrases::NOTHING_MISSING)
                 .with("percent", percent(none))
-                .with_said("times", times(after));
+                .with_sentence("times", times(after));
             return Judged { verdict: Verdict::NothingMissing, summary, suspects: Vec::new(), notes };
         }
         let open: f64 = suspects.iter().map(|r| r.confidence).sum();
@@ -354,7 +354,8 @@ impl Composed<'_> {
                 [one] => Sentence::from(phrases::TOO_FEW_TESTS).with("effect", one),
                 _ => Sentence::from(phrases::NOT_APART).with_names("effects", effects, phrases::AND),
             };
-            let summary = Sentence::from(phrases::CANNOT_TELL).with_said("times", times(before)).with_said("why", why);
+            let summary =
+                Sentence::from(phrases::CANNOT_TELL).with_sentence("times", times(before)).with_sentence("why", why);
             return Judged { verdict: Verdict::CannotTell, summary, suspects, notes };
         }
         if !gone.is_empty() && after.sqrt() <= QUIET {
@@ -363,14 +364,14 @@ impl Composed<'_> {
             return Judged { verdict: Verdict::NothingMissing, summary, suspects, notes };
         }
         let nearest = match (looks_like, suspects.first()) {
-            (Some((unnamed, _)), _) => Some(Sentence::from(phrases::LOOKS_LIKE).with_said("what", looks(*unnamed))),
+            (Some((unnamed, _)), _) => Some(Sentence::from(phrases::LOOKS_LIKE).with_sentence("what", looks(*unnamed))),
             (None, Some(first)) => Some(
                 Sentence::from(phrases::NEAREST).with("effect", first.effect).with("percent", percent(first.share)),
             ),
             (None, None) => None,
         };
         let summary =
-            Sentence::from(phrases::UNKNOWN_EFFECT).with_said("times", times(before)).with_any("nearest", nearest);
+            Sentence::from(phrases::UNKNOWN_EFFECT).with_sentence("times", times(before)).with_any("nearest", nearest);
         Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
     }
 

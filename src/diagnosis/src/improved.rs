@@ -11,7 +11,7 @@ use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::literature::{fv_curve, observation::of_records};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
-use dashpot_records::taken_out::Off;
+use dashpot_records::taken_out::MeasurementError;
 use dashpot_records::{Record, Sentence};
 
 /// Intervals of all scalars of the last explanation, whose numbers have these standard deviations.
@@ -55,7 +55,7 @@ pub(super) fn measured(found: &Structure, deviations: &[f64]) -> Vec<Measured> {
 
 /// What a fit took out of the records before they were diagnosed, and what the diagnosis found in them after that.
 /// Where no fit did, the user may have: `given`.
-fn of_both(fit: Vec<Measured>, given: &Off, diagnosis: &[Measured]) -> Vec<Measured> {
+fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured]) -> Vec<Measured> {
     let mut all = fit;
     for found in diagnosis {
         match all.iter_mut().find(|m| m.name == found.name) {
@@ -76,7 +76,7 @@ impl Diagnosis {
             .filter(|(_, out)| !**out)
             .map(|(r, _)| *r)
             .collect();
-        let mut notes = vec![Sentence::from(phrases::DIAGNOSIS).with_said("answer", self.summary.clone())];
+        let mut notes = vec![Sentence::from(phrases::DIAGNOSIS).with_sentence("answer", self.summary.clone())];
         notes.extend(self.findings.iter().map(|f| {
             let place = if f.of_the_rig { phrases::OF_THE_RIG } else { phrases::ADDED };
             Sentence::from(place).with("effect", f.effect).with("percent", percent(f.confidence))
@@ -86,8 +86,12 @@ impl Diagnosis {
             estimates: self.estimates.clone(),
             inventory: self.inventory.clone(),
             measured: of_both(
-                if used.iter().any(|r| r.as_read.is_some()) { model.identification.measured() } else { Vec::new() },
-                &Off::given(records),
+                if used.iter().any(|r| r.original_fingerprint.is_some()) {
+                    model.identification.measured()
+                } else {
+                    Vec::new()
+                },
+                &MeasurementError::stated(records),
                 &self.measured,
             ),
             clock_from: clock_from(&used),

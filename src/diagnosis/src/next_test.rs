@@ -200,7 +200,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
 /// The test that shows one effect best, in words.
 pub fn in_words(effect: &'static str) -> NextTest {
     NextTest {
-        text: Sentence::from(phrases::SHOWS_BEST).with("effect", effect).with_said("remedy", remedy(effect)),
+        text: Sentence::from(phrases::SHOWS_BEST).with("effect", effect).with_sentence("remedy", remedy(effect)),
         amplitude_m: None,
         frequency_hz: None,
         mean_displacement_m: None,

@@ -8,13 +8,13 @@ use dashpot_records::{Positive, Record, Sentence};
 /// A sentence where they were, and the user did not say so of both.
 pub(super) fn opposite(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let (own, good) = (records.first()?.counted?, reference.first()?.counted?);
-    let is_meant = own.given && good.given;
+    let is_meant = own.is_stated && good.is_stated;
     let name = |counted: Counted| match counted.positive {
         Positive::Rebound => phrases::REBOUND,
         Positive::Compression => phrases::COMPRESSION,
     };
     (own.positive != good.positive && !is_meant)
-        .then(|| Sentence::from(phrases::OPPOSITE).with_said("own", name(own)).with_said("good", name(good)))
+        .then(|| Sentence::from(phrases::OPPOSITE).with_sentence("own", name(own)).with_sentence("good", name(good)))
 }
 
 #[cfg(test)]
@@ -23,7 +23,8 @@ mod tests {
 
     #[test]
     fn two_directions_are_told_unless_the_user_meant_them() {
-        let of = |positive, given| Record { counted: Some(Counted { positive, given }), ..Record::default() };
+        let of =
+            |positive, given| Record { counted: Some(Counted { positive, is_stated: given }), ..Record::default() };
         let told = |own: &Record, good: Record| opposite(&[own], &[good]).map(|said| said.to_string());
         let (rebound, compression) = (of(Positive::Rebound, false), of(Positive::Compression, false));
         let said = told(&compression, rebound.clone()).unwrap();

@@ -50,7 +50,7 @@ impl DiagnosisError {
                 .with("name", format!("{name:?}"))
                 .with_names("known", EFFECTS, phrases::COMMA),
             DiagnosisError::NothingToCompare { turned } => {
-                let turned = turned.clone().map(|said| Sentence::from(phrases::BESIDES).with_said("said", said));
+                let turned = turned.clone().map(|said| Sentence::from(phrases::BESIDES).with_sentence("said", said));
                 Sentence::from(phrases::NOTHING_TO_COMPARE).with_any("turned", turned)
             }
             DiagnosisError::NotFinite => phrases::NOT_FINITE.into(),

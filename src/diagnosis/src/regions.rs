@@ -136,12 +136,12 @@ fn words(r: &Region, error: f64) -> Sentence {
         Sentence::from(phrases::OFF_BOTH_WAYS).with("rms", tenths(r.rmse_n))
     };
     Sentence::from(phrases::REGION)
-        .with_said("direction", direction)
+        .with_sentence("direction", direction)
         .with("slow", format!("{slow:.2}"))
         .with("fast", format!("{fast:.2}"))
         .with_any("phase", phase)
-        .with_said("place", place)
-        .with_said("missing", missing)
+        .with_sentence("place", place)
+        .with_sentence("missing", missing)
         .with("rms", tenths(r.rmse_n))
         .with("noise", tenths(r.noise_n))
 }

@@ -22,7 +22,7 @@ pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) ->
         if let Some(why) = (card.missing)(s) {
             all.push(CouldNotTest { effect, why });
         } else if invisible.iter().any(|(name, seen)| *name == effect && *seen < TRACE) {
-            let why = Sentence::from(phrases::NO_TRACE).with_said("remedy", remedy(effect));
+            let why = Sentence::from(phrases::NO_TRACE).with_sentence("remedy", remedy(effect));
             all.push(CouldNotTest { effect, why });
         }
     }

@@ -25,7 +25,7 @@ pub(super) fn warmer(records: &[&Record], reference: &[Record]) -> Option<Senten
     (apart(&furthest) > WARMER).then(|| {
         Sentence::from(phrases::WARMER)
             .with("kelvin", format!("{:.0}", apart(&furthest)))
-            .with_said("sense", sense)
+            .with_sentence("sense", sense)
             .with("test", test)
             .with("here", format!("{here:.0}"))
             .with("there", format!("{there:.0}"))

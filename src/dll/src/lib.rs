@@ -1,5 +1,6 @@
-//! What is shipped: the C interface of `dashpot-abi` as a shared and a static library, and the one thing that a
-//! library without `std` must bring, a panic handler.
+//! The C interface of `dashpot-abi` as a shared and a static library.
+//!
+//! It adds the panic handler that a library without `std` must have.
 //!
 //! The library must have no path to a panic. The linker proves it: the handler calls a function that exists nowhere,
 //! so a surviving path shows as an undefined symbol of the shared library, and a static link fails. Linkers for Windows

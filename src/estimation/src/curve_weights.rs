@@ -1,6 +1,6 @@
 //! How a monotone-cubic curve moves when one of its points moves: the derivatives that its fit needs.
 
-use dashpot_core::curve::monotone_slope;
+use dashpot_core::curve::monotone_derivative;
 
 /// A curve through points, with the derivative of each point's slope over the neighbouring points' forces.
 #[derive(Debug, Clone)]
@@ -27,7 +27,7 @@ impl CurveWeights {
                     return [0.0; 3];
                 }
                 let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
-                let m = monotone_slope(u, f, i);
+                let m = monotone_derivative(u, f, i);
                 // m = W / (w0/d0 + w1/d1): ∂m/∂d0 = m² w0 / (W d0²).
                 let by = |w: f64, d: f64| m * m * w / ((w0 + w1) * d * d);
                 let (by0, by1) = (by(w0, d0), by(w1, d1));
@@ -91,7 +91,7 @@ mod tests {
                 let moved = |d: f64| {
                     let mut g = f;
                     g[j] += d;
-                    Curve::new(&u, &g, Interpolation::MonotoneCubic).unwrap().at(at).value
+                    Curve::new(&u, &g, Interpolation::MonotoneCubic).unwrap().evaluate(at).value
                 };
                 let difference = (moved(0.01) - moved(-0.01)) / 0.02;
                 let got = if (first..first + 4).contains(&j) { w[j - first] } else { 0.0 };

@@ -9,7 +9,7 @@ use super::curve_weights::CurveWeights;
 use super::segment::Segment;
 use super::unknowns::{CurveName, Unknown, Unknowns, anchor};
 use dashpot_core::parameter::Number;
-use dashpot_core::step::paths::{Carried, FollowPaths, Seed, StageSlopes};
+use dashpot_core::step::paths::{Carried, FollowPaths, Seed, StageDerivatives};
 use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_paths, force_in_place};
 use dashpot_core::{Model, Output, Params};
 use dashpot_core::{
@@ -61,7 +61,7 @@ impl Follow for Tangent<'_> {
     fn stage(&mut self, elements: &Elements, s: &Stage) {
         let e = &elements.paths.series_compliance;
         let divide = 1.0 / s.denominator;
-        let stiffness = e.stiffness + s.inner.by_x;
+        let stiffness = e.stiffness + s.inner.d_force_d_x;
         if let Some(length) = self.lengths.get_mut(s.index) {
             *length = s.g;
         }
@@ -128,7 +128,7 @@ struct PathsTangent<'a> {
 }
 
 impl FollowPaths for PathsTangent<'_> {
-    fn paths_stage(&mut self, s: &dyn StageSlopes) {
+    fn paths_stage(&mut self, s: &dyn StageDerivatives) {
         let [by_stiffness, by_damping, by_mass] = s.series_by_frame();
         let x_m = s.mass_displacement();
         let (first_weight, weights) = self.fv.at(s.oil_velocity());
@@ -273,7 +273,7 @@ impl Run {
                     run.beside.push(Beside { column, plus, minus, per: 0.5 / step });
                 }
                 // A mass inside moves with the piston, not beside it.
-                Acts::Memory | Acts::Stop
+                Acts::Stateful | Acts::Stop
                     if !(row == number!("moving_mass").row()
                         && run.params.number(number!("moving_mass_place")) == 1.0) =>
                 {
@@ -354,7 +354,7 @@ impl Run {
         };
         let series = model.elements().paths.series_compliance;
         let has_series = model.elements().has_series();
-        let mut state = model.settled(&segment.input[0]);
+        let mut state = model.steady_state(&segment.input[0]);
         let mut output = Output::ZERO;
         let mut by_point = vec![0.0; p];
         let curves = [(self.first_fv, CurveName::Fv), (self.first_spring, CurveName::Spring)].map(|(first, curve)| {
@@ -461,7 +461,7 @@ impl Run {
 
 /// Forces of a model at the samples of a segment, from the settled state at its first.
 pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
-    let mut state = model.settled(&segment.input[0]);
+    let mut state = model.steady_state(&segment.input[0]);
     let mut out = vec![dashpot_core::evaluate::force(model, &state, &segment.input[0]).force];
     for i in 1..segment.input.len() {
         // Where it is no number the state stays, and whoever compares forces sees it.

@@ -1,5 +1,7 @@
-//! The length of a damper as users give it: Adams counts it in mm and CarMaker in m, so a number may bear its unit, and one that no damper has is
-//! taken for one in the other unit and refused.
+//! The length of a damper as users give it.
+//!
+//! Adams counts it in mm and CarMaker in m, so a number may bear its unit, and one that no damper has is taken for
+//! one in the other unit and refused.
 
 use crate::fmu::LONGEST;
 

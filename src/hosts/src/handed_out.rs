@@ -18,8 +18,10 @@ pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
     if four_corners { format!("dashpot vehicle, four dampers ({stem})") } else { format!("dashpot {stem}") }
 }
 
-/// The static library that an FMU can be compiled from: beside the program, where cargo puts it, or in `lib` beside the program's folder, where the
-/// packages have it. Where it is in neither, the first, which is then no file.
+/// The static library that an FMU can be compiled from.
+///
+/// Beside the program, where cargo puts it, or in `lib` beside the program's folder, where the packages have it.
+/// Where it is in neither, the first, which is then no file.
 ///
 /// # Errors
 /// Where the program's own place is not known.
@@ -63,7 +65,9 @@ pub struct PropertyFile {
     pub remarks: Vec<String>,
 }
 
-/// The property file of a model by the name of the file to write; `own` asks for the model's own curve where the file has a plain one too.
+/// The property file of a model by the name of the file to write.
+///
+/// `own` asks for the model's own curve where the file has a plain one too.
 ///
 /// `named` is what the model is called (left out where it is no ASCII, which these files are), `text` the model file; `chatters` says of
 /// the curve alone, which is all that the file holds, whether it chatters.
@@ -77,7 +81,7 @@ pub fn property_file(
     (named, text): (&str, &[u8]),
     chatters: &dyn Fn(&Params) -> Vec<String>,
 ) -> anyhow::Result<PropertyFile> {
-    let Some(plain) = PlainCurve::of(file, own)? else {
+    let Some(plain) = PlainCurve::from_model_file(file, own)? else {
         bail!("the element fv_curve is off, so there is no curve to export");
     };
     let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
@@ -85,7 +89,7 @@ pub fn property_file(
     left_out.retain(|name| !(xml && *name == element!("gas_preload").name()));
     let mut remarks = Vec::new();
     if plain.source == Source::Fitted || !left_out.is_empty() {
-        remarks.push(plain.told().to_owned());
+        remarks.push(plain.note().to_owned());
     }
     if !left_out.is_empty() {
         remarks.push(format!("Left out, for a property file has no place for it: {}.", left_out.join(", ")));
@@ -115,7 +119,7 @@ pub fn property_file(
 /// What Adams makes of the points of a property file.
 fn followed(own: usize, added: usize, left: &Difference) -> String {
     let reads = "Adams Car joins the points by Akima's method (AKISPL), the model by its own.";
-    let now = format!("The two curves differ by {}.", left.told());
+    let now = format!("The two curves differ by {}.", left.describe());
     match added {
         0 => format!("{reads} {now}"),
         _ if left.is_small() => format!("{reads} {added} points were added to the {own} of the model for that. {now}"),

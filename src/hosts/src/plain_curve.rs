@@ -39,7 +39,7 @@ impl PlainCurve {
     ///
     /// # Errors
     /// Where the plain curve of the file is no curve.
-    pub fn of(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
+    pub fn from_model_file(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
         let on = Element::all().filter(|element| file.params.is_on(*element) && *element != element!("fv_curve"));
         let beside = on.map(Element::name).collect();
         let source = match &file.identification.fv_only {
@@ -67,7 +67,7 @@ impl PlainCurve {
     /// # Errors
     /// Where they make no model.
     pub fn curve(&self) -> anyhow::Result<Curve> {
-        Ok(Curve::of(&self.params, &prepared(&self.params)?))
+        Ok(Curve::from_model(&self.params, &prepared(&self.params)?))
     }
 
     /// Points through which Akima's curve, which Adams makes of a property file, follows it; how many of them are its own, and what is left.
@@ -76,17 +76,17 @@ impl PlainCurve {
     /// As [`PlainCurve::curve`].
     pub fn for_akima(&self) -> anyhow::Result<(Curve, usize, Difference)> {
         let model = prepared(&self.params)?;
-        let own = Curve::of(&self.params, &model);
+        let own = Curve::from_model(&self.params, &model);
         let is = |choice, number| self.params.number(number) == choice;
         let straight = is(1.0, number!("fv_form")) || is(1.0, number!("fv_interpolation"));
         let reading = if straight { Interpolation::Linear } else { Interpolation::MonotoneCubic };
         let count = own.velocities.len();
-        let (curve, left) = akima::written(own, reading, &|v| model.elements().paths.fv_curve.at(v).value);
+        let (curve, left) = akima::written(own, reading, &|v| model.elements().paths.fv_curve.evaluate(v).value);
         Ok((curve, count, left))
     }
 
     /// Whose curve it is, in a sentence.
-    pub fn told(&self) -> &'static str {
+    pub fn note(&self) -> &'static str {
         match self.source {
             Source::Fitted => {
                 "The curve is the plain FV curve fitted to the same tests as the model (fv_only in the model file): friction and whatever \
@@ -121,7 +121,7 @@ mod tests {
                        gas_force = 150.0\n";
 
     fn of(text: &str, own: bool) -> PlainCurve {
-        PlainCurve::of(&of_text(text, Path::new("m.toml")).unwrap(), own).unwrap().expect("a curve")
+        PlainCurve::from_model_file(&of_text(text, Path::new("m.toml")).unwrap(), own).unwrap().expect("a curve")
     }
 
     #[test]
@@ -147,7 +147,7 @@ mod tests {
             let plain = of(&text, own);
             assert_eq!(plain.source, source, "{text}");
             assert_eq!(plain.curve().unwrap().velocities, plain.params.list(list!("fv_velocity")));
-            assert!(plain.curve().unwrap().forces.len() == 3 && plain.told().contains("own fv_curve"));
+            assert!(plain.curve().unwrap().forces.len() == 3 && plain.note().contains("own fv_curve"));
         }
         // Within its interval a number says nothing else of the damper.
         assert_eq!(of(&format!("{DAMPER}{FIT}").replace("1300.0]", "1305.0]"), false).source, Source::Fitted);
@@ -157,9 +157,10 @@ mod tests {
     fn what_is_no_curve_is_refused_with_the_table() {
         let falls = format!("{DAMPER}{FIT}").replace("40.0, 1340.0", "40.0, 13.0");
         let file = of_text(&falls, Path::new("m.toml")).unwrap();
-        let refusal = PlainCurve::of(&file, false).and_then(|plain| plain.expect("a curve").curve()).map(|_| ());
+        let refusal =
+            PlainCurve::from_model_file(&file, false).and_then(|plain| plain.expect("a curve").curve()).map(|_| ());
         assert!(format!("{:#}", refusal.unwrap_err()).contains("fv_force falls"));
         let bare = of_text("format = 1\nelements = [\"gas_preload\"]\n", Path::new("m.toml")).unwrap();
-        assert!(PlainCurve::of(&bare, false).unwrap().is_none());
+        assert!(PlainCurve::from_model_file(&bare, false).unwrap().is_none());
     }
 }

@@ -6,7 +6,7 @@
 use super::model_file::Identification;
 use super::of_the_rig::{Measured, off};
 use super::phrases;
-use dashpot_records::taken_out::{Off, taken_out};
+use dashpot_records::taken_out::{MeasurementError, taken_out};
 use dashpot_records::{Note, Record, Sentence};
 use rayon::prelude::*;
 
@@ -26,7 +26,7 @@ impl Identification {
     pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
         let measured = self.measured();
         let off = off(&measured);
-        if off == Off::NONE {
+        if off == MeasurementError::NONE {
             return None;
         }
         let records: Vec<&mut Record> = records.into_iter().collect();
@@ -46,7 +46,7 @@ impl Identification {
                 record.clock_s = begins - from;
             }
             // What the user gave is out of them already.
-            *record = taken_out(record, &off.beyond(&record.given));
+            *record = taken_out(record, &off.beyond(&record.stated_error));
         });
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);
         let text = text.with_list("findings", found, phrases::SEMICOLON);
@@ -91,7 +91,7 @@ mod tests {
         }
         assert!(identification.used(&own[0]) && !identification.used(&own[1]), "a record is still itself");
         let mut given = record(1.0);
-        given.given.mass_kg = 2.0;
+        given.stated_error.mass_kg = 2.0;
         let fingerprint = Identification { fingerprints: vec![given.fingerprint()], ..identification.clone() };
         let before = given.force.clone();
         assert!(fingerprint.right([&mut given]).is_some() && given.force == before, "the user had given it");

@@ -29,7 +29,7 @@ use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_records::Record;
 use dashpot_records::sentence::{Sentence, Template};
-use dashpot_records::taken_out::Off;
+use dashpot_records::taken_out::MeasurementError;
 use std::sync::Arc;
 
 /// Which kind of model is fitted.
@@ -156,7 +156,7 @@ struct Found {
 impl Found {
     /// Names a parameter that this data cannot determine, and whose element therefore stays off.
     fn leave_out(&mut self, number: Number, why: Template) {
-        self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_said("why", why));
+        self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_sentence("why", why));
         let (name, unit) = (number.name(), number.parameter().unit);
         let standing = Standing::NotIdentified;
         let from = why.into();
@@ -182,7 +182,7 @@ const USUAL_MASS: f64 = 2.0;
 
 /// A hypothesis in which a delay and a mass of the load cell that were not believed are free within what is usual; `None` where both are free, or
 /// given, already.
-pub(crate) fn with_free_measurement(of: &Hypothesis, given: &Off) -> Option<Hypothesis> {
+pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -> Option<Hypothesis> {
     let mut freed = of.clone();
     let scale = Scale::of(&freed.base).force();
     let open = [(Artefact::Delay, USUAL_DELAY, given.delay_s), (Artefact::Mass, USUAL_MASS * scale, given.mass_kg)];
@@ -206,7 +206,7 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &Off) -> Option<Hypo
 
 /// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual: a series path that is soft
 /// without them is stiff with them.
-fn with_open_measurement(structure: &Structure, tests: &[Test], given: &Off) -> Vec<Estimate> {
+fn with_open_measurement(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Vec<Estimate> {
     let Some(freed) = with_free_measurement(&structure.hypothesis, given) else { return Vec::new() };
     let start = freed.start();
     refit(&freed, tests, &start, None, refit::Effort::JUDGE).map_or_else(Vec::new, |end| estimates(&freed, &end, tests))
@@ -317,7 +317,7 @@ pub(crate) struct About {
     /// Whether their clocks run through the campaign.
     clock_runs_on: bool,
     /// What the user gave of the measurement.
-    pub(crate) given: Off,
+    pub(crate) given: MeasurementError,
     /// Temperature in the middle of those that were measured, °C; nothing where none was, or where it hardly varies.
     temperature: Option<f64>,
 }
@@ -325,7 +325,7 @@ pub(crate) struct About {
 impl About {
     pub(crate) fn of(records: &[&Record]) -> About {
         let temperature = temperatures(records).map(|(low, high)| 0.5 * (low + high));
-        About { clock_runs_on: clock_runs_on(records), given: Off::given(records), temperature }
+        About { clock_runs_on: clock_runs_on(records), given: MeasurementError::stated(records), temperature }
     }
 }
 
@@ -468,7 +468,7 @@ fn fit_thesis(
 }
 
 /// Intervals, and what the records leave open.
-fn finish(structure: &Structure, tests: &[Test], given: &Off) -> Found {
+fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Found {
     let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
     let mut estimates = estimates(hypothesis, refit, tests);

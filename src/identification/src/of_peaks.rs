@@ -3,7 +3,7 @@
 
 use crate::model_file::{self, NoModel, prepared};
 use dashpot_core::{Params, element, list, number};
-use dashpot_records::{PeakOptions, Peaks, Positive, RecordError, Stroke, Taken, Told, read_peaks};
+use dashpot_records::{PeakOptions, Peaks, Positive, RecordError, Stroke, StrokeSource, Taken, read_peaks};
 use std::path::Path;
 
 /// Why a table makes no model.
@@ -148,11 +148,11 @@ fn columns(peaks: &Peaks) -> String {
 fn direction(peaks: &Peaks) -> (String, bool) {
     /// How much stronger the compression must be to be remarked: dampers that resist both alike scatter by less.
     const CLEARLY: f64 = 1.2;
-    let taken = match peaks.told {
-        Told::Headings => "rebound and compression taken as the headings name them",
-        Told::Given(Positive::Rebound) => "positive velocities and forces taken as rebound, as given",
-        Told::Given(Positive::Compression) => "negative velocities and forces taken as rebound, as given",
-        Told::Assumed => {
+    let taken = match peaks.source {
+        StrokeSource::Headings => "rebound and compression taken as the headings name them",
+        StrokeSource::Stated(Positive::Rebound) => "positive velocities and forces taken as rebound, as given",
+        StrokeSource::Stated(Positive::Compression) => "negative velocities and forces taken as rebound, as given",
+        StrokeSource::Assumed => {
             "positive velocities and forces taken as rebound (--positive compression takes the negative ones)"
         }
     };
@@ -162,9 +162,9 @@ fn direction(peaks: &Peaks) -> (String, bool) {
     if ratio * CLEARLY > 1.0 {
         return (found, false);
     }
-    let check = match peaks.told {
-        Told::Headings => "check the headings",
-        Told::Given(Positive::Compression) => "check whether --positive rebound is right",
+    let check = match peaks.source {
+        StrokeSource::Headings => "check the headings",
+        StrokeSource::Stated(Positive::Compression) => "check whether --positive rebound is right",
         _ => "if the table counts compression positive, give --positive compression",
     };
     (format!("{found}. Most dampers resist rebound more: {check}"), true)

@@ -13,7 +13,7 @@ use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_records::Sentence;
-use dashpot_records::taken_out::Off;
+use dashpot_records::taken_out::MeasurementError;
 use serde::Serialize;
 
 /// All that is looked for, in the order in which the load cell makes it.
@@ -77,7 +77,7 @@ impl Measured {
     }
 
     /// What was found in records out of which the user had some taken before: of both together.
-    pub fn beside(self, given: &Off) -> Measured {
+    pub fn beside(self, given: &MeasurementError) -> Measured {
         let before = match self.name {
             "delay" => given.delay_s,
             "rig_mass" => given.mass_kg,
@@ -134,14 +134,19 @@ impl Measured {
     /// The same in a sentence that says what became of it.
     pub fn in_words(&self) -> Sentence {
         let option = self.as_option().map(|option| Sentence::from(phrases::GIVE_OPTION).with("option", option));
-        Sentence::from(phrases::TAKEN_OUT_HERE).with_said("finding", self.finding()).with_any("option", option)
+        Sentence::from(phrases::TAKEN_OUT_HERE).with_sentence("finding", self.finding()).with_any("option", option)
     }
 }
 
 /// What a fit found of the measurement, as records lose it.
-pub fn off(measured: &[Measured]) -> Off {
+pub fn off(measured: &[Measured]) -> MeasurementError {
     let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
-    Off { delay_s: of("delay"), mass_kg: of("rig_mass"), gain_per_s: of("gain_drift"), zero_n_per_s: of("drift") }
+    MeasurementError {
+        delay_s: of("delay"),
+        mass_kg: of("rig_mass"),
+        gain_per_s: of("gain_drift"),
+        zero_n_per_s: of("drift"),
+    }
 }
 
 /// What a fit found of the measurement.

@@ -1,5 +1,7 @@
-//! How much every law changes the force: rms of the change over all tests in units of the noise (2 % of each test's rms and
-//! 0.5 N), before any refit, at strengths 0.1 and 1.
+//! How much every law changes the force.
+//!
+//! The rms of the change over all tests in units of the noise (2 % of each test's rms and 0.5 N), before any refit, at
+//! strengths 0.1 and 1.
 //!
 //! `cargo run --release -p dashpot-other-lab --example sizes_of_effects [-- SEED]`
 

@@ -1,7 +1,7 @@
 //! A campaign: the tests one after the other on one damper, and what the sensors read.
 
 use crate::LabError;
-use crate::case::{Case, HiddenEffect, Prepared};
+use crate::case::{Case, InjectedEffect, Prepared};
 use crate::draw::Draw;
 use crate::hidden::Reading;
 use crate::integrator::{Equations, Integrator, Steps};
@@ -56,7 +56,7 @@ pub struct Truth {
     /// Seed of the noise.
     pub noise_seed: u64,
     /// What is hidden.
-    pub hidden: Vec<HiddenEffect>,
+    pub hidden: Vec<InjectedEffect>,
     /// What the damper has by itself, by the names under which it can be hidden too.
     pub own: Vec<String>,
     /// What the damper is like.

@@ -24,7 +24,7 @@ pub struct Case {
 
 /// What is hidden.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct HiddenEffect {
+pub struct InjectedEffect {
     /// Its name.
     pub effect: String,
     /// The law.
@@ -38,7 +38,7 @@ pub struct HiddenEffect {
 pub(crate) struct Prepared {
     pub plant: Plant,
     pub effects: Vec<Box<dyn Hidden>>,
-    pub truth: Vec<HiddenEffect>,
+    pub truth: Vec<InjectedEffect>,
 }
 
 impl Case {
@@ -54,7 +54,7 @@ impl Case {
         self
     }
 
-    /// The same damper without what is hidden, on the same tests in the same order, with other noise: what it is compared with.
+    /// The reference: the damper without the injected effect, on the same tests in the same order, with other noise.
     #[must_use]
     pub fn reference(&self) -> Case {
         Case { effects: Vec::new(), noise_seed: self.noise_seed ^ 0x5265_6665_7265_6e63, ..self.clone() }
@@ -81,7 +81,7 @@ impl Case {
             if !strength.is_finite() || *strength < 0.0 {
                 return Err(LabError::Strength { effect: name.to_owned(), strength: *strength });
             }
-            truth.push(HiddenEffect {
+            truth.push(InjectedEffect {
                 effect: name.to_owned(),
                 law: laws[chosen].to_owned(),
                 strength: *strength,

@@ -49,7 +49,7 @@ impl Campaign {
         written
     }
 
-    /// The same campaign with an ideal force channel.
+    /// The campaign with an ideal force channel.
     #[must_use]
     pub fn without_noise(&self) -> Campaign {
         let mut clean = self.clone();

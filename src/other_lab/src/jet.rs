@@ -1,5 +1,6 @@
-//! A quantity with its first and second derivative over time, so that a motion is stated once and its velocity and
-//! acceleration follow without an error.
+//! A quantity with its first and second derivative over time.
+//!
+//! A motion is stated once, and its velocity and acceleration follow exactly.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

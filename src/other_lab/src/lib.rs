@@ -1,6 +1,7 @@
-//! A second laboratory: dampers and rig campaigns by laws of the literature, which share no code and no law with the model
-//! that is identified from them, nor with the first virtual rig. What a diagnosis is worth shows on dampers that nobody tuned
-//! it for.
+//! A second laboratory with dampers and rig campaigns by laws of the literature.
+//!
+//! It shares no code and no law with the identified model, nor with the first virtual rig. A diagnosis proves itself
+//! on dampers that nobody tuned it for.
 //!
 //! Signs and units are those of the project: SI, extension and rebound positive, tension positive.
 
@@ -18,7 +19,7 @@ mod sensors;
 mod trace;
 
 pub use campaign::{Accuracy, Campaign, TestRecord, Truth};
-pub use case::{Case, HiddenEffect};
+pub use case::{Case, InjectedEffect};
 pub use folder::TRUTH_FILE;
 pub use jet::Jet;
 pub use plant::Kind;

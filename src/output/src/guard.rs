@@ -70,7 +70,7 @@ fn target_forced(path: &Path, new: Option<&Kind>, force: bool) -> anyhow::Result
     let old = match there.len() {
         0 => Kind::Empty,
         size if size > LOOKED_INTO => Kind::Other("a very large file"),
-        _ => Kind::of(&fs::read(&path)?),
+        _ => Kind::detect(&fs::read(&path)?),
     };
     match new {
         Some(new) if old != Kind::Empty && old != *new => bail!(

@@ -7,7 +7,7 @@ use std::sync::{PoisonError, RwLock};
 static INPUTS: RwLock<Vec<PathBuf>> = RwLock::new(Vec::new());
 
 /// Remembers every existing file or folder that a run was given to read; the window is given more as it runs.
-pub fn remember(paths: impl IntoIterator<Item = PathBuf>) {
+pub fn register(paths: impl IntoIterator<Item = PathBuf>) {
     let mut inputs = INPUTS.write().unwrap_or_else(PoisonError::into_inner);
     inputs.extend(paths.into_iter().filter_map(|p| std::fs::canonicalize(p).ok()));
 }

@@ -69,7 +69,7 @@ const ROUTINES: &str = "dashpot_adams::";
 
 impl Kind {
     /// Looks at the content of a file.
-    pub fn of(bytes: &[u8]) -> Kind {
+    pub fn detect(bytes: &[u8]) -> Kind {
         if bytes.iter().all(u8::is_ascii_whitespace) {
             return Kind::Empty;
         }
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn kinds_are_told_apart_by_their_content() {
-        let of = |text: &str| Kind::of(text.as_bytes());
+        let of = |text: &str| Kind::detect(text.as_bytes());
         assert_eq!(of(" \n"), Kind::Empty);
         assert_eq!(of("# mine\nformat = 1\nelements = []\n"), Kind::Model);
         assert_eq!(of("format = \"dashpot campaign profile 1\"\n"), Kind::Profile);
@@ -207,7 +207,7 @@ mod tests {
         assert_eq!(of(&format!("<!DOCTYPE html>\n{GENERATOR}")), Kind::Report);
         assert_eq!(of("time_s,force_N\n0,1\n"), Kind::Table("time_s,force_N".into()));
         assert_ne!(of("time_s,force_N\n0,1\n"), of("t,x_mm,F\n0,1,2\n"));
-        assert!(matches!(Kind::of(b"PK\x03\x04xl/workbook.xml"), Kind::Other(_)));
+        assert!(matches!(Kind::detect(b"PK\x03\x04xl/workbook.xml"), Kind::Other(_)));
         let workbook = |edited_by: &str| {
             let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
             archive.start_file("docProps/core.xml", zip::write::SimpleFileOptions::default()).unwrap();
@@ -215,10 +215,10 @@ mod tests {
             std::io::Write::write_all(&mut archive, text.as_bytes()).unwrap();
             archive.finish().unwrap().into_inner()
         };
-        assert_eq!(Kind::of(&workbook("dashpot")), Kind::Workbook);
-        assert!(matches!(Kind::of(&workbook("Anna")), Kind::Other(_)));
-        assert_eq!(Kind::of(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
-        assert_ne!(Kind::of(b"\x7fELF12"), Kind::of(b"MZ\x90\x00"));
+        assert_eq!(Kind::detect(&workbook("dashpot")), Kind::Workbook);
+        assert!(matches!(Kind::detect(&workbook("Anna")), Kind::Other(_)));
+        assert_eq!(Kind::detect(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
+        assert_ne!(Kind::detect(b"\x7fELF12"), Kind::detect(b"MZ\x90\x00"));
         // A newer property file replaces an older one, and never one of the vendor's, whose first line is the same.
         assert_eq!(of("$ Written by dashpot 0.1.0 from a.toml (check sum 1)\n[MDI_HEADER]\n"), Kind::Property);
         assert_eq!(
@@ -232,6 +232,6 @@ mod tests {
         let model = "Adams View model name: MODEL_1\n!\nEND\n";
         assert!(matches!(of(model), Kind::Text(_)));
         assert_eq!(of(&model.replace("END", ", ROUTINE = dashpot_adams::Dashpot_sfosub\nEND")), Kind::Adams);
-        assert!(matches!(Kind::of(b"\xff\xfe\x00\x01"), Kind::Other(_)));
+        assert!(matches!(Kind::detect(b"\xff\xfe\x00\x01"), Kind::Other(_)));
     }
 }

@@ -1,5 +1,6 @@
 //! Where results go, for all verbs: files replaced as a whole and only by their own kind, or standard output for `-`.
 
+mod format;
 mod guard;
 mod inputs;
 mod kind;
@@ -8,22 +9,21 @@ mod replace;
 mod run;
 mod stdout;
 mod terminal;
-mod told;
 
 use anyhow::{Context as _, bail};
 use replace::{folder_of, try_folder, write_file};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
+pub use format::format_once;
 pub use guard::set_force;
-pub use inputs::remember as remember_inputs;
+pub use inputs::register as register_inputs;
 pub use kind::{AUTHOR, GENERATOR, Kind, WRITTEN};
 pub use lock::FolderLock;
 pub use replace::replace_file;
 pub use run::as_a_run;
 pub use stdout::closed as stdout_closed;
 pub use terminal::{printable, warn};
-pub use told::told_once;
 
 /// Whether the path stands for standard output.
 pub fn is_stdout(path: &Path) -> bool {
@@ -39,7 +39,7 @@ pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()
     check_each(paths.into_iter().map(|path| (path, None)))
 }
 
-/// As [`check`], knowing what will be written: a file of another kind is refused before the work, not after it.
+/// Checks outputs and their kinds before the work: a file of another kind is rejected.
 ///
 /// # Errors
 /// As [`check`], and where a file of another kind is there already.

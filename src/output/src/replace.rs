@@ -20,7 +20,7 @@ const TRIES: usize = 5;
 /// When something else is there already and `--force` was not given, when the folder is missing or full, or the file cannot
 /// be replaced; the older file then stays as it was.
 pub fn replace_file(path: &Path, contents: &[u8]) -> anyhow::Result<()> {
-    match target(path, Some(&Kind::of(contents)))? {
+    match target(path, Some(&Kind::detect(contents)))? {
         Target::Stream(path) => {
             let mut out = fs::OpenOptions::new().write(true).open(path)?;
             out.write_all(contents)?;

@@ -26,8 +26,10 @@ impl Drop for Before {
     }
 }
 
-/// Does work that writes files in this thread: with `force` they may replace anything, without it none of the files that it reads, as if these
-/// had been named to the command.
+/// Does work that writes files in this thread.
+///
+/// With `force` they may replace anything, without it none of the files that it reads, as if these had been named to
+/// the command.
 pub fn as_a_run<'a, T>(force: bool, reads: impl IntoIterator<Item = &'a Path>, work: impl FnOnce() -> T) -> T {
     let reads = reads.into_iter().filter_map(|path| std::fs::canonicalize(path).ok()).collect();
     let _before = Before(Some(RUN.replace(Run { force, reads })));
@@ -57,7 +59,7 @@ mod tests {
         std::fs::write(&read, model).unwrap();
         std::fs::write(&other, "a,b\n1,2\n").unwrap();
         let refusal = as_a_run(false, [read.as_path()], || write(&read, model)).unwrap_err();
-        assert!(crate::told_once(&refusal).contains("is read by this run"), "{refusal:?}");
+        assert!(crate::format_once(&refusal).contains("is read by this run"), "{refusal:?}");
         as_a_run(true, [read.as_path()], || {
             write(&read, model).unwrap();
             write(&other, model).unwrap();

@@ -5,8 +5,10 @@ use anyhow::Context as _;
 use std::borrow::Cow;
 use std::io::Write;
 
-/// Whether a character acts on a terminal or on the order of the text around it: controls but for line feed and tab, and the marks of
-/// direction of Unicode's annex 9, with the separators of lines and paragraphs.
+/// Whether a character acts on a terminal or on the order of the text around it.
+///
+/// Controls but for line feed and tab, and the marks of direction of Unicode's annex 9, with the separators of lines
+/// and paragraphs.
 fn acts(c: char) -> bool {
     let is_mark = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     (c.is_control() && c != '\n' && c != '\t') || is_mark

@@ -8,7 +8,7 @@ use dashpot_core::{element, number};
 use dashpot_identification::{FitOptions, fit, off};
 use dashpot_records::Record;
 use dashpot_records::taken_out::taken_out;
-use dashpot_rig::{CHECK_PREFIX, HiddenCampaign, HiddenCase, Matrix, Options, Plan, TestPoint, Truth};
+use dashpot_rig::{CHECK_PREFIX, InjectedCampaign, InjectedCase, Matrix, Options, Plan, TestPoint, Truth};
 
 /// What is asked for.
 #[derive(Debug, Clone)]
@@ -68,9 +68,9 @@ impl Case {
         strengths: &[f64],
         more: &[TestPoint],
         watch: &dyn Fn(usize, usize),
-    ) -> Result<HiddenCampaign, ProvingError> {
+    ) -> Result<InjectedCampaign, ProvingError> {
         let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
-        let case = HiddenCase { effects, plan: self.plan, options: self.options.clone() };
+        let case = InjectedCase { effects, plan: self.plan, options: self.options.clone() };
         let planned = self.plan.matrix(self.options.order.unwrap_or(self.options.seed));
         if more.is_empty() {
             return Ok(case.run_matrix(&planned, watch)?);

@@ -10,7 +10,7 @@ use dashpot_core::element;
 use dashpot_diagnosis::{Diagnosis, Options, refitted};
 use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind, Protocol};
 use dashpot_records::Record;
-use dashpot_rig::{HiddenEffect, Truth};
+use dashpot_rig::{InjectedEffect, Truth};
 use std::collections::BTreeMap;
 
 /// How near the severity must come.
@@ -42,7 +42,7 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
     let held_out: Vec<bool> = records.iter().map(|r| r.name.starts_with(HELD_OUT)).collect();
     let seen = seen(&records);
     let (base, found) = if whole_fit { model_of(&seen, true)? } else { (base_of(case, &seen)?, Vec::new()) };
-    let effects = campaign.truth.hidden.iter().map(|hidden| HiddenEffect {
+    let effects = campaign.truth.hidden.iter().map(|hidden| InjectedEffect {
         name: hidden.effect.clone(),
         form: hidden.law.clone(),
         strength: hidden.strength,

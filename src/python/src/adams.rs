@@ -40,11 +40,11 @@ pub fn export_adams(
 ) -> PyResult<Vec<String>> {
     let length = millimetres(length).map_err(say::<ExportError>)?;
     let made = py.detach(|| -> anyhow::Result<_> {
-        let ready = Ready::of(&model.file.params, host_step, wheel_mass, for_step)?;
+        let ready = Ready::prepare(&model.file.params, host_step, wheel_mass, for_step)?;
         let prepared = model_file::prepared(&ready.params)?;
         let libraries = handed_out::adams_libraries(library.as_deref())?;
         let text = match ready.softened {
-            Some(_) => model_file::plain(&ready.params, &ready.told()),
+            Some(_) => model_file::plain(&ready.params, &ready.messages()),
             None => model.text_of_file().to_owned(),
         };
         let (replaced, chatters) = (ready.replaced(), ready.remarks());
@@ -111,7 +111,9 @@ pub fn import_dpr(path: PathBuf) -> PyResult<String> {
     of_property_file(&path).map(|made| made.text).map_err(raise::<ModelError>)
 }
 
-/// The model of a table of peak forces: the text of its file, which side was taken as rebound, and whether the table's forces speak against that.
+/// The model of a table of peak forces.
+///
+/// The text of its file, which side was taken as rebound, and whether the table's forces speak against that.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn import_peaks(

@@ -43,8 +43,9 @@ impl Campaign {
 /// What makes a campaign again.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
-/// Takes sentences apart that were kept in English, so that reports say them in other languages: those of reading, and of the fit whose findings
-/// were taken out of records.
+/// Takes sentences apart that were kept in English, so that reports say them in other languages.
+///
+/// Those of reading, and of the fit whose findings were taken out of records.
 static KEPT: LazyLock<Reader> = LazyLock::new(|| {
     let templates = [dashpot_records::templates(), dashpot_identification::templates()].concat();
     let texts = dashpot_records::texts().into_iter().chain(dashpot_identification::texts());
@@ -114,8 +115,9 @@ impl Campaign {
         Ok(channels)
     }
 
-    /// All that is needed to make this campaign [again](Campaign::again), with one of its tests where one is named: what was found, as JSON, the
-    /// channels of every test, and the fingerprints that tests had when they were read.
+    /// All that is needed to make this campaign [again](Campaign::again), with one of its tests where one is named.
+    ///
+    /// What was found, as JSON, the channels of every test, and the fingerprints that tests had when they were read.
     #[pyo3(signature = (only=None))]
     fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
         let one = only.map(|index| {
@@ -125,7 +127,7 @@ impl Campaign {
         let read = one.as_ref().unwrap_or(&self.read);
         let of = Campaign { read: read.clone() };
         let channels = (0..read.records.len()).map(|k| of.channels(py, k)).collect::<PyResult<_>>()?;
-        let as_read = read.records.iter().map(|r| r.as_read.clone()).collect();
+        let as_read = read.records.iter().map(|r| r.original_fingerprint.clone()).collect();
         Ok((serde_json::to_string(read).map_err(raise::<RecordError>)?, channels, as_read, read.files.clone()))
     }
 
@@ -151,7 +153,7 @@ impl Campaign {
             record.velocity = always("velocity")?;
             record.force = always("force")?;
             (record.side_force, record.temperature) = (channel("side_force"), channel("temperature"));
-            record.as_read = as_read;
+            record.original_fingerprint = as_read;
             record.counted = Some(read.sign.counted());
         }
         say_again(&mut read);

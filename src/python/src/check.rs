@@ -7,8 +7,10 @@ use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Figures, Ready};
 use pyo3::prelude::*;
 
-/// Whether a damper chatters in a host; returns what `dashpot check --json` writes, what the command says, and the text of the model file of the
-/// damper as the host gets it.
+/// Whether a damper chatters in a host.
+///
+/// Returns what `dashpot check --json` writes, what the command says, and the text of the model file of the damper as
+/// the host gets it.
 #[pyfunction]
 #[pyo3(signature = (model, host_step, wheel_mass, for_step=None))]
 pub fn check(
@@ -19,9 +21,9 @@ pub fn check(
     for_step: Option<f64>,
 ) -> PyResult<(String, Vec<String>, String)> {
     let done = work::run(py, None, |_| -> anyhow::Result<(Figures, Vec<String>, String)> {
-        let ready = Ready::of(&model.file.params, host_step, wheel_mass, for_step)?;
-        let told = ready.told().into_iter().chain(ready.stiffness()?).collect();
-        Ok((ready.figures()?, told, model_file::plain(&ready.params, &ready.told())))
+        let ready = Ready::prepare(&model.file.params, host_step, wheel_mass, for_step)?;
+        let told = ready.messages().into_iter().chain(ready.stiffness()?).collect();
+        Ok((ready.figures()?, told, model_file::plain(&ready.params, &ready.messages())))
     })?;
     let (figures, told, text) = done.map_err(raise::<ModelError>)?;
     Ok((serde_json::to_string(&figures).map_err(raise::<ModelError>)?, told, text))

@@ -20,7 +20,10 @@ type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 /// Name of a model of the literature, and its forces at the samples of every test, N.
 type OfRival<'py> = (&'static str, Vec<Bound<'py, PyArray1<f64>>>);
 
-/// The figures as JSON, the forces of every test, the records as they were compared, what is to be told of the models beside, and their forces.
+/// The result of a comparison.
+///
+/// Figures as JSON, the forces of every test, the records as they were compared, the note on the models of the
+/// literature, and their forces.
 type Validated<'py> = (String, Vec<Forces<'py>>, Campaign, Option<&'static str>, Vec<OfRival<'py>>);
 
 /// Tests beside forces that are at hand.
@@ -36,7 +39,9 @@ pub fn compared<'a>(
     read.records.iter().zip(forces).map(of_one).collect()
 }
 
-/// The figures of a comparison: what the fit saw and what could not be used is told by the campaign; limits are judged where there are some, and
+/// The figures of a comparison.
+///
+/// What the fit saw and what could not be used is told by the campaign; limits are judged where there are some, and
 /// models of the literature put beside, by their names and forces.
 pub fn figures(
     read: &dashpot_records::Campaign,
@@ -59,10 +64,12 @@ pub fn figures(
     Ok(validation)
 }
 
-/// Compares a model with records, beside the plain FV curve; returns what `dashpot validate --json` writes, the simulated forces of every test,
-/// and the records as they were compared: without what the model's own fit found them to be off by. Limits, where some are given, are judged
-/// as `dashpot validate --limits` does; models of the literature, where some are named, stand beside it as `dashpot validate --against` puts them.
-/// What is to be told of these comes behind, and last the forces of each.
+/// Compares a model with records, beside the plain FV curve.
+///
+/// Returns what `dashpot validate --json` writes, the simulated forces of every test, and the records as they were
+/// compared: without what the model's own fit found them to be off by. Limits, where some are given, are judged as
+/// `dashpot validate --limits` does; models of the literature, where some are named, stand beside it as `dashpot
+/// validate --against` puts them. What is to be told of these comes behind, and last the forces of each.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, progress=None, limits=None, against=Vec::new()))]
 pub fn validate<'py>(
@@ -84,7 +91,7 @@ pub fn validate<'py>(
         let mut validation = figures(&read, &compared, windows.as_deref(), &[])?;
         let mut found = Rivals::default();
         if !against.is_empty() {
-            found = Rivals::of(&against, &model.file, &read, &|done, name| progress.say(done, name))?;
+            found = Rivals::compare(&against, &model.file, &read, &|done, name| progress.say(done, name))?;
             found.put_into(&mut validation, &compared);
         }
         let json = serde_json::to_string(&validation)?;

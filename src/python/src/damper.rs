@@ -28,13 +28,13 @@ const CHUNK: usize = 64;
 
 /// One number for all dampers, or one for each.
 enum Channel<'py> {
-    /// The same for all.
+    /// One value for all dampers.
     One(f64),
     /// One each.
     Each(PyReadonlyArray1<'py, f64>),
 }
 
-/// The same, without Python.
+/// The values without Python objects.
 #[derive(Clone, Copy)]
 enum Values<'a> {
     One(f64),
@@ -178,7 +178,7 @@ impl Dampers {
                 temperature: temperature[k],
                 ..Input::motion(initial_position[k], initial_velocity[k])
             };
-            let state = models[if models.len() == 1 { 0 } else { k }].get().prepared.settled(&input);
+            let state = models[if models.len() == 1 { 0 } else { k }].get().prepared.steady_state(&input);
             (sane(&input) && state.is_finite()).then_some(state).ok_or(k)
         };
         let states = py.detach(|| (0..count).map(settled).collect::<Result<Vec<State>, usize>>());
@@ -276,7 +276,7 @@ impl Dampers {
             let mut rows = rows.as_array_mut();
             for (mut row, state) in rows.outer_iter_mut().zip(&self.states) {
                 let own = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
-                let own = own.into_iter().chain(state.memory).chain([state.layout, state.reserved]);
+                let own = own.into_iter().chain(state.internal).chain([state.layout, state.reserved]);
                 row.iter_mut().zip(own).for_each(|(to, from)| *to = from);
             }
         }
@@ -304,7 +304,7 @@ impl Dampers {
                 velocity: at(1),
                 mass_displacement: at(2),
                 mass_velocity: at(3),
-                memory: std::array::from_fn(|m| at(4 + m)),
+                internal: std::array::from_fn(|m| at(4 + m)),
                 layout: at(12),
                 reserved: at(13),
             };

@@ -18,7 +18,7 @@ create_exception!(dashpot, OutputError, DashpotError, "A file that cannot be wri
 
 /// An error of the crates as an exception: itself and its causes in one sentence, as the command prints it.
 pub fn raise<E: pyo3::PyTypeInfo>(error: impl Into<anyhow::Error>) -> PyErr {
-    PyErr::new::<E, _>(as_arguments(dashpot_output::told_once(&error.into())))
+    PyErr::new::<E, _>(as_arguments(dashpot_output::format_once(&error.into())))
 }
 
 /// Options of the command in a sentence as arguments of the package.

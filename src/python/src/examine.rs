@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::work;
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
 use dashpot_identification::model_file;
-use dashpot_records::hold_out::held_out;
+use dashpot_records::hold_out::select_hold_out;
 use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence, Unusable};
 use dashpot_simulation::whole_records::OfDiagnosis;
@@ -88,7 +88,7 @@ pub fn diagnose<'py>(
     let left_out = if hold_out.is_empty() {
         choose_held_out(&records, seed)
     } else {
-        held_out(&of_damper.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
+        select_hold_out(&of_damper.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
     };
     let options = Options { max_effects, candidates, reference: good };
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
@@ -96,7 +96,7 @@ pub fn diagnose<'py>(
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &file.params, &options, &say)?;
         let improved = model_file::write(&found.as_fit(&records, &left_out, file));
         let over_whole_records =
-            OfDiagnosis::of(&file.params, &found.base, &found.improved, &found.measured, &records)?;
+            OfDiagnosis::evaluate(&file.params, &found.base, &found.improved, &found.measured, &records)?;
         let as_the_fit_saw = note.as_ref().map(|n| &n.text);
         let json = serde_json::to_string(&DiagnosisJson {
             found: &found,

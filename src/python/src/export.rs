@@ -68,7 +68,7 @@ impl Wanted {
         }
         let (mut remarks, mut ready) = (Vec::new(), Vec::<Params>::new());
         for model in models {
-            let one = Ready::of(&model.file.params, self.host_step, self.wheel_mass, self.for_step)?;
+            let one = Ready::prepare(&model.file.params, self.host_step, self.wheel_mass, self.for_step)?;
             remarks.extend(one.notes());
             remarks.extend(stiffness::remarks(&one.params));
             ready.push(one.params);
@@ -99,7 +99,8 @@ impl Wanted {
             return Ok(Files { made, plug_info: None });
         }
         // Where the numbers are hidden, no curve shows them.
-        let curve = if self.hide_parameters { None } else { PlainCurve::of(&models[0].file, self.model_curve)? };
+        let curve =
+            if self.hide_parameters { None } else { PlainCurve::from_model_file(&models[0].file, self.model_curve)? };
         let written = format!(
             "{}{} from {}. It belongs to {stem}.fmu.",
             dashpot_output::WRITTEN,

@@ -47,7 +47,7 @@ impl Family {
 
     /// The ordinary damper at a setting.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
-        let text = model_file::plain(&self.file.definition().at(setting), &[]);
+        let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
         Model::from_text(text, &name)
     }
 
@@ -86,7 +86,7 @@ impl Family {
             motion.drive_family(&self.prepared, &at)
         });
         let answers = answers.map_err(raise::<MotionError>)?;
-        let column = |of: fn(&dashpot_simulation::imposed_motion::Answer) -> f64| {
+        let column = |of: fn(&dashpot_simulation::imposed_motion::SimulatedSample) -> f64| {
             PyArray1::from_vec(py, answers.iter().map(of).collect())
         };
         Ok([column(|a| a.time), column(|a| a.displacement), column(|a| a.velocity), column(|a| a.force)])

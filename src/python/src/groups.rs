@@ -53,7 +53,7 @@ pub struct Grouping {
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Grouped {
     /// The answers.
-    pub answers: Answers,
+    pub results: Answers,
     /// The model as it came.
     pub model: Py<Model>,
     /// Every file read beside it.
@@ -127,5 +127,5 @@ pub fn diagnose_groups<'py>(
         answer.diagnosis.tests.iter().map(|test| arrays(py, &test.curves)).collect::<PyResult<_>>()
     };
     let cycles = answers.groups.iter().map(of_group).collect::<PyResult<_>>()?;
-    Ok((json, notes, cycles, Grouped { answers, model, files }))
+    Ok((json, notes, cycles, Grouped { results: answers, model, files }))
 }

@@ -160,7 +160,7 @@ impl Model {
                     tell(k, velocity.len());
                 }
                 let input = Input::motion(0.0, *v);
-                let force = evaluate::force(&self.prepared, &self.prepared.settled(&input), &input).force;
+                let force = evaluate::force(&self.prepared, &self.prepared.steady_state(&input), &input).force;
                 forces.push(if force.is_finite() { force } else { return Err(*v) });
             }
             Ok(forces)
@@ -235,7 +235,7 @@ impl Model {
             motion.drive_telling(&self.prepared, tell)
         })?;
         let answers = answers.map_err(raise::<MotionError>)?;
-        let column = |of: fn(&dashpot_simulation::imposed_motion::Answer) -> f64| {
+        let column = |of: fn(&dashpot_simulation::imposed_motion::SimulatedSample) -> f64| {
             PyArray1::from_vec(py, answers.iter().map(of).collect())
         };
         Ok([column(|a| a.time), column(|a| a.displacement), column(|a| a.velocity), column(|a| a.force)])

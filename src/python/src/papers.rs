@@ -58,18 +58,22 @@ impl Page {
         Path::new(&self.model).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
     }
 
-    /// What a paper is made from: the model's file, as it was when it was read or written, then files that are looked at once more.
+    /// What a paper is made from.
+    ///
+    /// The model's file, as it was when it was read or written, then files that are looked at once more.
     fn made<'a>(&'a self, model: Option<&Model>, files: impl IntoIterator<Item = &'a PathBuf>) -> PyResult<Made> {
         let date = made::date(self.date.as_deref()).map_err(raise::<PyValueError>)?;
         let model = model
             .filter(|_| self.is_file)
             .map(|model| MadeFrom::of_content(&self.model, model.text_of_file().as_bytes()));
         let files = self.files.iter().chain(files);
-        let known = model.into_iter().chain(files.filter_map(|path| MadeFrom::of(path))).collect();
+        let known = model.into_iter().chain(files.filter_map(|path| MadeFrom::read(path))).collect();
         Ok(Made { date, command: made::command_line(self.command.iter().cloned()), ..Made::of_known(known) })
     }
 
-    /// Does the work that writes a file of this kind, or into a folder where none is told; neither takes the place of what the paper is made from.
+    /// Does the work that writes a file of this kind, or into a folder where none is told.
+    ///
+    /// Neither takes the place of what the paper is made from.
     fn write<T: Send>(
         &self,
         py: Python<'_>,
@@ -210,7 +214,7 @@ pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found
     let is_workbook = what == "workbook";
     let kind = if is_workbook { Kind::Workbook } else { Kind::Report };
     page.write(py, (&path, Some(kind)), &made, || {
-        let report = groups::page(&found.answers, Path::new(&page.model), made.clone(), words);
+        let report = groups::page(&found.results, Path::new(&page.model), made.clone(), words);
         if is_workbook {
             write_workbook(&report.workbook(), &path)
         } else {
@@ -219,8 +223,9 @@ pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found
     })
 }
 
-/// The tests that would tell more, as a test matrix; returns its rows, 0 where there is none that a rig could be driven by, and nothing is
-/// written.
+/// The tests that would tell more, as a test matrix.
+///
+/// Returns its rows, 0 where there is none that a rig could be driven by, and nothing is written.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_next_tests(path: PathBuf, found: &Diagnosed, force: bool) -> PyResult<usize> {

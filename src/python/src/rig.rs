@@ -5,7 +5,7 @@ use crate::work;
 use dashpot_output::FolderLock;
 use dashpot_proving::ProvingError;
 use dashpot_proving::asked::{Asked, Numbers, strengths};
-use dashpot_rig::{Campaign, HiddenCase, Matrix, MatrixOptions, Options, Plan, RigError as Refusal};
+use dashpot_rig::{Campaign, InjectedCase, Matrix, MatrixOptions, Options, Plan, RigError as Refusal};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -148,7 +148,7 @@ pub fn measure(
         let numbers = if severity { Numbers::Severities } else { Numbers::Strengths };
         let watch = |_, _| progress.say(0.0, "finding strengths");
         let effects = strengths(asked, numbers, searched, &options, &watch).map_err(of_rig)?;
-        let outcome = HiddenCase { effects, plan: Plan::default(), options }.run_matrix(&matrix, say)?;
+        let outcome = InjectedCase { effects, plan: Plan::default(), options }.run_matrix(&matrix, say)?;
         outcome.write(&folder)?;
         Ok(outcome.campaign.records.len())
     });

@@ -1,4 +1,6 @@
-//! Long work: without the interpreter's lock, on threads of its own, and ended by Ctrl-C or by an exception of the function that is told its progress.
+//! Long work without the interpreter's lock, on threads of its own.
+//!
+//! Ctrl-C ends it, and so does an exception of the progress function.
 //!
 //! The threads belong to one piece of work. Rayon's own, which last as long as the process, would be missing in a process that was forked off
 //! after their start (multiprocessing does that on Linux), and whoever waits for them there waits for ever.
@@ -20,8 +22,9 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// Threads of one piece of work; 0 is as many as there are processors.
 static THREADS: AtomicUsize = AtomicUsize::new(0);
 
-/// Threads that each fit, validation, diagnosis and step of many dampers may use from now on, in this process; 0, as at the start, is as many as
-/// there are processors.
+/// Threads that each fit, validation, diagnosis and step of many dampers may use from now on, in this process.
+///
+/// 0, as at the start, is as many as there are processors.
 #[pyfunction]
 pub fn set_threads(count: isize) -> PyResult<()> {
     let count = usize::try_from(count).map_err(|_| {

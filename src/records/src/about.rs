@@ -129,7 +129,9 @@ impl About {
         about
     }
 
-    /// From a row above the table of a workbook: a name with the value in the next cell that is not empty, or both in one.
+    /// From a row above the table of a workbook.
+    ///
+    /// A name with the value in the next cell that is not empty, or both in one.
     pub(crate) fn of_row(&mut self, cells: impl Iterator<Item = String>) {
         let cells: Vec<String> = cells.filter(|cell| !cell.trim().is_empty()).collect();
         match &cells[..] {

@@ -1,5 +1,7 @@
-//! Lines of a table that are no rows: what a channel is below the heading, results or remarks below the last row, and what an acquisition
-//! writes between its rows. They are told and not read; many of them, or figures in them, are a fault.
+//! Lines of a table that are no rows.
+//!
+//! What a channel is below the heading, results or remarks below the last row, and what an acquisition writes between
+//! its rows. They are told and not read; many of them, or figures in them, are a fault.
 
 use super::error::RecordError;
 use super::heading::{Heading, heading};
@@ -129,7 +131,7 @@ impl Beside {
     ///
     /// # Errors
     /// The fault of lines that are too many to be stray ones.
-    pub fn tell(self, rows: &mut Rows) -> Result<(), RecordError> {
+    pub fn report(self, rows: &mut Rows) -> Result<(), RecordError> {
         for (line, text) in self.labels {
             rows.note("ignored", Sentence::from(phrases::BELOW_HEADING).with("line", line).with("text", text));
         }

@@ -144,7 +144,7 @@ pub fn load(
         .collect();
     let mut motions =
         mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
-    sieve.refuse_most(motions.len())?;
+    sieve.reject_most(motions.len())?;
     tell_splits(&motions, &mut notes);
     let mut of_the_sign = Vec::new();
     let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
@@ -161,8 +161,8 @@ pub fn load(
         .collect();
     let mut records =
         finished.into_iter().map(|r| sieve.pass(r)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
-    sieve.refuse_most(records.len())?;
-    let unusable = sieve.tell(&mut notes);
+    sieve.reject_most(records.len())?;
+    let unusable = sieve.report(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
     setting::settle(&mut records, &options.settings, &mut notes);
@@ -183,13 +183,15 @@ pub fn load(
 /// Notes of a test that concern its file, or what counts as a test.
 const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "settings"];
 
-/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else; so it does what is wrong with a file.
+/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
+///
+/// So it does what is wrong with a file.
 fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
         for note in motion.notes.iter().filter(|n| OF_THE_FILE.contains(&n.kind)) {
             let file = motion.at.file.display().to_string();
-            let text = Sentence::from(phrases::OF_FILE).with("file", file).with_said("text", note.text.clone());
+            let text = Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone());
             if told.iter().all(|n| n.text != text) {
                 told.push(Note { kind: note.kind, text });
             }
@@ -311,7 +313,7 @@ impl Search<'_> {
         if let Some(known) = self.known.get(folder) {
             return Ok(known.clone());
         }
-        let own = match Profile::of(folder)? {
+        let own = match Profile::read(folder)? {
             Some(profile) => {
                 // Checked when it was read.
                 let said = profile.options().unwrap_or_default();

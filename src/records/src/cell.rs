@@ -2,8 +2,10 @@
 
 use crate::numbers::restrict;
 
-/// Zero offset to be expected of a load cell, N, with a damper of a car: a tenth of a percent of a cell of 15 kN. A smaller force at rest tells
-/// nothing of gas, and a test that lies so far off the others is no other.
+/// Zero offset to be expected of a load cell, N, with a damper of a car.
+///
+/// A tenth of a percent of a cell of 15 kN. A smaller force at rest tells nothing of gas, and a test that lies so far
+/// off the others is no other.
 const OFFSET: f64 = 15.0;
 /// Largest force, N, of the dampers of cars: between these nothing depends on it, so that a soft and a firm damper are judged alike. From the
 /// virtual rigs and the measured dampers of the book, 0.4 to 6 kN; a narrower range would change what is said of cars. Weaker dampers are

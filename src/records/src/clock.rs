@@ -7,8 +7,10 @@ pub(crate) const DAY: f64 = 86_400.0;
 /// The first instant of 1980, s since 1970: what clocks start from that were never set.
 pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
 
-/// When a test began, from the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one): seconds since 1970 by the
-/// rig's own clock. A line with both counts before a date and a time in lines of their own. Nothing without a date.
+/// When a test began, from the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one).
+///
+/// Seconds since 1970 by the rig's own clock. A line with both counts before a date and a time in lines of their own.
+/// Nothing without a date.
 pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Began<'a>> {
     let (mut date, mut time) = (None, None);
     let both = |(day, word): (f64, &'a str), time: f64| Began { at: day + time, date: Some(word) };

@@ -58,7 +58,9 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
 
 /// Fraction of a sample by which a velocity may lag behind the displacement, or lead it: the two are converted one after the other.
 const LAG_OF_SAMPLE: f64 = 0.25;
-/// Phase by which it may, rad: a hundredth opens the force loop by 1 %, as much as the noise of good rigs; half a sample is within twice that.
+/// Phase by which it may, rad.
+///
+/// A hundredth opens the force loop by 1 %, as much as the noise of good rigs; half a sample is within twice that.
 const LAG_OF_PHASE: f64 = 0.02;
 /// Fraction of the displacement's variance that a velocity must explain for its lag to be known.
 const SAME_MOTION: f64 = 0.98;
@@ -74,7 +76,7 @@ pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> 
 pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     let Agreement { gain, explained, .. } = *agreement;
     let by = |cause: Template, figure: &'static str, value: String| {
-        Sentence::from(cause).with(figure, value).with_said("advice", phrases::READ_ONE_ONLY)
+        Sentence::from(cause).with(figure, value).with_sentence("advice", phrases::READ_ONE_ONLY)
     };
     if explained < 0.5 {
         return Some(by(phrases::OTHER_MOTION, "percent", format!("{:.0}", 100.0 * explained.max(0.0))));
@@ -92,7 +94,7 @@ pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     for (factor, cause) in slips {
         for slip in [factor, 1.0 / factor] {
             if (gain / slip - 1.0).abs() < 0.06 {
-                return Some(by(phrases::UNIT_SLIP, "gain", format!("{gain:.4}")).with_said("slip", cause));
+                return Some(by(phrases::UNIT_SLIP, "gain", format!("{gain:.4}")).with_sentence("slip", cause));
             }
         }
     }

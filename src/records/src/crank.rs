@@ -1,5 +1,6 @@
-//! Records over the angle of a crank instead of time, as dynos with a crank drive write them: with the speed of the crank among the lines above
-//! the table, the angle is a clock.
+//! Records over the angle of a crank instead of time, as dynos with a crank drive write them.
+//!
+//! With the speed of the crank among the lines above the table, the angle is a clock.
 
 use super::heading::words;
 use super::table::number;

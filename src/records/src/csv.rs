@@ -54,11 +54,11 @@ pub(crate) fn cells_of_text(source: &Source) -> Result<Vec<(usize, Vec<String>)>
     let text = text.trim_start_matches('\u{feff}');
     let lines = || text.lines().enumerate().filter(|(_, line)| !is_comment(line));
     let first = lines().next().map_or("", |(_, line)| line);
-    let delimiter = delimiter::of(first);
+    let delimiter = delimiter::detect(first);
     let cells = |(k, line): (usize, &str)| {
         let cells = split(line, delimiter);
         let size = CELL * cells.len() as u64 + line.len() as u64;
-        source.budget.hold(size).map_err(|exhausted| exhausted.at(&source.place()))?;
+        source.budget.hold(size).map_err(|exhausted| exhausted.into_error(&source.place()))?;
         Ok((k + 1, cells))
     };
     lines().map(cells).collect()
@@ -69,8 +69,11 @@ pub fn text(bytes: &[u8]) -> String {
     decode(bytes).0.trim_start_matches('\u{feff}').to_owned()
 }
 
-/// Text of a file in UTF-8 or UTF-16 with byte order mark, else read in the code page of western Windows (old exports, for µ and °; a
-/// spreadsheet that saves no UTF-8), which is a guess. Where the page has no character it is Latin-1.
+/// Decodes a file in UTF-8 or UTF-16 with byte order mark, else in the code page of western Windows, which is a
+/// guess.
+///
+/// Old exports use it for µ and °, and so do spreadsheets that save no UTF-8. Where the page has no character it is
+/// Latin-1.
 fn decode(bytes: &[u8]) -> (Cow<'_, str>, bool) {
     let (text, guessed) = characters(bytes);
     // Old Macintosh programs end lines by a carriage return alone.
@@ -152,7 +155,7 @@ fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
                     numbers = Some(Start { headed: false, ..Start::headed(index, offset, delimiter, header) });
                 }
             }
-            above = split(trimmed, delimiter::of(trimmed));
+            above = split(trimmed, delimiter::detect(trimmed));
         } else {
             // The last comment that names the columns: above it may stand what an earlier table had.
             let found = delimiter::ALL.into_iter().find_map(|delimiter| {
@@ -167,7 +170,7 @@ fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     (numbers.or(commented), first_line)
 }
 
-/// The same text with tabs between the columns, where blanks are there: two and more, or any. Figures stand closer than names.
+/// Replaces blanks between columns by tabs: two and more, or any. Figures stand closer than names.
 fn with_tabs(text: &str, any: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
@@ -191,8 +194,9 @@ fn with_tabs(text: &str, any: bool) -> String {
     out
 }
 
-/// Parts names that a single blank separates, as in the plain files of MTS stations: there are as many as units below them, and so that
-/// most of them are known.
+/// Parts names that a single blank separates, as in the plain files of MTS stations.
+///
+/// There are as many as units below them, and so that most of them are known.
 fn part_names(found: &mut Start, text: &str) {
     /// Columns of such a file.
     const MOST: usize = 32;
@@ -256,7 +260,7 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options, budget: &Budget)
         }
     }
     let trimmed = first_line.trim_end();
-    let delimiter = delimiter::of(trimmed);
+    let delimiter = delimiter::detect(trimmed);
     let header = split(trimmed, delimiter);
     if options.columns.values().any(|wanted| nearest(wanted, header.iter().map(String::as_str)).is_some()) {
         // A heading nearly as the user wrote it: the layout says which is meant.
@@ -269,7 +273,7 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options, budget: &Budget)
         .take(HEADER_WITHIN)
         .filter(|(_, line)| !is_comment(line))
         .map(|(k, line)| {
-            let cells = split(line.trim_end(), delimiter::of(line.trim_end()));
+            let cells = split(line.trim_end(), delimiter::detect(line.trim_end()));
             let blank = cells.len() == 1 && line.split_whitespace().all(|cell| is_figure(cell, true));
             (k + 1, if blank { line.split_whitespace().map(str::to_owned).collect() } else { cells })
         })
@@ -333,10 +337,10 @@ fn table(
     let began_by = |lines: &str| {
         let began = clock::begins(lines.lines());
         let mut dates = Dates::of_lines(lines.lines(), began.and_then(|began| began.date));
-        dates.usual = usual;
+        dates.likely = usual;
         (began.map(|began| began.at), dates)
     };
-    rows.dates.usual = usual;
+    rows.dates.likely = usual;
     let mut began = vec![began_by(&text[..offset])];
     let mut behind = offset;
 
@@ -432,7 +436,7 @@ fn table(
             let name = format!("{name} {}", tests.len() + 2);
             let mut next = Rows::new(at.clone(), name, layout, budget);
             next.about = rows.about.clone();
-            next.dates.usual = usual;
+            next.dates.likely = usual;
             tests.push(std::mem::replace(&mut rows, next));
             began.push(began_by(text.get(behind..here).unwrap_or_default()));
         }
@@ -443,7 +447,7 @@ fn table(
             .map(|index| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?").to_string());
         rows.push(line, values.iter().copied(), test.as_deref())?;
     }
-    beside.tell(&mut rows)?;
+    beside.report(&mut rows)?;
     tests.push(rows);
     let mut read = Vec::new();
     for (rows, (began, dates)) in tests.into_iter().zip(began) {
@@ -503,8 +507,9 @@ fn sample_time<'a>(above: impl Iterator<Item = &'a str>) -> Option<f64> {
 
 /// Headers that an acquisition writes again before every block of rows, as MTS stations do.
 struct Blocks {
-    /// Lines, from 0 and in order, of the text between a block of rows and the next: from the first line that is no row to
-    /// the last line before the next row.
+    /// Lines, from 0 and in order, of the text between a block of rows and the next.
+    ///
+    /// From the first line that is no row to the last line before the next row.
     headers: Vec<std::ops::Range<usize>>,
     next: usize,
     /// Whether the row to come is the first below a header.

@@ -1,6 +1,8 @@
-//! Whether the day or the month comes first in the dates of the files: 3/11/2026 is the third of November in Europe and the eleventh of March
-//! in America. What the user says counts; then other dates, of the same file and of its campaign, of which only one reading is a date
-//! (13/11/2026); then how the file writes numbers; then which reading lets the tests lie close together. What is left is assumed, and said.
+//! Whether the day or the month comes first in the dates of the files.
+//!
+//! 3/11/2026 is the third of November in Europe and the eleventh of March in America. What the user says counts; then
+//! other dates, of the same file and of its campaign, of which only one reading is a date (13/11/2026); then how the
+//! file writes numbers; then which reading lets the tests lie close together. What is left is assumed, and said.
 
 use super::clock::{self, DAY};
 use super::date_order::DateOrder;
@@ -12,8 +14,10 @@ use super::samples::Samples;
 use super::sentence::{Sentence, Template};
 use std::collections::BTreeSet;
 
-/// How much closer together the tests of a campaign must lie by one reading than by the other to speak for it, as times, and the least distance
-/// by the other one, s: a campaign takes days, and a month read as a day scatters it over the year.
+/// How much closer together the tests of a campaign must lie by one reading than by the other to decide, as a ratio.
+///
+/// The second number is the least distance by the other reading, s. A campaign takes days, and a month read as a day
+/// scatters it over the year.
 const CLOSER: f64 = 5.0;
 const APART: f64 = 20.0 * DAY;
 
@@ -23,7 +27,7 @@ pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
     let of_all = orders.first().copied().filter(|_| orders.len() == 1);
     let mut assumed = Vec::new();
     for (k, (options, test)) in tests.iter_mut().enumerate() {
-        let Dates { open: Some(open), decided, usual } = &test.dates else { continue };
+        let Dates { open: Some(open), decided, likely: usual } = &test.dates else { continue };
         match options.dates.or(*decided).or(of_all).or(*usual) {
             Some(order) if order != open.read => test.begins = test.begins.map(|begins| begins + open.shift),
             Some(_) => {}
@@ -57,7 +61,7 @@ pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
         .with("date", &open.text)
         .with("at", &tests[first].1.name)
         .with("read", clock::written(began).split(' ').next().unwrap_or_default())
-        .with_said("why", why);
+        .with_sentence("why", why);
     notes.push(Note { kind: "clock", text });
 }
 
@@ -74,7 +78,7 @@ mod tests {
                 let began = clock::begins(lines.lines()).unwrap();
                 let mut test = SineTest::default().samples();
                 test.begins = Some(began.at);
-                test.dates = Dates { usual, ..Dates::of_lines(lines.lines(), began.date) };
+                test.dates = Dates { likely: usual, ..Dates::of_lines(lines.lines(), began.date) };
                 (options, test)
             })
             .collect();
@@ -164,7 +168,7 @@ mod tests {
                 clock::seconds(cell).unwrap()
             })
             .collect();
-        dates.settle_column(&mut times);
+        dates.resolve_column(&mut times);
         assert_eq!((times[1] - times[0], clock::written(times[0]).as_str()), (2.0, "2026-11-03 23:59:59"));
         assert_eq!(dates.decided, Some(DateOrder::DayFirst));
     }

@@ -16,7 +16,7 @@ pub struct Delay {
     pub seconds: f64,
     /// Share of the force's variance that no curve over velocity explains, with the records as they are.
     pub unexplained_as_recorded: f64,
-    /// The same with the delay taken out.
+    /// Unexplained part with the delay corrected.
     pub unexplained: f64,
 }
 

@@ -2,12 +2,13 @@
 
 use csv::ReaderBuilder;
 
-/// Delimiters understood, in the order in which they are tried: a comma may also be a decimal comma, so it comes last but for
-/// the bar, which hardly any program writes.
+/// Delimiters understood, in the order in which they are tried.
+///
+/// A comma may also be a decimal comma, so it comes last but for the bar, which hardly any program writes.
 pub(crate) const ALL: [u8; 4] = [b'\t', b';', b',', b'|'];
 
 /// The delimiter of a short table by its heading: the one that makes most columns, a comma where none is there.
-pub fn of(heading: &str) -> u8 {
+pub fn detect(heading: &str) -> u8 {
     let count = |d: u8| heading.bytes().filter(|b| *b == d).count();
     // Of two that make as many columns the first is meant.
     [b',', b';', b'\t', b'|'].into_iter().rev().max_by_key(|d| count(*d)).unwrap_or(b',')
@@ -63,7 +64,7 @@ mod tests {
             ("alone", b','),
             ("a,b;c", b','),
         ] {
-            assert_eq!(of(heading), wanted, "{heading}");
+            assert_eq!(detect(heading), wanted, "{heading}");
         }
     }
 

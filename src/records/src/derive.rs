@@ -21,15 +21,18 @@ pub(crate) struct Filter {
 /// Most samples on either side of the window; more costs time and gains little.
 const REACH: usize = 250;
 
-/// How many deviations of its noise a slope over a long window may be off that over a shorter one to be taken for the same. With 4, one sample
-/// in a thousand of a smooth motion gets a shorter window by chance, and a slope with all its noise; a corner is off by tens.
+/// Deviations of its noise within which the derivative over a long window equals that over a shorter one.
+///
+/// With 4, one sample in a thousand of a smooth motion gets a shorter window by chance, and a derivative with all its
+/// noise. A corner differs by tens.
 const SAME: f64 = 5.0;
 /// How much longer each window is than the one before: closer ones cost time, wider ones leave a sample a window that much too short.
 const LONGER: f64 = 1.4;
 
-/// Velocity by local cubics (Savitzky and Golay 1964): at every sample a cubic is fitted by least squares to the
-/// window centred there, and its slope taken. Symmetric, so it shifts no phase; fitted at the true times, so uneven
-/// sampling does no harm.
+/// Velocity by local cubics (Savitzky and Golay 1964).
+///
+/// At every sample a cubic is fitted by least squares to the window centred there, and its slope taken. Symmetric, so
+/// it shifts no phase; fitted at the true times, so uneven sampling does no harm.
 ///
 /// `window` is the longest, s; at least five samples are used. At the ends the window is one-sided. Where the motion turns within the
 /// window, as a triangle does at its corners, a cubic over all of it would round the turn and swing beside it: there the
@@ -109,8 +112,9 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
     Slopes { slopes: velocity, gains, weights }
 }
 
-/// Weights that give the slope, at the sample `at`, of the least-squares cubic through values at these times (a parabola
-/// or line where there are too few).
+/// Weights of the derivative, at the sample `at`, of the least-squares cubic through values at these times.
+///
+/// It is a parabola or line if there are too few values.
 fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     let scale = (time[time.len() - 1] - time[0]) / 2.0;
     let order = (time.len() - 1).min(3);
@@ -153,8 +157,10 @@ fn bandwidth(weights: &[f64], step: f64) -> f64 {
         .unwrap_or(nyquist)
 }
 
-/// Displacement from the initial position, m, by the cubic through the four samples around every step where they are
-/// evenly spaced (at twenty samples per cycle trapezoids lose 0.8 %, this 0.02 %), by trapezoids elsewhere.
+/// Integrates the velocity to the displacement from the initial position, m.
+///
+/// Evenly spaced samples use the cubic through the four samples around every step, others use trapezoids. At twenty
+/// samples per cycle trapezoids lose 0.8 %, the cubic 0.02 %.
 pub(crate) fn integrate(time: &[f64], velocity: &[f64], initial: f64) -> Vec<f64> {
     let n = time.len();
     let mut x = initial;

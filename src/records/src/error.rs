@@ -65,7 +65,7 @@ pub struct FilesUnit {
     /// A velocity of it, m/s, and its force against the motion there, N.
     pub at: (f64, f64),
     /// The velocity of the others that is closest, and their force.
-    pub usual: (f64, f64),
+    pub expected: (f64, f64),
     /// The channel.
     pub channel: Channel,
     /// The unit that it was read in.
@@ -82,12 +82,12 @@ impl FilesUnit {
             let named = Sentence::list(tests.iter().take(NAMED).map(Sentence::as_it_is).collect(), phrases::COMMA);
             match tests.len().saturating_sub(NAMED) {
                 0 => named,
-                more => Sentence::from(phrases::AND_MORE).with_said("names", named).with("count", more),
+                more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
             }
         };
         // Where the others are not many more, it may be they that are wrong.
         let either = (2 * self.others.len() < 3 * self.tests.len())
-            .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_said("others", several(&self.others)));
+            .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_sentence("others", several(&self.others)));
         let figure = |value: f64| match value {
             v if v < 0.1 => format!("{v:.2e}"),
             v if v < 10.0 => format!("{v:.3}"),
@@ -97,12 +97,12 @@ impl FilesUnit {
         Sentence::from(phrases::FILES_UNIT)
             .with("count", self.tests.len())
             .with("all", self.all)
-            .with_said("tests", several(&self.tests))
+            .with_sentence("tests", several(&self.tests))
             .with("test", &self.shown)
             .with("force", figure(self.at.1))
             .with("velocity", figure(self.at.0))
-            .with("usual", figure(self.usual.1))
-            .with("there", figure(self.usual.0))
+            .with("usual", figure(self.expected.1))
+            .with("there", figure(self.expected.0))
             .with_names("likely", &self.likely, phrases::OR)
             .with("written", self.written)
             .with("channel", self.channel)
@@ -437,7 +437,7 @@ impl RecordError {
             sentence.with_any(name, template.map(Sentence::from))
         };
         match self {
-            RecordError::UnknownType { file } => in_file(phrases::UNKNOWN_TYPE, file).with_said("kinds", kinds()),
+            RecordError::UnknownType { file } => in_file(phrases::UNKNOWN_TYPE, file).with_sentence("kinds", kinds()),
             RecordError::NotRead { file, is, instead } => {
                 in_file(phrases::NOT_READ, file).with_word("is", is).with_word("instead", instead)
             }
@@ -449,7 +449,7 @@ impl RecordError {
             }
             RecordError::Mat { file, cause } => in_file(phrases::MAT, file).with("cause", cause),
             RecordError::Header { understood, .. } => {
-                Sentence::from(phrases::UNDERSTOOD).with_said("header", self.fault()).with("understood", understood)
+                Sentence::from(phrases::UNDERSTOOD).with_sentence("header", self.fault()).with("understood", understood)
             }
             RecordError::NoData { at } => of(phrases::NO_DATA, at),
             RecordError::TooFew { at, samples, needed } => {
@@ -472,15 +472,15 @@ impl RecordError {
                 .with("value", format!("{value:.6}"))
                 .with("unit", channel.si())
                 .with("seconds", format!("{seconds:.3}"))
-                .with_said("moving", *moving)
-                .with_said("advice", *advice),
+                .with_sentence("moving", *moving)
+                .with_sentence("advice", *advice),
             RecordError::Clipped { at, line, channel, value, percent, advice } => of(phrases::CLIPPED, at)
                 .with("line", line)
                 .with_word("channel", channel.name())
                 .with("value", format!("{value:.5}"))
                 .with("unit", channel.si())
                 .with("percent", format!("{percent:.1}"))
-                .with_said("advice", *advice),
+                .with_sentence("advice", *advice),
             RecordError::NoMotion { at, channel, range, unit } => of(phrases::NO_MOTION, at)
                 .with_word("channel", channel.name())
                 .with("range", format!("{range:.4}"))
@@ -497,7 +497,7 @@ impl RecordError {
                 any(fields.with("found", found).with("expected", expected), "hint", hint)
             }
             RecordError::Contradiction { at, cause } => {
-                of(phrases::CONTRADICTION, at).with_said("cause", cause.clone())
+                of(phrases::CONTRADICTION, at).with_sentence("cause", cause.clone())
             }
             RecordError::NotFound { file } => in_file(phrases::NOT_FOUND, file),
             RecordError::Read { file, source } => in_file(phrases::CANNOT_READ, file).with("cause", source),
@@ -511,7 +511,7 @@ impl RecordError {
                 in_line(phrases::TOO_MANY_COLUMNS, at, line).with("found", found).with("most", most)
             }
             RecordError::EmptyFolder { folder } => {
-                Sentence::from(phrases::EMPTY_FOLDER).with("folder", folder.display()).with_said("kinds", kinds())
+                Sentence::from(phrases::EMPTY_FOLDER).with("folder", folder.display()).with_sentence("kinds", kinds())
             }
             RecordError::InSubfolders { folder, names, count } => Sentence::from(phrases::IN_SUBFOLDERS)
                 .with("folder", folder.display())
@@ -522,7 +522,7 @@ impl RecordError {
                 .with("first", format!("{first:?}")),
             RecordError::ExcludesAll { count } => Sentence::from(phrases::EXCLUDES_ALL).with("count", count),
             RecordError::Profile { file, cause } => {
-                in_file(phrases::OF_FILE, file).with_said("text", Sentence::as_it_is(cause))
+                in_file(phrases::OF_FILE, file).with_sentence("text", Sentence::as_it_is(cause))
             }
             RecordError::ProfilesDisagree { first, second } => Sentence::from(phrases::PROFILES_DISAGREE)
                 .with("first", first.display())
@@ -532,16 +532,16 @@ impl RecordError {
                 .with("second", second)
                 .with("of_first", of_first)
                 .with("of_second", of_second)
-                .with_said("evidence", evidence.clone()),
+                .with_sentence("evidence", evidence.clone()),
             RecordError::UnitSlip { channel, written, likely, evidence } => Sentence::from(phrases::WRONG_UNIT)
-                .with_said("evidence", evidence.clone())
+                .with_sentence("evidence", evidence.clone())
                 .with("likely", likely)
                 .with("written", written)
                 .with("channel", channel),
             RecordError::FilesUnit(slip) => slip.sentence(),
             RecordError::NoPaths => phrases::NO_PATHS.into(),
             RecordError::PeakTable { at, line, cause } => {
-                in_line(phrases::IN_LINE, at, line).with_said("cause", Sentence::as_it_is(cause))
+                in_line(phrases::IN_LINE, at, line).with_sentence("cause", Sentence::as_it_is(cause))
             }
             RecordError::MissingColumn { at, line, missing, example, found, near, units } => {
                 let units = (!units.is_empty())
@@ -603,8 +603,8 @@ impl RecordError {
             }
             RecordError::Absurd { record, what, advice } => Sentence::from(phrases::ABSURD)
                 .with("record", record)
-                .with_said("what", what.clone())
-                .with_said("advice", *advice),
+                .with_sentence("what", what.clone())
+                .with_sentence("advice", *advice),
             RecordError::NoForce { count, all, record, noise } => Sentence::from(phrases::ALL_WITHOUT_FORCE)
                 .with("count", count)
                 .with("all", all)
@@ -614,13 +614,13 @@ impl RecordError {
                 Sentence::from(phrases::INDISPENSABLE).with_word("channel", channel.name())
             }
             RecordError::FeedsEnergy { cause, .. } => {
-                Sentence::from(phrases::FEEDS_ENERGY).with_said("cause", cause.clone())
+                Sentence::from(phrases::FEEDS_ENERGY).with_sentence("cause", cause.clone())
             }
             RecordError::Exchanged { cause, .. } => cause.clone(),
         }
     }
 
-    /// As [`RecordError::sentence`] where the campaign does without the file or test: what it asks of the user is left out.
+    /// The sentence of an error if the campaign does without the file or test; it asks nothing of the user.
     pub(crate) fn fault(&self) -> Sentence {
         match self {
             RecordError::Header { at, found, near, .. } => {

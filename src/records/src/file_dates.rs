@@ -12,7 +12,7 @@ pub(crate) struct Dates {
     /// What another date of the file decides.
     pub(super) decided: Option<DateOrder>,
     /// How programs write dates that write numbers as this file does.
-    pub usual: Option<DateOrder>,
+    pub likely: Option<DateOrder>,
 }
 
 /// A date that is one in either order.
@@ -60,9 +60,11 @@ impl Dates {
         }
     }
 
-    /// Takes the other order for the times of a column, s, where the order is open and they lie closer together by it: no test goes on for a
-    /// month. Dates that only one order reads stay.
-    pub fn settle_column(&mut self, times: &mut [f64]) {
+    /// Takes the other order for the times of a column, s, where the order is open and they lie closer together by
+    /// it.
+    ///
+    /// No test goes on for a month. Dates that only one order reads stay.
+    pub fn resolve_column(&mut self, times: &mut [f64]) {
         let Some(open) = self.open.as_mut().filter(|_| self.decided.is_none()) else { return };
         let other: Vec<f64> = times.iter().map(|time| clock::swapped(*time).unwrap_or(*time)).collect();
         if range(&other) + 0.5 * DAY < range(times) {

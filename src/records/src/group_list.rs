@@ -1,4 +1,6 @@
-//! The list of a laboratory that says of each test, or of each damper's folder, which gas pressure, clicks or serial number it has:
+//! The list of a laboratory that says of each test, or of each damper's folder, which gas pressure, clicks or serial
+//! number it has.
+//!
 //! `dashpot diagnose --group tests.csv:clicks`.
 
 use crate::delimiter;
@@ -97,7 +99,7 @@ impl GroupList {
         let file = || path.to_owned();
         let table = |source| ListError::Table { file: file(), source };
         let text = text.trim_start_matches('\u{feff}');
-        let separator = delimiter::of(text.lines().next().unwrap_or_default());
+        let separator = delimiter::detect(text.lines().next().unwrap_or_default());
         let mut rows = ReaderBuilder::new().delimiter(separator).trim(Trim::All).from_reader(text.as_bytes());
         let columns: Vec<String> = rows.headers().map_err(table)?.iter().map(str::to_owned).collect();
         let Some(place) = columns.iter().skip(1).position(|c| c.eq_ignore_ascii_case(column)) else {
@@ -149,7 +151,7 @@ impl GroupList {
     }
 
     /// What the option asked for, in words.
-    pub fn said(&self) -> String {
+    pub fn describe(&self) -> String {
         format!("{}:{}", self.path.display(), self.column)
     }
 }

@@ -92,9 +92,11 @@ pub type Read<'a> = dyn Fn(&[PathBuf]) -> Result<Campaign, RecordError> + 'a;
 /// What stands for the name of the group in a pattern.
 const PLACE: &str = "{}";
 
-/// Splits the data: by the folders in it (`folders`), by a part of the tests' names (a pattern with `{}`), or by a column of a list
-/// (`FILE.csv:COLUMN`). `read` reads what is to be one campaign. All groups, and the `reference` that they are compared with, count one direction
-/// positive, as far as they are of one rig.
+/// Splits the data into groups.
+///
+/// The groups are the folders in it (`folders`), a part of the tests' names (a pattern with `{}`), or a column of a
+/// list (`FILE.csv:COLUMN`). `read` reads what is to be one campaign. All groups, and their `reference`, count one
+/// direction positive, as far as they are of one rig.
 ///
 /// # Errors
 /// A pattern without `{}`, data without folders, a list without that column or without one of the tests, records that cannot be read.
@@ -235,7 +237,7 @@ fn by_list(
         split.without_test = list.without_test(&records.iter().collect::<Vec<_>>());
         split
             .sort(records, |record| list.group_of(record).map(str::to_owned), &mut groups)
-            .map_err(|first| GroupError::NotListed { list: list.said(), first })?;
+            .map_err(|first| GroupError::NotListed { list: list.describe(), first })?;
     }
     split.groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
     Ok(split)

@@ -450,8 +450,10 @@ fn strict(text: &str) -> Heading {
     other.unwrap_or_else(|| classify(&words, HeadingUnitText::None))
 }
 
-/// A heading with the name of a sensor, the number of an input, or what the acquisition calls it: `Ch 1 Displacement (mm)`,
-/// `Displacement LVDT [mm]`, `Position(Linear:Digital Position) (mm)`. Only with a unit that fits.
+/// A heading with the name of a sensor, the number of an input, or what the acquisition calls it.
+///
+/// `Ch 1 Displacement (mm)`, `Displacement LVDT [mm]`, `Position(Linear:Digital Position) (mm)`. Only with a unit
+/// that fits.
 fn loose(text: &str) -> Heading {
     let text = without_rate(&plain(text));
     let (name, unit) = match bracketed(text.trim()) {

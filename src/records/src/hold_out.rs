@@ -7,7 +7,7 @@ use super::{Campaign, Record, glob};
 pub enum HoldOutError {
     /// Every test matches.
     #[error("--hold-out leaves no test to {purpose}; it matches all {count}")]
-    LeavesNone {
+    NoTestsRemain {
         /// What the tests are for.
         purpose: &'static str,
         /// How many there are.
@@ -32,11 +32,15 @@ pub fn matches(record: &Record, patterns: &[String]) -> bool {
 ///
 /// # Errors
 /// Where a pattern matches no test, or all tests are left out.
-pub fn held_out(campaign: &Campaign, patterns: &[String], purpose: &'static str) -> Result<Vec<bool>, HoldOutError> {
+pub fn select_hold_out(
+    campaign: &Campaign,
+    patterns: &[String],
+    purpose: &'static str,
+) -> Result<Vec<bool>, HoldOutError> {
     let records = &campaign.records;
     let out: Vec<bool> = records.iter().map(|r| matches(r, patterns)).collect();
     if out.iter().all(|o| *o) {
-        return Err(HoldOutError::LeavesNone { purpose, count: out.len() });
+        return Err(HoldOutError::NoTestsRemain { purpose, count: out.len() });
     }
     match patterns.iter().find(|p| !records.iter().any(|r| glob::matches(p, &r.name))) {
         Some(pattern) => {
@@ -52,6 +56,6 @@ pub fn held_out(campaign: &Campaign, patterns: &[String], purpose: &'static str)
 /// # Errors
 /// As [`held_out`].
 pub fn kept<'a>(campaign: &'a Campaign, patterns: &[String]) -> Result<Vec<&'a Record>, HoldOutError> {
-    let out = held_out(campaign, patterns, "fit")?;
+    let out = select_hold_out(campaign, patterns, "fit")?;
     Ok(campaign.records.iter().zip(out).filter(|(_, out)| !out).map(|(record, _)| record).collect())
 }

@@ -87,7 +87,7 @@ pub use numbers::restrict;
 pub use one_clock::apart;
 pub use options::{Options, Positive};
 pub use peak_columns::{PeakColumn, PeakOptions, PeakPair, Stroke, Taken};
-pub use peak_table::{PeakPoint, Peaks, Told, peak_clicks, read_peaks};
+pub use peak_table::{PeakPoint, Peaks, StrokeSource, peak_clicks, read_peaks};
 pub use profile::Profile;
 pub use reading_unit::reading_unit;
 pub use record::{Noise, NoiseSource, Note, Record};

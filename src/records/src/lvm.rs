@@ -18,8 +18,9 @@ use super::unit::Unit;
 const KIND: &str = "a LabVIEW measurement file";
 /// Ends a heading.
 const END: &str = "***End_of_Header***";
-/// How far a packet may begin from where the one before ended and still go on with it, as a share of its length: clocks of
-/// packets are read once a packet.
+/// How far a packet may begin from where the one before ended and still go on with it, as a share of its length.
+///
+/// Clocks of packets are read once a packet.
 const TOGETHER: f64 = 0.02;
 
 /// Whether a text is such a file.
@@ -70,7 +71,7 @@ impl Packet<'_> {
     fn dates(&self) -> Dates {
         let mut dates = Dates::default();
         (1..self.names.len()).for_each(|k| dates.see(self.said("Date", k)));
-        dates.usual = (self.said("Decimal_Separator", 1) == ",").then_some(DateOrder::DayFirst);
+        dates.likely = (self.said("Decimal_Separator", 1) == ",").then_some(DateOrder::DayFirst);
         dates
     }
 }
@@ -89,7 +90,7 @@ pub(crate) fn parse(
     let Some(first) = packets.first() else {
         return Err(RecordError::NoData { at: at.clone() });
     };
-    packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.at(at))?;
+    packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.into_error(at))?;
     let header = header(first, options);
     if !is_header(&header, options) {
         return Err(no_header(at, &first.names));

@@ -37,7 +37,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     if !file.exists() {
         return Err(RecordError::NotFound { file: file.into() });
     }
-    let profile = Profile::of(&profile::folder_of(file))?.map(|p| p.options().unwrap_or_default());
+    let profile = Profile::read(&profile::folder_of(file))?.map(|p| p.options().unwrap_or_default());
     let mut options = profile.as_ref().map_or_else(|| options.clone(), |profile| options.over(profile));
     options.ignore.insert(Channel::Force);
     let mut tests = read_file(file, &options)?;

@@ -8,7 +8,9 @@ fn is_nothing(force: f64) -> bool {
     force.abs() < 0.5 * 10f64.powi(-(MOST as i32))
 }
 
-/// So many decimals, or as many as two digits of a force need: half a newton is nothing to a car's damper, and all that a small one has.
+/// So many decimals, or as many as two digits of a force need.
+///
+/// Half a newton is nothing to a car's damper, and all that a small one has.
 pub fn places(force: f64, decimals: usize) -> usize {
     // Two digits once it is rounded: 9.95 becomes 10.
     let needed = (decimals..=MOST).find(|&places| force.abs() * 10f64.powi(places as i32) >= 9.95);

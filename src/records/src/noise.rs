@@ -24,8 +24,9 @@ pub(crate) fn floor(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Noise {
     Noise { force_rms: difference_noise(force), lag1: 0.0, from: NoiseSource::SampleDifferences }
 }
 
-/// Standard deviation of white noise on a smooth signal, from third differences of neighbouring samples (which a
-/// parabola does not reach), by their median so that edges do no harm.
+/// Standard deviation of white noise on a smooth signal, from third differences of neighboring samples.
+///
+/// A parabola has no third difference. The median makes edges harmless.
 pub(crate) fn difference_noise(values: &[f64]) -> f64 {
     let mut third: Vec<f64> = values.windows(4).map(|w| (w[0] - 3.0 * w[1] + 3.0 * w[2] - w[3]).abs()).collect();
     // Variance of a third difference: 1 + 9 + 9 + 1; median of |normal| is 0.6745 standard deviations.
@@ -45,8 +46,9 @@ struct Deviation {
     weights: [f64; 2],
 }
 
-/// Takes out what a small shift in time of the whole cycle makes: free-running drives do not repeat a cycle to the
-/// sample, and on a steep flank that would pass for noise.
+/// Takes out what a small shift in time of the whole cycle makes.
+///
+/// Free-running drives do not repeat a cycle to the sample, and on a steep flank that would pass for noise.
 fn remove_shift(run: &mut [Deviation]) {
     let reach = (run.len() / 200).max(2);
     if run.len() < 8 * reach {

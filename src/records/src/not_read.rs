@@ -1,4 +1,6 @@
-//! Files that rigs write in formats that are not read here, known by how they begin: what each is, and what to save it as instead.
+//! Files that rigs write in formats that are not read here, known by how they begin.
+//!
+//! What each is, and what to save it as instead.
 
 /// How a file begins, from some byte on.
 struct Kind {

@@ -2,7 +2,7 @@
 
 /// What a record is off by.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Off {
+pub struct MeasurementError {
     /// How late the force is, s.
     pub delay_s: f64,
     /// Mass between load cell and damper, kg, that the load cell has to speed up with the damper's end.
@@ -13,13 +13,14 @@ pub struct Off {
     pub zero_n_per_s: f64,
 }
 
-impl Off {
+impl MeasurementError {
     /// Not off at all.
-    pub const NONE: Off = Off { delay_s: 0.0, mass_kg: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
+    pub const NONE: MeasurementError =
+        MeasurementError { delay_s: 0.0, mass_kg: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
 
     /// What is left of it where some was taken out before.
-    pub fn beyond(&self, before: &Off) -> Off {
-        Off {
+    pub fn beyond(&self, before: &MeasurementError) -> MeasurementError {
+        MeasurementError {
             delay_s: self.delay_s - before.delay_s,
             mass_kg: self.mass_kg - before.mass_kg,
             gain_per_s: self.gain_per_s - before.gain_per_s,

@@ -1,5 +1,6 @@
-//! Tests whose force between rebound and compression lies off that of the others at like velocities: turned round in both motion
-//! and force, or with another zero of the load cell.
+//! Tests whose force between rebound and compression lies off that of the others at like velocities.
+//!
+//! Turned round in both motion and force, or with another zero of the load cell.
 //!
 //! Energy cannot tell of a test that is turned round in both: it still goes into the damper. But gas then pulls the rod in, and compression is as
 //! hard as rebound was. Both stand in the force between the directions. It is compared in the middle of the strokes, where
@@ -19,12 +20,15 @@ const FEWEST: usize = 3;
 const VELOCITIES: usize = 3;
 /// Fewest at which it must be seen to be turned round.
 const TWO: usize = 2;
-/// What a test may lie off the others beside the offset of a load cell, in times of their scatter: load cells creep and gas warms up.
+/// What a test may lie off the others beside the offset of a load cell, in times of their scatter.
+///
+/// Load cells creep and gas warms up.
 const OF_SCATTER: f64 = 3.0;
 /// How many times that a test must lie off as it was read, where turning it round brings it within.
 const STRONG: f64 = 2.0;
-/// Share of its offset that a test's own scatter about it may be, and by which it may differ towards the ends of the strokes, for it to be one
-/// and no other stroke or place.
+/// Fraction of its offset that a test's own scatter may be, so that it is one offset and no other stroke or position.
+///
+/// It may differ by as much toward the ends of the strokes.
 const CONSTANT: f64 = 0.3;
 /// Largest share of the tests that are told of: of more, they would be the others.
 const FEW: f64 = 0.34;

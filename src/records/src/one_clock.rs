@@ -1,4 +1,6 @@
-//! Puts the records of a campaign on one clock where their files bear date and time, so that heat and drifts carry over from file to file.
+//! Puts the records of a campaign on one clock if their files have date and time.
+//!
+//! Heat and drifts then carry over from file to file.
 
 use super::clock::{DAY, written};
 use super::phrases;
@@ -17,8 +19,10 @@ pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     if bearing == 0 || records.len() < 2 || apart(records.iter().filter_map(Record::span).collect()) {
         return;
     }
-    let not =
-        |reason: Sentence| Note { kind: "clock", text: Sentence::from(phrases::OWN_CLOCKS).with_said("why", reason) };
+    let not = |reason: Sentence| Note {
+        kind: "clock",
+        text: Sentence::from(phrases::OWN_CLOCKS).with_sentence("why", reason),
+    };
     if bearing < records.len() {
         let reason = Sentence::from(phrases::SOME_WITHOUT_DATE).with("count", bearing).with("all", records.len());
         return notes.push(not(reason));

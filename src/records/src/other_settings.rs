@@ -1,7 +1,9 @@
-//! Tests of one motion with another force: several dampers in one folder, or one damper at several settings (clicks of an adjuster, current
-//! of a valve). One model cannot hold them, and of a fit to all of them nothing is true of any. Which of them belong together is told by their
-//! forces: in every motion the settings stand in the same order, and a test of a motion of its own belongs to the setting whose forces it has at
-//! the velocities that both reach.
+//! Tests of one motion with another force.
+//!
+//! Several dampers in one folder, or one damper at several settings (clicks of an adjuster, current of a valve). One
+//! model cannot hold them, and of a fit to all of them nothing is true of any. Which of them belong together is told
+//! by their forces: in every motion the settings stand in the same order, and a test of a motion of its own belongs
+//! to the setting whose forces it has at the velocities that both reach.
 
 use super::at_speed::{Levels, levels};
 use super::glob;
@@ -10,14 +12,17 @@ use super::phrases;
 use super::record::{Note, Record};
 use super::sentence::Sentence;
 
-/// Share by which stroke and peak velocity of the same motion may differ, and by which part of its stroke its middle: drives keep them better.
+/// Share by which stroke and peak velocity of the same motion may differ, and by which part of its stroke its middle.
+///
+/// Drives keep them better.
 const SAME: f64 = 0.1;
 /// How many times the one's force against the motion must be the other's. Warm oil, a break-in and the rig's own scatter make a quarter.
 const TIMES: f64 = 1.5;
 /// Steps of force at which settings are parted, as ratios, the finest first: clicks of an adjuster are closer than [`TIMES`]. A fine step is
 /// taken only where it finds as many settings in every motion, which what warms up or wears does not make.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
-/// How many times as far in force as the nearest setting the next one must be for a test of another motion to belong to the nearest.
+/// Ratio of the distances in force to the next and the nearest setting from which a test of another motion belongs to
+/// the nearest.
 const NEARER: f64 = 2.0;
 /// Difference of side force, N, and of temperature, K, from which two tests of one damper may differ so much.
 const SIDE_FORCE: f64 = 20.0;
@@ -43,10 +48,10 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     let Settings { settings, open } = Settings::of(records, &motions, seen);
     let names: Vec<&str> = records.iter().map(|record| record.name.as_str()).collect();
     let told = settings.iter().enumerate().map(|(k, tests)| {
-        Sentence::from(phrases::SETTING).with("number", k + 1).with_said("names", together(&names, tests))
+        Sentence::from(phrases::SETTING).with("number", k + 1).with_sentence("names", together(&names, tests))
     });
     let open =
-        (!open.is_empty()).then(|| Sentence::from(phrases::SETTING_OPEN).with_said("names", listed(&names, &open)));
+        (!open.is_empty()).then(|| Sentence::from(phrases::SETTING_OPEN).with_sentence("names", listed(&names, &open)));
     let belong = (settings.len() > 1).then(|| {
         let belong = Sentence::from(phrases::SETTINGS);
         belong.with_list("settings", told.collect(), phrases::SEMICOLON).with_any("open", open)
@@ -65,7 +70,7 @@ fn listed(names: &[&str], tests: &[usize]) -> Sentence {
     let named = Sentence::list(tests.iter().take(NAMES).map(quoted).collect(), phrases::COMMA);
     match tests.len().saturating_sub(NAMES) {
         0 => named,
-        more => Sentence::from(phrases::AND_MORE).with_said("names", named).with("count", more),
+        more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
     }
 }
 
@@ -249,7 +254,7 @@ mod tests {
     use crate::at_speed::in_the_middle;
     use crate::fixtures::sine_record;
 
-    /// The same sines with a damper of each of these strengths.
+    /// Sines with a damper of each of these strengths.
     fn campaign(strengths: &[f64]) -> Vec<Record> {
         let plan = [(0.02, 0.05), (0.02, 0.2), (0.005, 0.2), (0.02, 0.5)];
         let all = strengths.iter().flat_map(|strength| plan.map(|(amplitude, speed)| (*strength, amplitude, speed)));
@@ -280,7 +285,7 @@ mod tests {
         assert!(said(&odd).contains("t7"), "{}", said(&odd));
     }
 
-    /// As [`campaign`], with names that bear the click, in an order that mixes them.
+    /// A campaign whose names contain the click, in an order that mixes them.
     fn clicks(strengths: &[f64]) -> Vec<Record> {
         let mut records = campaign(strengths);
         for (k, record) in records.iter_mut().enumerate() {

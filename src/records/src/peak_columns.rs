@@ -1,4 +1,4 @@
-//! Which columns of a table of peaks are velocities and which are forces, of a stroke or of both, and which force goes with which
+//! Finds the columns of velocities and forces in a table of peaks, their strokes, and which force belongs to which
 //! velocity.
 
 use std::collections::BTreeMap;
@@ -177,8 +177,10 @@ const COMPRESSION: [&str; 11] = [
 /// pressure that `Druck` means too is in no unit of force.
 const REBOUND_BEFORE: [&str; 4] = ["zug", "复原", "拉伸", "回弹"];
 const COMPRESSION_BEFORE: [&str; 2] = ["druck", "压缩"];
-/// Letters for rebound and compression, which mean a stroke only where the other one of the pair stands in the same heading line: `V-C, C,
-/// V-R, R`. Alone, a `c` is as likely a damping coefficient and an `r` a correlation.
+/// Letters for rebound and compression, which mean a stroke only where the other one of the pair stands in the same
+/// heading line.
+///
+/// `V-C, C, V-R, R`. Alone, a `c` is as likely a damping coefficient and an `r` a correlation.
 const LETTERS: [(&str, &str); 6] = [("r", "c"), ("r", "b"), ("r", "j"), ("e", "c"), ("z", "d"), ("d", "c")];
 
 /// A column that may be taken.

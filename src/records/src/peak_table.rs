@@ -1,5 +1,6 @@
-//! Tables of peak force over peak velocity (PVP, CVP), as rigs and suppliers hand them on: velocity and force, or velocity with
-//! a column for rebound and one for compression. Text or a workbook.
+//! Tables of peak force over peak velocity (PVP, CVP), as rigs and suppliers hand them on.
+//!
+//! Velocity and force, or velocity with a column for rebound and one for compression. Text or a workbook.
 
 use std::path::Path;
 
@@ -34,25 +35,26 @@ pub struct Peaks {
     /// Its points, in the order of their velocity.
     pub points: Vec<PeakPoint>,
     /// How rebound was told from compression.
-    pub told: Told,
+    pub source: StrokeSource,
     /// The columns that were read.
     pub pairs: Vec<PeakPair>,
 }
 
 /// How a table tells rebound from compression.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Told {
+pub enum StrokeSource {
     /// Its headings name the strokes.
     Headings,
     /// The user says which direction its signs count positive.
-    Given(Positive),
+    Stated(Positive),
     /// Nothing says so; its signs were taken as rebound positive.
     Assumed,
 }
 
 impl Peaks {
-    /// Velocity, m/s, and the force in rebound over that in compression there: where both sides have the highest velocity that both
-    /// reach, along straight lines between the points.
+    /// Velocity, m/s, and the force in rebound over that in compression there.
+    ///
+    /// Where both sides have the highest velocity that both reach, along straight lines between the points.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
             let mut points: Vec<(f64, f64)> = self
@@ -217,11 +219,11 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
         }
     }
     let told = match options.positive {
-        _ if found.pairs.iter().all(|pair| pair.stroke.is_some()) => Told::Headings,
-        Some(positive) => Told::Given(positive),
-        None => Told::Assumed,
+        _ if found.pairs.iter().all(|pair| pair.stroke.is_some()) => StrokeSource::Headings,
+        Some(positive) => StrokeSource::Stated(positive),
+        None => StrokeSource::Assumed,
     };
-    Ok(Peaks { points, told, pairs: found.pairs })
+    Ok(Peaks { points, source: told, pairs: found.pairs })
 }
 
 #[cfg(test)]
@@ -277,10 +279,10 @@ mod tests {
             "Nominal velocity [m/s],Velocity [m/s],Rebound [N],Compression [N]\n0.2,0.25,700,400\n0.4,0.5,1100,600\n",
         ] {
             let found = said(text, &[], &[]).unwrap();
-            assert_eq!((points(&found), found.told), (wanted.clone(), Told::Headings), "{text}");
+            assert_eq!((points(&found), found.source), (wanted.clone(), StrokeSource::Headings), "{text}");
         }
         let signed = said("v [m/s],F [N],c [Ns/m]\n0.5,1100,9\n-0.5,-600,9\n", &[], &[]).unwrap();
-        assert_eq!((points(&signed), signed.told), (vec![[-0.5, -600.0], [0.5, 1100.0]], Told::Assumed));
+        assert_eq!((points(&signed), signed.source), (vec![[-0.5, -600.0], [0.5, 1100.0]], StrokeSource::Assumed));
     }
 
     #[test]
@@ -393,13 +395,13 @@ mod tests {
     fn a_signed_table_may_count_compression_positive() {
         let text = "velocity_m_s,force_N\n-0.5,-1500\n-0.25,-700\n0.25,300\n0.5,600\n";
         let assumed = read(text, None).unwrap();
-        assert_eq!((assumed.told, assumed.asymmetry()), (Told::Assumed, Some((0.5, 600.0 / 1500.0))));
+        assert_eq!((assumed.source, assumed.asymmetry()), (StrokeSource::Assumed, Some((0.5, 600.0 / 1500.0))));
         let turned = read(text, Some(Positive::Compression)).unwrap();
-        assert_eq!(turned.told, Told::Given(Positive::Compression));
+        assert_eq!(turned.source, StrokeSource::Stated(Positive::Compression));
         assert_eq!((turned.points[3].velocity_m_s, turned.points[3].force_n), (0.5, 1500.0));
         assert_eq!(turned.asymmetry(), Some((0.5, 2.5)));
         let named = read("velocity [m/s],rebound [N],compression [N]\n0.5,9,4\n", Some(Positive::Compression)).unwrap();
-        assert_eq!((named.told, named.asymmetry()), (Told::Headings, Some((0.5, 2.25))));
+        assert_eq!((named.source, named.asymmetry()), (StrokeSource::Headings, Some((0.5, 2.25))));
     }
 
     #[test]

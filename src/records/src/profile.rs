@@ -108,7 +108,7 @@ impl Profile {
     ///
     /// # Errors
     /// Where the file cannot be read, or says something that is not understood.
-    pub fn of(folder: &Path) -> Result<Option<Profile>, RecordError> {
+    pub fn read(folder: &Path) -> Result<Option<Profile>, RecordError> {
         let file = folder.join(FILE);
         let text = match source::text(&file, LARGEST) {
             Ok(text) => text,
@@ -234,7 +234,7 @@ mod tests {
     fn of(text: &str) -> Result<Option<Profile>, String> {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join(FILE), text).unwrap();
-        Profile::of(folder.path()).map_err(|e| e.to_string())
+        Profile::read(folder.path()).map_err(|e| e.to_string())
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
 use super::about::About;
-use super::off::Off;
+use super::off::MeasurementError;
 use super::options::Positive;
 use super::sentence::Sentence;
 use super::setting_value::Setting;
@@ -65,10 +65,10 @@ pub struct Record {
     pub notes: Vec<Note>,
     /// The fingerprint that it had when it was read, where something was taken out of it since.
     #[serde(skip)]
-    pub as_read: Option<String>,
+    pub original_fingerprint: Option<String>,
     /// What the user said the measurement to be off by, and what was taken out of it therefore: a delay and a mass.
     #[serde(skip)]
-    pub given: Off,
+    pub stated_error: MeasurementError,
     /// Delay of its force channel by a first look at its campaign, s; 0 where none stood out.
     #[serde(skip)]
     pub apparent_delay_s: f64,
@@ -83,7 +83,7 @@ pub struct Counted {
     /// The direction.
     pub positive: Positive,
     /// Whether the user said so; else it was worked out.
-    pub given: bool,
+    pub is_stated: bool,
 }
 
 impl Record {
@@ -94,7 +94,7 @@ impl Record {
 
     /// A short name for the content: tells whether two records hold the same measurement, whatever their file is called.
     pub fn fingerprint(&self) -> String {
-        if let Some(as_read) = &self.as_read {
+        if let Some(as_read) = &self.original_fingerprint {
             return as_read.clone();
         }
         // Not of the campaign's clock, which depends on the other records. FNV-1a over the bits of time and force.

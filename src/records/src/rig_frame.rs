@@ -1,5 +1,7 @@
-//! Advice in the words of the rig: tests to be driven are given in the direction and from the zero that the files count, and stay within what the
-//! rig has reached.
+//! Advice in the words of the rig.
+//!
+//! Tests to be driven are given in the direction and from the zero that the files count, and stay within what the rig
+//! has reached.
 
 use serde::{Deserialize, Serialize};
 
@@ -54,8 +56,10 @@ impl RigFrame {
         (self.zero_m + self.turn * inside) / self.gain
     }
 
-    /// A matrix of sines (name, amplitude, frequency, mean and side force, in mm and Hz) as the rig counts it: a test beyond its reach is moved or
-    /// made smaller, and slower where it was too fast. Lines that are no such row stay as they are.
+    /// A matrix of sines (name, amplitude, frequency, mean and side force, in mm and Hz) as the rig counts it.
+    ///
+    /// A test beyond its reach is moved or made smaller, and slower where it was too fast. Lines that are no such row
+    /// stay as they are.
     pub fn matrix(&self, rows: &str) -> String {
         let row = |line: &str| -> Option<String> {
             let cells: Vec<&str> = line.split(',').collect();

@@ -1,5 +1,7 @@
-//! One decision of sign for all campaigns of a rig: groups, a reference and the tests that are compared with it come from the same cables, so the
-//! surest of them decides for those that hardly tell.
+//! One decision of sign for all campaigns of a rig.
+//!
+//! Groups, a reference and the tests that are compared with it come from the same cables, so the surest of them
+//! decides for those that hardly tell.
 
 use super::campaign::Campaign;
 use super::cleaning::cycles_of;
@@ -9,7 +11,9 @@ use super::record::Note;
 use super::sentence::Sentence;
 use super::sign::UNSURE;
 
-/// How sure a campaign is from which on it is not overruled: two that are as sure as that and disagree are of two rigs, or of two exports.
+/// How sure a campaign is from which on it is not overruled.
+///
+/// Two that are as sure as that and disagree are of two rigs, or of two exports.
 const OWN: f64 = 0.9;
 
 /// Turns campaigns that disagree with the surest one, unless the user gave their direction or they are sure themselves. A note of the campaign

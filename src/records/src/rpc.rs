@@ -1,5 +1,7 @@
-//! Reads time histories of RPC III, the format of MTS test rigs and of their users: keys and values in records of 128 bytes,
-//! then groups of samples, channel after channel (MTS, RPC III file format, version 1).
+//! Reads time histories of RPC III, the format of MTS test rigs and of their users.
+//!
+//! Keys and values in records of 128 bytes, then groups of samples, channel after channel (MTS, RPC III file format,
+//! version 1).
 
 use std::collections::HashMap;
 

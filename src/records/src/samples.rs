@@ -78,7 +78,7 @@ impl Samples {
         }
     }
 
-    /// The same, to change.
+    /// The values of a channel, mutable.
     pub fn channel_mut(&mut self, channel: Channel) -> Option<&mut Vec<f64>> {
         match channel {
             Channel::Time => Some(&mut self.time),

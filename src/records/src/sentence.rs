@@ -102,8 +102,9 @@ const AS_IT_IS: Template = Template("{text}");
 const NAMES: &[&str] =
     &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
 
-/// Whether what stands at a place of a sentence is a number, which every language writes in its own way: a number alone, with a sign, or with
-/// a unit behind it. A name, an option of the command or a version is none.
+/// Whether what stands at a place of a sentence is a number, which every language writes in its own way.
+///
+/// A number alone, with a sign, or with a unit behind it. A name, an option of the command or a version is none.
 pub fn is_number(place: &str, text: &str) -> bool {
     let unsigned = text.trim_start_matches(['+', '-', '±', '\u{2212}']);
     let (figures, unit) = unsigned.split_once(char::is_whitespace).unwrap_or((unsigned, ""));
@@ -157,14 +158,14 @@ impl Sentence {
     }
 
     /// With another sentence.
-    pub fn with_said(self, name: &'static str, said: impl Into<Sentence>) -> Self {
+    pub fn with_sentence(self, name: &'static str, said: impl Into<Sentence>) -> Self {
         self.and(name, Value::Said(said.into()))
     }
 
     /// With another sentence where there is one; its place stays empty otherwise.
     pub fn with_any(self, name: &'static str, said: Option<Sentence>) -> Self {
         match said {
-            Some(said) => self.with_said(name, said),
+            Some(said) => self.with_sentence(name, said),
             None => self,
         }
     }
@@ -201,9 +202,11 @@ impl Sentence {
         self
     }
 
-    /// The sentence with every text as `translated` has it, and what stands at a place as `value` writes it, which gets the place and the
-    /// value; what `translated` does not know stays English. A place without a value is left empty.
-    pub fn said(
+    /// Formats the sentence in a language.
+    ///
+    /// `translated` returns the translation of a text; unknown texts stay English. `value` formats a value, from its
+    /// name and the value itself. A placeholder without a value is left empty.
+    pub fn to_text(
         &self,
         translated: &dyn Fn(&str) -> Option<&'static str>,
         value: &dyn Fn(&str, &str) -> String,
@@ -232,7 +235,7 @@ impl Value {
         match self {
             Value::AsIs(text) => value(place, text),
             Value::Word(word) => translated(word).map_or_else(|| word.clone(), str::to_owned),
-            Value::Said(sentence) => sentence.said(translated, value),
+            Value::Said(sentence) => sentence.to_text(translated, value),
             Value::List(values, between) => {
                 let all: Vec<String> = values.iter().map(|held| held.said(place, translated, value)).collect();
                 all.join(translated(between.0).unwrap_or(between.0))
@@ -333,7 +336,7 @@ impl Reader {
 
 impl fmt::Display for Sentence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.said(&|_| None, &|_, value| value.to_owned()))
+        f.write_str(&self.to_text(&|_| None, &|_, value| value.to_owned()))
     }
 }
 
@@ -394,7 +397,7 @@ mod tests {
         const AT: Template = Template("{test}: {value} {unit} at {names}");
         let said = Sentence::from(AT).with("test", "2.5").with("value", "1.5").with("unit", "N");
         let said = said.with_names("names", ["0.1", "0.2"], NOTE);
-        assert_eq!(said.said(&|_| None, &comma), "2.5: 1,5 N at 0.1, {what}0.2");
+        assert_eq!(said.to_text(&|_| None, &comma), "2.5: 1,5 N at 0.1, {what}0.2");
         assert_eq!(said.to_string(), "2.5: 1.5 N at 0.1, {what}0.2");
     }
 
@@ -403,10 +406,10 @@ mod tests {
         let sentence = Sentence::from(TWO).with_names("names", ["a", "{place}"], AND).with_word("place", "rig");
         // A name with braces is no place.
         assert_eq!(sentence.to_string(), "a and {place} in rig");
-        assert_eq!(sentence.said(&german, &comma), "in Prüfstand: a und {place}");
-        let noted = sentence.with_said("note", Sentence::from(NOTE).with("what", 3));
+        assert_eq!(sentence.to_text(&german, &comma), "in Prüfstand: a und {place}");
+        let noted = sentence.with_sentence("note", Sentence::from(NOTE).with("what", 3));
         assert_eq!(noted.to_string(), "a and {place} in rig, 3");
-        assert_eq!(noted.said(&german, &comma), "in Prüfstand: a und {place}, 3");
+        assert_eq!(noted.to_text(&german, &comma), "in Prüfstand: a und {place}, 3");
     }
 
     #[test]
@@ -422,14 +425,14 @@ mod tests {
             [vec![other("none", "2.10")], vec![other("none, rigid", "1.20"), other("Coulomb + viscous", "0.97")]]
         {
             let list = |others: &Vec<Sentence>| match &others[..] {
-                [one] => Sentence::from(OTHERS).with_said("others", one.clone()),
+                [one] => Sentence::from(OTHERS).with_sentence("others", one.clone()),
                 _ => Sentence::from(OTHERS).with_list("others", others.clone(), COMMA),
             };
             let made = Sentence::from(CHOICE)
                 .with_word("of", "friction")
                 .with_word("chosen", "none")
                 .with("error", "0.93")
-                .with_said("others", list(&others))
+                .with_sentence("others", list(&others))
                 .with("why", "the simplest");
             assert_eq!(reader.read(&made.to_string()), made);
         }

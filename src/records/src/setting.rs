@@ -43,7 +43,7 @@ fn tell(records: &[Record], notes: &mut Vec<Note>) {
     let listed = settings.values().map(|(setting, tests)| {
         Sentence::from(phrases::SETTING_AT)
             .with("value", format!("{} {}", setting.value, setting.unit).trim_end())
-            .with_said("names", together(&names, tests))
+            .with_sentence("names", together(&names, tests))
     });
     let text = Sentence::from(phrases::SEVERAL_SETTINGS).with("count", settings.len()).with("option", &first.name);
     let text = match NAMES.contains(&first.name.as_str()) {

@@ -19,8 +19,9 @@ pub struct Setting {
     pub value: f64,
 }
 
-/// How far a channel may vary within a test and still be one setting: as a share of its value, and in A, for noise of the sensor and the
-/// ripple of the current supply.
+/// How far a channel may vary within a test and still be one setting.
+///
+/// As a share of its value, and in A, for noise of the sensor and the ripple of the current supply.
 const STEADY: (f64, f64) = (0.1, 0.05);
 /// Share of samples on either side that may be spikes or the switching on.
 const SPIKES: f64 = 0.05;

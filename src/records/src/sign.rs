@@ -41,14 +41,16 @@ pub struct SignFinding {
 impl SignFinding {
     /// What every record of the campaign bears of it.
     pub fn counted(&self) -> Counted {
-        Counted { positive: self.positive, given: self.given }
+        Counted { positive: self.positive, is_stated: self.given }
     }
 }
 
 /// Uncertainty of the standstill force from hysteresis, as a share of half the force range of the test.
 const HYSTERESIS: f64 = 0.1;
-/// Share of the rigs whose force was set to zero with the damper in it, or never, so that the force at standstill tells nothing of gas: a
-/// guess on the safe side. Without it one number would be certain, whatever was done to the rig.
+/// Fraction of the rigs whose force was zeroed with the damper mounted, or never.
+///
+/// Their force at standstill says nothing about the gas. This is a guess on the safe side. Without it one number
+/// would be certain, whatever was done to the rig.
 const TARED: f64 = 0.05;
 /// Logarithm of the force in rebound over that in compression of passenger-car dampers, and how much it scatters from damper to damper.
 const USUAL_RATIO: f64 = 0.6;
@@ -95,12 +97,12 @@ pub(crate) fn settle(
     }
     let mut finding = direction(&evidence, standstill, options, notes);
     let cycles: Vec<(usize, Overtones)> =
-        motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::of(motion)?))).collect();
+        motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::measure(motion)?))).collect();
     let exchanged: Vec<(usize, Overtones)> = cycles.iter().copied().filter(|(_, o)| o.exchanged()).collect();
     // As read the damper takes energy out, so it may be one of a kind not known here: told, and left as it is.
     if 2 * exchanged.len() > cycles.len() {
         let text =
-            Sentence::from(phrases::EXCHANGED_DOUBT).with_said("exchanged", told_exchanged(&evidence, &exchanged));
+            Sentence::from(phrases::EXCHANGED_DOUBT).with_sentence("exchanged", told_exchanged(&evidence, &exchanged));
         notes.push(Note { kind: "exchanged", text });
         finding.reasons.push(phrases::MAYBE_EXCHANGED.into());
         finding.confidence = finding.confidence.min(0.5);
@@ -141,12 +143,12 @@ fn lateness(
     // Displacement and force exchanged turn the loop round, as a wrong sign or half a cycle of delay would; of these the wave form tells it.
     let exchanged: Vec<(usize, Overtones)> = feeding
         .iter()
-        .filter_map(|&i| Some((i, Overtones::of(&motions[i])?)))
+        .filter_map(|&i| Some((i, Overtones::measure(&motions[i])?)))
         .filter(|(_, overtones)| overtones.exchanged())
         .collect();
     if !feeding.is_empty() && 2 * exchanged.len() >= feeding.len() {
         let cause =
-            Sentence::from(phrases::EXCHANGED_FEED).with_said("exchanged", told_exchanged(evidence, &exchanged));
+            Sentence::from(phrases::EXCHANGED_FEED).with_sentence("exchanged", told_exchanged(evidence, &exchanged));
         let tests = exchanged.iter().map(|(i, _)| evidence[*i].name.clone()).collect();
         return Err(RecordError::Exchanged { cause, tests });
     }
@@ -163,7 +165,8 @@ fn lateness(
         match delay::cause(motions, &feeding) {
             Cause::Delay(late) => Some(late),
             Cause::Either(late) => {
-                let also = Sentence::from(phrases::OR_LATE).with_said("late", told(&late)).with("option", flag(&late));
+                let also =
+                    Sentence::from(phrases::OR_LATE).with_sentence("late", told(&late)).with("option", flag(&late));
                 return Err(energy_fed(evidence, standstill, Some(also)));
             }
             Cause::Sign => return Err(energy_fed(evidence, standstill, None)),
@@ -175,7 +178,7 @@ fn lateness(
         notes.push(Note {
             kind: "late",
             text: Sentence::from(phrases::LATE_NOT_MOVED)
-                .with_said("late", told(late))
+                .with_sentence("late", told(late))
                 .with_any("energy", energy)
                 .with("option", flag(late)),
         });
@@ -244,8 +247,10 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     (weights > 0.0).then(|| (sum / weights, spread / weights))
 }
 
-/// Share of a test's peak velocity from which on it counts as fast, and the shares between which it counts as slow: far enough apart for a
-/// damper's force to grow by more than hysteresis, and the slow one clear of the turning points, where friction changes its sign.
+/// Share of a test's peak velocity from which on it counts as fast, and the shares between which it counts as slow.
+///
+/// Far enough apart for a damper's force to grow by more than hysteresis, and the slow one clear of the turning
+/// points, where friction changes its sign.
 const FAST: f64 = 0.9;
 const SLOW: [f64; 2] = [0.15, 0.35];
 /// Samples that a force at some speed needs.
@@ -287,8 +292,9 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     Some([of(true)?, of(false)?])
 }
 
-/// How much more the force grows at positive than at negative velocity, as a logarithm, and how well that is known: the median of the faster
-/// tests. Hysteresis is of one kind in all of them, so that more tests make it no surer.
+/// How much more the force grows at positive than at negative velocity, as a logarithm, and how well that is known.
+///
+/// The median of the faster tests. Hysteresis is of one kind in all of them, so that more tests make it no surer.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()
@@ -306,8 +312,10 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     (!ratios.is_empty()).then(|| (median(&mut ratios), median(&mut errors)))
 }
 
-/// Logarithm of the odds that a force at standstill is tension positive: of a gas force of any size that pushes the rod out, seen through an
-/// error that is normal. In one rig of [`TARED`] it tells nothing, so that it alone is never surer than that.
+/// Logarithm of the odds that a force at standstill is tension positive.
+///
+/// Of a gas force of any size that pushes the rod out, seen through an error that is normal. In one rig of [`TARED`]
+/// it tells nothing, so that it alone is never surer than that.
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     // The logistic curve that keeps within 0.01 of the normal one.
     let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));
@@ -339,7 +347,7 @@ fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Se
     Sentence::from(phrases::EXCHANGED)
         .with("count", exchanged.len())
         .with("all", evidence.len())
-        .with_said("names", list(&names))
+        .with_sentence("names", list(&names))
         .with("test", shown)
         .with("of_force", percent(overtones.map(|o| o.force)))
         .with("of_displacement", percent(overtones.map(|o| o.displacement)))
@@ -352,7 +360,7 @@ fn list(names: &[&Evidence]) -> Sentence {
     let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
     match names.len().saturating_sub(NAMED) {
         0 => named,
-        more => Sentence::from(phrases::AND_MORE).with_said("names", named).with("count", more),
+        more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
     }
 }
 
@@ -371,8 +379,8 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
             .with("fewer", fewer.len())
             .with("count", evidence.len())
             .with("more", more)
-            .with_said("names", list(fewer))
-            .with_said("apart", phrases::APART)
+            .with_sentence("names", list(fewer))
+            .with_sentence("apart", phrases::APART)
             .with_any("also", also);
         return RecordError::FeedsEnergy { cause, tests };
     }
@@ -388,7 +396,7 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
     let cause = Sentence::from(phrases::ALL_FEED)
         .with("count", feeding.len())
         .with("correlation", format!("{:.2}", median(&mut powers.clone())))
-        .with_said("culprit", culprit)
+        .with_sentence("culprit", culprit)
         .with_any("also", also);
     RecordError::FeedsEnergy { cause, tests }
 }
@@ -413,7 +421,7 @@ fn direction(
                 Sentence::from(phrases::STANDSTILL)
                     .with("force", signed(force))
                     .with("error", newtons(uncertainty, 0))
-                    .with_said("verdict", verdict),
+                    .with_sentence("verdict", verdict),
             );
         }
         None => reasons.push(phrases::NO_STANDSTILL.into()),
@@ -437,7 +445,7 @@ fn direction(
         let said = Sentence::from(phrases::ASYMMETRY)
             .with("ratio", format!("{:.2}", libm::exp(ratio)))
             .with("error", format!("{:.1}", libm::exp(error)))
-            .with_said("verdict", verdict);
+            .with_sentence("verdict", verdict);
         reasons.push(said);
     }
     if gas.abs() > 1.0 && shape.abs() > 0.3 && gas.signum() != shape.signum() {

@@ -9,8 +9,9 @@ use super::record::Record;
 use super::sentence::Sentence;
 use super::unit::Unit;
 
-/// Damping of the fastest test, N s/m, below which a force is likely written in kN: a damper of 20 N at 1 m/s has 20, one of
-/// a passenger car in kN some units.
+/// Damping of the fastest test, N s/m, below which a force is likely written in kN.
+///
+/// A damper of 20 N at 1 m/s has 20, one of a passenger car in kN some units.
 const WEAKEST: f64 = 10.0;
 /// Force of the strongest test, N, from which it is taken for what it is; the smallest dampers reach twice that.
 const WEAK: f64 = 8.0;

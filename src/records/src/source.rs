@@ -146,7 +146,7 @@ impl Budget {
     }
 
     /// Memory that is left, bytes.
-    pub fn memory_left(&self) -> u64 {
+    pub fn bytes_remaining(&self) -> u64 {
         self.0.memory.load(Relaxed)
     }
 }
@@ -163,7 +163,7 @@ impl Exhausted {
     pub const CAUSE: &'static str = "it unpacks to more than a file of its size may, or uses its parts too often";
 
     /// As an error of a place.
-    pub fn at(self, at: &Place) -> RecordError {
+    pub fn into_error(self, at: &Place) -> RecordError {
         RecordError::TooCostly { at: at.clone() }
     }
 }
@@ -186,7 +186,7 @@ mod tests {
         budget.numbers(1).unwrap();
         assert_eq!(part.hold(1), Err(Exhausted));
         budget.free(16);
-        assert_eq!(part.memory_left(), 16);
+        assert_eq!(part.bytes_remaining(), 16);
         assert_eq!(Budget::new(0).work(u64::MAX), Err(Exhausted));
         assert_eq!(Budget::new(0).numbers(u64::MAX), Err(Exhausted));
     }

@@ -63,7 +63,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         return Err(error(
             Channel::Displacement,
             Channel::Force,
-            Sentence::from(phrases::FORCE_SMOOTHER).with_said("spans", spans),
+            Sentence::from(phrases::FORCE_SMOOTHER).with_sentence("spans", spans),
         ));
     }
     // A damper takes energy out: the loop of force over displacement runs one way round. Swapped, it runs the other way;
@@ -79,7 +79,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
     } else if rougher && loop_area(x, &samples.force) < 0.0 {
         let evidence = Sentence::from(phrases::DISPLACEMENT_ROUGHER)
             .with("times", format!("{:.1}", roughness(x) / roughness(&samples.force)))
-            .with_said("spans", spans);
+            .with_sentence("spans", spans);
         return Err(error(Channel::Displacement, Channel::Force, evidence));
     }
     Ok(())
@@ -105,7 +105,7 @@ impl Overtones {
     }
 
     /// Over the whole cycles of a test; nothing where it has none or too few samples.
-    pub fn of(motion: &Motion) -> Option<Overtones> {
+    pub fn measure(motion: &Motion) -> Option<Overtones> {
         let of = |values: &[f64]| {
             let mut shares: Vec<f64> =
                 motion.cycles.iter().filter_map(|c| overtones(&motion.time, values, c)).collect();

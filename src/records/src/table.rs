@@ -47,8 +47,10 @@ pub(crate) struct Column {
     pub clock: bool,
 }
 
-/// Whether a line of cells can be a header: two cells are headings known here or named in the options, or have a unit that speaks for a
-/// channel beside a time where no cell is a figure. Without a time it is a table of results.
+/// Whether a line of cells can be a header.
+///
+/// Two cells are headings known here or named in the options, or have a unit that speaks for a channel beside a time
+/// where no cell is a figure. Without a time it is a table of results.
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     let cells = &cells[..cells.len().min(MOST_COLUMNS)];
     let known = cells.iter().filter(|c| {
@@ -165,7 +167,7 @@ pub(crate) fn no_header<S: AsRef<str>>(at: &Place, cells: &[S]) -> RecordError {
     no_header_near(at, &line.join(", "), &[(1, line)])
 }
 
-/// As [`no_header`]; of several lines the one whose columns are best understood is told.
+/// The error for a table without a heading; of several lines it shows the one whose columns are best understood.
 pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines: &[(usize, Vec<S>)]) -> RecordError {
     let shortened = |text: &str| {
         let mut short: String = text.trim().chars().filter(|c| !c.is_control()).take(120).collect();
@@ -228,7 +230,7 @@ impl Layout {
         Layout::with_clock(at, line, header, units, options, sample_time_given, &|_| false)
     }
 
-    /// As [`Layout::new`]; `is_clock` tells of a column whether it holds times of day, which need no unit.
+    /// Builds the layout; `is_clock` says whether a column holds times of day, which need no unit.
     pub fn with_clock<S: AsRef<str>>(
         at: &Place,
         line: usize,
@@ -532,7 +534,7 @@ impl Rows {
     }
 
     fn charge(&self, charged: Result<(), Exhausted>) -> Result<(), RecordError> {
-        charged.map_err(|exhausted| exhausted.at(&self.at))
+        charged.map_err(|exhausted| exhausted.into_error(&self.at))
     }
 
     /// The tests that the rows hold. `sample_time` stands in for a missing time column.
@@ -562,7 +564,7 @@ impl Rows {
             notes.push(Note { kind: "converted", text });
         }
         if let Some(index) = self.layout.columns.iter().position(|c| c.clock) {
-            self.dates.settle_column(&mut self.values[index]);
+            self.dates.resolve_column(&mut self.values[index]);
             self.begins = clock::from_first(&mut self.values[index]).or(self.begins);
             notes.push(Note { kind: "converted", text: phrases::TIME_OF_DAY.into() });
         }

@@ -1,21 +1,21 @@
-//! What a fit found the measurement to be off by, taken out of a record, so that a model is compared with what the damper did.
+//! Corrects a record by the measurement error that a fit found, so that the model is compared with the damper alone.
 
 use super::earlier::Earlier;
-pub use super::off::Off;
+pub use super::off::MeasurementError;
 use super::phrases;
 use super::record::{Note, Record};
 use super::smoothing::smooth;
 
-impl Off {
+impl MeasurementError {
     /// What the user gave of records: the same for all that are read together.
-    pub fn given(records: &[&Record]) -> Off {
-        records.first().map_or(Off::NONE, |record| record.given)
+    pub fn stated(records: &[&Record]) -> MeasurementError {
+        records.first().map_or(MeasurementError::NONE, |record| record.stated_error)
     }
 }
 
 /// The record without it; samples whose motion was not recorded, at an end, are left out.
-pub fn taken_out(record: &Record, off: &Off) -> Record {
-    if *off == Off::NONE {
+pub fn taken_out(record: &Record, off: &MeasurementError) -> Record {
+    if *off == MeasurementError::NONE {
         return record.clone();
     }
     let mut right = if off.delay_s == 0.0 { record.clone() } else { earlier(record, off.delay_s) };
@@ -25,7 +25,7 @@ pub fn taken_out(record: &Record, off: &Off) -> Record {
     }
     take_mass(&mut right, off.mass_kg);
     right.apparent_delay_s -= if right.apparent_delay_s == 0.0 { 0.0 } else { off.delay_s };
-    right.as_read = Some(record.fingerprint());
+    right.original_fingerprint = Some(record.fingerprint());
     right.notes.push(Note { kind: "corrected", text: phrases::TAKEN_OUT.into() });
     right
 }
@@ -72,7 +72,7 @@ mod tests {
         let x = |t: f64| 0.01 * libm::sin(omega * t);
         let v = |t: f64| 0.01 * omega * libm::cos(omega * t);
         let force = |t: f64| 3000.0 * v(t) + 2000.0 * x(t);
-        let off = Off { delay_s: 3.3e-3, mass_kg: 3.0, gain_per_s: 1e-4, zero_n_per_s: 0.1 };
+        let off = MeasurementError { delay_s: 3.3e-3, mass_kg: 3.0, gain_per_s: 1e-4, zero_n_per_s: 0.1 };
         let a = |t: f64| -0.01 * omega * omega * libm::sin(omega * t);
         let read = Record {
             displacement: time.iter().map(|t| x(*t)).collect(),
@@ -94,6 +94,6 @@ mod tests {
             let wanted = 3000.0 * right.velocity[i] + 2000.0 * right.displacement[i];
             assert!((right.force[i] - wanted).abs() < 0.1, "{i}: {} {wanted}", right.force[i]);
         }
-        assert_eq!(taken_out(&read, &Off::NONE).force, read.force);
+        assert_eq!(taken_out(&read, &MeasurementError::NONE).force, read.force);
     }
 }

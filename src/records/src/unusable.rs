@@ -26,7 +26,9 @@ impl Unusable {
         let (first, others) = several.split_first()?;
         Some(match others.len() {
             0 => first.why.clone(),
-            more => Sentence::from(phrases::FIRST_AND_MORE).with_said("first", first.why.clone()).with("count", more),
+            more => {
+                Sentence::from(phrases::FIRST_AND_MORE).with_sentence("first", first.why.clone()).with("count", more)
+            }
         })
     }
 }
@@ -113,9 +115,11 @@ impl Sieve {
         self.faults.is_empty()
     }
 
-    /// The first fault where nothing usable is left, or where at least as many tests as are left have one that a wrong
-    /// column, unit or sign would give all of them.
-    pub fn refuse_most(&mut self, usable: usize) -> Result<(), RecordError> {
+    /// Returns the first fault if nothing usable remains, or if at least as many tests have a systematic fault as
+    /// remain.
+    ///
+    /// A wrong column, unit or sign would give all of them such a fault.
+    pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
         let doubtful = |error: &RecordError| error.reach() == Reach::TestUnlessMost;
         let first = if usable == 0 {
             // A test with a fault tells more than a stray file beside it.
@@ -130,7 +134,7 @@ impl Sieve {
     }
 
     /// Names everything that was left out; the first ones as notes too.
-    pub fn tell(self, told: &mut Vec<Note>) -> Vec<Unusable> {
+    pub fn report(self, told: &mut Vec<Note>) -> Vec<Unusable> {
         let unusable: Vec<Unusable> = self.faults.iter().map(in_words).collect();
         told.extend(notes(&unusable));
         unusable
@@ -154,7 +158,7 @@ pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
 fn in_words(error: &RecordError) -> Unusable {
     let is_test = error.reach() != Reach::NoRecord;
     let left_out = if is_test { phrases::LEFT_OUT } else { phrases::NO_RECORD };
-    Unusable { why: Sentence::from(left_out).with_said("fault", error.fault()), is_test }
+    Unusable { why: Sentence::from(left_out).with_sentence("fault", error.fault()), is_test }
 }
 
 #[cfg(test)]
@@ -194,9 +198,9 @@ mod tests {
     #[test]
     fn one_faulty_test_is_left_out_and_most_are_refused() {
         let mut some = sieve(vec![stray(), short(), doubtful()]);
-        some.refuse_most(2).unwrap();
+        some.reject_most(2).unwrap();
         let mut notes = Vec::new();
-        let unusable = some.tell(&mut notes);
+        let unusable = some.report(&mut notes);
         assert_eq!(unusable.iter().map(|u| u.is_test).collect::<Vec<_>>(), [false, true, true]);
         assert!(
             unusable[0].why.to_string().starts_with("left out, as it is no record: e.csv: is empty"),
@@ -205,12 +209,12 @@ mod tests {
         assert!(unusable[1].why.to_string().starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
         assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
         // Of two tests without a clock and two sound ones, the column of the sound ones may be the wrong one.
-        let refused = sieve(vec![short(), doubtful(), doubtful()]).refuse_most(2).unwrap_err();
+        let refused = sieve(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
         assert!(refused.to_string().contains("a.csv"), "{refused}");
         // A test that is too short is too short, however many there are.
-        sieve(vec![short(), short(), short()]).refuse_most(1).unwrap();
+        sieve(vec![short(), short(), short()]).reject_most(1).unwrap();
         // Where nothing is left, the fault of a test tells more than a stray file.
-        let refused = sieve(vec![stray(), short()]).refuse_most(0).unwrap_err();
+        let refused = sieve(vec![stray(), short()]).reject_most(0).unwrap_err();
         assert!(refused.to_string().contains("s.csv"), "{refused}");
     }
 
@@ -226,9 +230,9 @@ mod tests {
             units: Vec::new(),
         };
         let mut one = sieve(vec![other_table()]);
-        one.refuse_most(2).unwrap();
-        assert!(one.tell(&mut Vec::new())[0].why.to_string().contains("peaks.csv, line 1: no column for time"));
-        assert!(sieve(vec![other_table(), other_table()]).refuse_most(2).is_err());
+        one.reject_most(2).unwrap();
+        assert!(one.report(&mut Vec::new())[0].why.to_string().contains("peaks.csv, line 1: no column for time"));
+        assert!(sieve(vec![other_table(), other_table()]).reject_most(2).is_err());
     }
 
     #[test]
@@ -243,7 +247,7 @@ mod tests {
     #[test]
     fn hundreds_are_told_in_a_few_lines_and_kept_in_full() {
         let mut notes = Vec::new();
-        let unusable = sieve((0..300).map(|_| short()).collect()).tell(&mut notes);
+        let unusable = sieve((0..300).map(|_| short()).collect()).report(&mut notes);
         assert_eq!((unusable.len(), notes.len()), (300, 21));
         assert!(notes[20].text.to_string().contains("280 more"), "{}", notes[20].text);
     }

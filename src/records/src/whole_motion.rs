@@ -3,7 +3,7 @@
 use super::about::About;
 use super::cycle::Cycle;
 use super::error::Place;
-use super::off::Off;
+use super::off::MeasurementError;
 use super::record::Note;
 use super::setting_value::Setting;
 
@@ -24,7 +24,7 @@ pub(crate) struct Motion {
     pub setting: Option<Setting>,
     pub cycles: Vec<Cycle>,
     /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
-    pub given: Off,
+    pub stated_error: MeasurementError,
     pub notes: Vec<Note>,
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let mut tests = Vec::new();
     let mut lines: Vec<(usize, Vec<String>)> = Vec::new();
     for sheet in &sheets {
-        budget.work(SHEET + sheets.len() as u64).map_err(|e| e.at(&source.place()))?;
+        budget.work(SHEET + sheets.len() as u64).map_err(|e| e.into_error(&source.place()))?;
         let wrong = |e: calamine::XlsxError| broken(format!("sheet '{sheet}': {e}"));
         let mut cells = match workbook.worksheet_cells_reader(sheet) {
             Ok(cells) => cells,
@@ -48,7 +48,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         let mut row_index = 0;
         while let Some(cell) = cells.next_cell().map_err(wrong)? {
             let (r, c) = cell.get_position();
-            budget.work(CELL).map_err(|e| e.at(&reading.at))?;
+            budget.work(CELL).map_err(|e| e.into_error(&reading.at))?;
             if r != row_index {
                 reading.take(row_index, &row)?;
                 row.clear();
@@ -56,7 +56,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
             }
             if c < COLUMNS && !matches!(cell.get_value(), DataRef::Empty) {
                 row.resize(row.len().max(c as usize + 1), Data::Empty);
-                row[c as usize] = copied(cell.get_value(), budget).map_err(|e| e.at(&reading.at))?;
+                row[c as usize] = copied(cell.get_value(), budget).map_err(|e| e.into_error(&reading.at))?;
             }
         }
         reading.take(row_index, &row)?;
@@ -166,7 +166,7 @@ impl<'a> Sheet<'a> {
         if row.is_empty() {
             return Ok(());
         }
-        self.budget.work(PLACE * row.len() as u64).map_err(|e| e.at(&self.at))?;
+        self.budget.work(PLACE * row.len() as u64).map_err(|e| e.into_error(&self.at))?;
         let text = || row.iter().map(ToString::to_string).collect::<Vec<String>>();
         let Some((header_index, header)) = &self.header else {
             if self.above.len() < HEADER_WITHIN {
@@ -272,7 +272,7 @@ impl<'a> Sheet<'a> {
     fn finish(mut self) -> Result<Vec<Samples>, RecordError> {
         match (self.rows.take(), &self.header) {
             (Some(mut rows), _) => {
-                self.beside.tell(&mut rows)?;
+                self.beside.report(&mut rows)?;
                 rows.finish(None)
             }
             (None, Some((line, header))) => {
@@ -297,7 +297,9 @@ fn is_figure(cell: Option<&Data>) -> bool {
     }
 }
 
-/// The time, s, of a cell that holds a date or a time, or the text of one: with a date since 1970, else since midnight.
+/// The time, s, of a cell that holds a date or a time, or the text of one.
+///
+/// With a date since 1970, else since midnight.
 fn clock_of(cell: &Data) -> Option<f64> {
     match cell {
         Data::DateTime(date) => Some(day_of(date).unwrap_or(0.0) + within_day(date)),

@@ -1,5 +1,7 @@
-//! Small files that are made to cost gigabytes or minutes: a part that is used many times, counts that no file holds, trees that lead twice
-//! to a node. Each is read or rejected within a gibibyte and ten seconds of processor time.
+//! Small files that are made to cost gigabytes or minutes.
+//!
+//! A part that is used many times, counts that no file holds, trees that lead twice to a node. Each is read or
+//! rejected within a gibibyte and ten seconds of processor time.
 //!
 //! A reader that asks for more memory ends this process with a signal, and so fails the test.
 

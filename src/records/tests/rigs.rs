@@ -1,5 +1,6 @@
-//! Texts as rigs, testing machines and loggers write them, made after their layouts: all hold the same motion and force, and all must be
-//! read to it.
+//! Texts as rigs, testing machines and loggers write them, made after their layouts.
+//!
+//! All hold the same motion and force, and all must be read to it.
 
 use dashpot_records::{Campaign, Options, load};
 use std::f64::consts::TAU;

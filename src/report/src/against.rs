@@ -64,7 +64,8 @@ fn table(against: &[Against], words: &Words) -> Table {
         row
     };
     let columns_of = |group| {
-        [words.col_mean_error, words.col_error_percent, words.col_rms].map(|heading| Column::figures(heading).of(group))
+        [words.col_mean_error, words.col_error_percent, words.col_rms]
+            .map(|heading| Column::figures(heading).in_group(group))
     };
     let mut columns = vec![Column::words(words.col_model), Column::words(words.col_meaning)];
     columns.extend(columns_of(words.used_in_fit));

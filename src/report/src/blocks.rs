@@ -25,7 +25,7 @@ pub struct Section {
 pub enum Block {
     /// The sentences everybody reads, in larger type.
     Lead(String),
-    /// The same where it is a verdict, and the sentence.
+    /// A verdict and its sentence.
     Verdict(Overall, String),
     /// A heading inside the section.
     Heading(String),
@@ -88,7 +88,7 @@ impl Section {
         Self { id: id.into(), title: title.into(), blocks, choices: Vec::new(), beyond: false }
     }
 
-    /// The same section, left out of the short print.
+    /// Leaves the section out of the short print.
     pub fn beyond(self) -> Self {
         Self { beyond: true, ..self }
     }
@@ -119,7 +119,7 @@ impl Figure {
         Self { file: file.into(), svg, caption: String::new() }
     }
 
-    /// The same figure with a line that says what it shows.
+    /// Adds a caption to the figure.
     pub fn saying(self, caption: impl Into<String>) -> Self {
         Self { caption: caption.into(), ..self }
     }
@@ -141,8 +141,8 @@ impl Column {
         Self { wraps: true, ..Self::words(heading) }
     }
 
-    /// The same column under a group heading.
-    pub fn of(self, group: &'static str) -> Self {
+    /// Puts the column under a group heading.
+    pub fn in_group(self, group: &'static str) -> Self {
         Self { group, ..self }
     }
 }

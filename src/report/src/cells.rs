@@ -47,9 +47,9 @@ impl Cell {
         Self { text: numbers::milli(si), value: Value::Number(1e3 * si) }
     }
 
-    /// A share, in percent.
-    pub fn share(value: f64) -> Self {
-        Self { text: numbers::share(value), value: Value::Measured(100.0 * value, "%".into()) }
+    /// A fraction, in percent.
+    pub fn fraction(value: f64) -> Self {
+        Self { text: numbers::fraction(value), value: Value::Measured(100.0 * value, "%".into()) }
     }
 
     /// A value in the unit that engineers use for it.

@@ -74,8 +74,9 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
     Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
-/// Errors of one row per amplitude and per peak velocity, before and after an improvement of the model, which stands in the
-/// places of the curve and the model.
+/// Errors by amplitude and peak velocity, before and after an improvement of the model.
+///
+/// They replace the columns of the curve and the model.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
     let about = |text: &str, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();
@@ -109,7 +110,7 @@ fn two_sided(caption: String, rows: Vec<(String, MatrixRow)>, words: &Words) -> 
         vec![Column::words(words.col_tests), Column::figures(words.col_number), Column::figures(words.col_max_force)];
     for group in [words.before, words.after] {
         let headings = [words.col_mean_error, words.col_error_percent, words.col_rms];
-        columns.extend(headings.map(|heading| Column::figures(heading).of(group)));
+        columns.extend(headings.map(|heading| Column::figures(heading).in_group(group)));
     }
     Block::Table(Table { caption, columns, rows, sortable: false })
 }
@@ -133,8 +134,8 @@ fn error_columns(words: &Words) -> Vec<Column> {
     let of_both = [words.col_mean_error, words.col_error_percent, words.col_rms];
     let regions = [words.col_region1, words.col_region2];
     let of_model = [of_both[0], of_both[1], regions[0], regions[1], of_both[2]];
-    let model = of_model.map(|heading| Column::figures(heading).of(words.model));
-    let curve = of_both.map(|heading| Column::figures(heading).of(words.group_curve));
+    let model = of_model.map(|heading| Column::figures(heading).in_group(words.model));
+    let curve = of_both.map(|heading| Column::figures(heading).in_group(words.group_curve));
     model.into_iter().chain(curve).collect()
 }
 

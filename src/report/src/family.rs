@@ -33,7 +33,7 @@ fn named(damper: &Definition, setting: f64, words: &Words) -> String {
 /// Force at constant velocity at each setting, with the measured peaks.
 fn curves(damper: &Definition, validation: &Validation, words: &Words) -> Option<Figure> {
     let line = |setting: f64| -> Option<Vec<[f64; 2]>> {
-        let model = Model::new(&damper.at(setting)).ok()?;
+        let model = Model::new(&damper.params_at(setting)).ok()?;
         Some(at_constant_velocity(&model, validation).into_iter().map(|[v, f]| [1e3 * v, f]).collect())
     };
     let (mut series, mut names) = (Vec::new(), Vec::new());

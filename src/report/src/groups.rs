@@ -2,7 +2,7 @@
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::diagnosis::changed_name;
-use crate::numbers::share;
+use crate::numbers::fraction;
 use crate::plot::axes::{Axis, Marks, Plane, Series};
 use crate::plot::palette::Role;
 use crate::words::Words;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 fn finding(finding: &Finding, words: &Words) -> String {
-    words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &share(finding.confidence))])
+    words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &fraction(finding.confidence))])
 }
 
 /// The report for people.
@@ -85,7 +85,9 @@ const SIZE: [f64; 2] = [880.0, 400.0];
 /// Groups that have a hue each; further ones are drawn in grey.
 const HUES: usize = 8;
 
-/// The FV curves of all groups over each other, with that of the reference: friction and gas included, as far as the tests of each reach.
+/// The FV curves of all groups over each other, with that of the reference.
+///
+/// Friction and gas included, as far as the tests of each reach.
 fn curves(answers: &Answers, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());

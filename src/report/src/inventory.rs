@@ -2,7 +2,7 @@
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
-use crate::numbers::{error, share};
+use crate::numbers::{error, fraction};
 use crate::plot::inventory::stacked;
 use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
@@ -27,8 +27,8 @@ pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Tab
         let mut cells = vec![words.named(item.effect).into(), words.word(item.form).into()];
         cells.extend([
             Cell::number(item.force_n_rms, |force| if force.is_finite() { error(force) } else { "–".into() }),
-            Cell::share(item.share),
-            Cell { text: probability(item.probability), ..Cell::share(item.probability) },
+            Cell::fraction(item.share),
+            Cell { text: probability(item.probability), ..Cell::fraction(item.probability) },
         ]);
         cells.extend(status.then(|| Cell::from(status_text(item, words))));
         cells
@@ -47,9 +47,9 @@ pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Tab
 /// A probability in percent; one that rounds to 0 or 100 is not certain.
 pub fn probability(value: f64) -> String {
     match value {
-        v if v > 0.995 => format!(">\u{a0}{}", share(0.99)),
-        v if v < 0.005 => format!("<\u{a0}{}", share(0.01)),
-        v => share(v),
+        v if v > 0.995 => format!(">\u{a0}{}", fraction(0.99)),
+        v if v < 0.005 => format!("<\u{a0}{}", fraction(0.01)),
+        v => fraction(v),
     }
 }
 

@@ -1,5 +1,7 @@
-//! What a report was made from, so that it can be made again: version, command, files with their hashes, and a date where one
-//! is given. The clock is not read: the same input gives the same bytes.
+//! What a report was made from, so that it can be made again.
+//!
+//! Version, command, files with their hashes, and a date where one is given. The clock is not read: the same input
+//! gives the same bytes.
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
@@ -35,8 +37,8 @@ pub struct Made {
 
 impl Made {
     /// What was made from these files by this version.
-    pub fn of<'a>(files: impl IntoIterator<Item = &'a Path>) -> Self {
-        Self::of_known(files.into_iter().filter_map(MadeFrom::of).collect())
+    pub fn from_files<'a>(files: impl IntoIterator<Item = &'a Path>) -> Self {
+        Self::of_known(files.into_iter().filter_map(MadeFrom::read).collect())
     }
 
     /// What was made by this version from files that were looked at already.
@@ -72,7 +74,7 @@ pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
 
 impl MadeFrom {
     /// Looks at a file; `None` where it cannot be read again.
-    pub fn of(path: &Path) -> Option<Self> {
+    pub fn read(path: &Path) -> Option<Self> {
         let mut file = std::fs::File::open(path).ok()?;
         let (mut hash, mut bytes) = (Sha256::new(), 0);
         let mut block = vec![0; 1 << 16];
@@ -156,12 +158,12 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a");
         std::fs::write(&path, "abc").unwrap();
-        let file = MadeFrom::of(&path).unwrap();
+        let file = MadeFrom::read(&path).unwrap();
         // FIPS 180-4, example of one block.
         assert_eq!(file.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
         assert_eq!(file.bytes, 3);
         assert_eq!(MadeFrom::of_content(&path.display().to_string(), b"abc"), file);
-        assert!(MadeFrom::of(&folder.path().join("b")).is_none());
+        assert!(MadeFrom::read(&folder.path().join("b")).is_none());
     }
 
     #[test]

@@ -1,5 +1,7 @@
-//! What a manoeuvre shows: the forces of the dampers with the model and with its FV curve alone, the road, the chassis, the
-//! region that the dampers saw, and the vehicle.
+//! What a manoeuvre shows.
+//!
+//! The forces of the dampers with the model and with its FV curve alone, the road, the chassis, the region that the
+//! dampers saw, and the vehicle.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -37,7 +39,9 @@ pub struct CornerFigures {
     pub largest_force_fv_n: f64,
     /// rms of the difference of the two forces, N, free of what the exchange adds to them ([`Figures::quiet_step_s`]).
     pub rms_force_difference_n: f64,
-    /// rms of what the exchange in the host's step adds to the force with the model and with the curve, N; none where it does not chatter.
+    /// rms of what the exchange in the host's step adds to the force with the model and with the curve, N.
+    ///
+    /// None where it does not chatter.
     pub rms_chatter_n: Option<[f64; 2]>,
     /// rms of the force with the model about its mean, N.
     pub rms_force_n: f64,
@@ -46,11 +50,11 @@ pub struct CornerFigures {
     /// Energy taken with the curve, J.
     pub energy_fv_j: f64,
     /// Share of the time near which rig tests came.
-    pub share_inside_tests: Option<f64>,
+    pub fraction_inside_tests: Option<f64>,
     /// Velocities, m/s, at which the model's FV curve ends; none where it has no ends.
     pub curve_ends_m_s: Option<[f64; 2]>,
     /// Share of the time beyond them, where the curve goes straight on.
-    pub share_beyond_curve: f64,
+    pub fraction_beyond_curve: f64,
 }
 
 /// What was driven, in figures; its JSON form is what `dashpot manoeuvre` writes.
@@ -66,12 +70,14 @@ pub struct Figures {
     pub rms_heave_acceleration_m_s2: [f64; 2],
     /// m, free of what the exchange adds.
     pub rms_heave_difference_m: f64,
-    /// Step, s, in which model and curve were compared because the exchange of force and motion chatters with one of them in the
-    /// host's; none where it does not.
+    /// Step, s, in which model and curve were compared because the exchange of force and motion chatters with one of
+    /// them in the host's.
+    ///
+    /// None where it does not.
     pub quiet_step_s: Option<f64>,
     /// Largest c h / m.
     pub coupling: f64,
-    /// The same where dampers move.
+    /// Note for moving dampers.
     pub coupling_moving: f64,
     /// Region that rig tests covered.
     pub rig_tests: Option<Region>,
@@ -97,7 +103,7 @@ fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
 
 impl Covered {
     /// The loops of records.
-    pub fn of(records: &[Record]) -> Self {
+    pub fn from_records(records: &[Record]) -> Self {
         let points = |r: &Record| r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect();
         let loops: Vec<Vec<[f64; 2]>> = records.iter().map(points).collect();
         Covered { region: region(loops.iter().flatten().copied()), loops }
@@ -172,9 +178,9 @@ pub fn figures(
                     let (low, high) = models[i].elements().paths.fv_curve.range();
                     (low < high).then_some([low, high])
                 },
-                share_beyond_curve: points().filter(|[_, v]| !models[i].covers(*v)).count() as f64
+                fraction_beyond_curve: points().filter(|[_, v]| !models[i].covers(*v)).count() as f64
                     / model.samples.len().max(1) as f64,
-                share_inside_tests: near
+                fraction_inside_tests: near
                     .as_ref()
                     .map(|near| points().filter(|p| near(*p)).count() as f64 / model.samples.len() as f64),
             }
@@ -394,9 +400,9 @@ impl ManoeuvreInput<'_> {
         let mut columns = vec![Column::words(words.col_corner)];
         columns.extend([words.saw_displacement, words.saw_velocity].map(Column::figures));
         let two = [words.model, words.col_curve];
-        columns.extend(two.map(|name| Column::figures(name).of(words.group_largest_force)));
+        columns.extend(two.map(|name| Column::figures(name).in_group(words.group_largest_force)));
         columns.push(Column::figures(words.col_rms_difference));
-        columns.extend(two.map(|name| Column::figures(name).of(words.group_energy_j)));
+        columns.extend(two.map(|name| Column::figures(name).in_group(words.group_energy_j)));
         let near = self.covered.is_some();
         columns.extend(near.then(|| Column::figures(words.col_near_tests)));
         let rows = self.figures.corners.iter().map(|c| {
@@ -410,7 +416,7 @@ impl ManoeuvreInput<'_> {
                 Cell::number(c.energy_j, numbers::error),
                 Cell::number(c.energy_fv_j, numbers::error),
             ];
-            row.extend(near.then(|| Cell::number(100.0 * c.share_inside_tests.unwrap_or(0.0), numbers::error)));
+            row.extend(near.then(|| Cell::number(100.0 * c.fraction_inside_tests.unwrap_or(0.0), numbers::error)));
             row
         });
         Table { caption: words.corners_caption.to_owned(), columns, rows: rows.collect(), sortable: false }
@@ -439,11 +445,12 @@ pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
 
 /// That a damper leaves the velocities that its FV curve was identified at, where one does: the one that does so longest.
 pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
-    let share = |c: &&CornerFigures| c.share_beyond_curve;
-    let worst = f.corners.iter().max_by(|a, b| share(a).total_cmp(&share(b))).filter(|c| c.share_beyond_curve > 0.0)?;
+    let share = |c: &&CornerFigures| c.fraction_beyond_curve;
+    let worst =
+        f.corners.iter().max_by(|a, b| share(a).total_cmp(&share(b))).filter(|c| c.fraction_beyond_curve > 0.0)?;
     let range = |[low, high]: [f64; 2]| words.number(&format!("{} … {}", digits(1e3 * low, 4), digits(1e3 * high, 4)));
     let (saw, ends) = (range(worst.saw.velocity_m_s), range(worst.curve_ends_m_s?));
-    let share = digits(100.0 * worst.share_beyond_curve, 2);
+    let share = digits(100.0 * worst.fraction_beyond_curve, 2);
     let figures = [("corner", worst.corner), ("saw", saw.as_str()), ("ends", &ends), ("share", &share)];
     Some(words.fill(words.manoeuvre_beyond, &figures))
 }

@@ -10,7 +10,9 @@ pub fn force(newton: f64) -> String {
     number(newton, places(newton, 0))
 }
 
-/// A difference of forces, N: to a tenth, or two digits of one below 1 N, which may be all that a small damper is off by.
+/// A difference of forces, N.
+///
+/// To a tenth, or two digits of one below 1 N, which may be all that a small damper is off by.
 pub fn error(newton: f64) -> String {
     number(newton, places(newton, 1))
 }
@@ -45,9 +47,10 @@ pub fn digits(value: f64, significant: i32) -> String {
     format!("{}\u{b7}10{}", mantissa.replace('-', "\u{2212}"), superscript(exponent))
 }
 
-/// A value with as many decimals as give `reference` three digits: figures compared with each other end at the same
-/// place, and what is nothing beside the reference reads as nothing.
-pub fn beside(value: f64, reference: f64) -> String {
+/// A value with as many decimals as give `reference` three digits.
+///
+/// Figures compared with each other end at the same place, and what is nothing beside the reference reads as nothing.
+pub fn comparable(value: f64, reference: f64) -> String {
     let exponent = if reference == 0.0 { 0.0 } else { libm::log10(reference.abs()).floor() };
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
@@ -80,8 +83,8 @@ fn spaced(figures: String, unit: &str) -> String {
     if unit.is_empty() { figures } else { format!("{figures}\u{a0}{unit}") }
 }
 
-/// A share in percent, whole.
-pub fn share(value: f64) -> String {
+/// A fraction in percent, without decimals.
+pub fn fraction(value: f64) -> String {
     if value.is_finite() { format!("{}\u{a0}%", number(100.0 * value, 0)) } else { "–".into() }
 }
 
@@ -115,7 +118,10 @@ mod tests {
             assert_eq!(digits(value, 3), text);
         }
         assert_eq!(milli(0.05), "50.0");
-        assert_eq!([beside(-12.94, -12.94), beside(6.6e-13, -12.94), beside(1102.4, 999.0)], ["−12.9", "0.0", "1102"]);
+        assert_eq!(
+            [comparable(-12.94, -12.94), comparable(6.6e-13, -12.94), comparable(1102.4, 999.0)],
+            ["−12.9", "0.0", "1102"]
+        );
         assert_eq!([error(-1e-12), error(-0.04), error(0.997), error(23.46)], ["0.0", "−0.040", "1.0", "23.5"]);
         assert_eq!([force(0.0), force(3.04), force(13.4), force(-2100.6)], ["0", "3.0", "13", "−2101"]);
     }

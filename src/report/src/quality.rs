@@ -6,10 +6,12 @@ use dashpot_simulation::whole_records::Quality;
 
 /// Errors up to so many times the noise are as good as the records allow: beyond, the model's form shows.
 const NOISE: f64 = 1.5;
-/// Largest mean error, percent of a test's largest force, of a good fit: a damper repeats itself within 1 to 2 % from test to test
-/// (Dixon, *The Shock Absorber Handbook*, 2007, chapter 10).
+/// Largest mean error, percent of a test's largest force, of a good fit.
+///
+/// A damper repeats itself within 1 to 2 % from test to test (Dixon, *The Shock Absorber Handbook*, 2007, chapter
+/// 10).
 const GOOD: f64 = 2.0;
-/// The same of a fair one; beyond, friction, gas or hysteresis are not followed.
+/// Limit of a fair fit; beyond it, friction, gas or hysteresis are not reproduced.
 const FAIR: f64 = 5.0;
 /// Ratio of the errors from which the model is better than the curve.
 const BETTER: f64 = 1.05;

@@ -12,7 +12,7 @@ pub fn in_words(deviation: &Deviation, words: &Words) -> String {
 }
 
 /// The models of a diagnosis in a sentence.
-pub fn told(of: &OfDiagnosis, words: &Words) -> String {
+pub fn format_errors(of: &OfDiagnosis, words: &Words) -> String {
     let [came, refitted, improved] = [&of.as_it_came, &of.refitted, &of.improved].map(|d| in_words(d, words));
     words.fill(words.whole_records, &[("came", &came), ("refitted", &refitted), ("improved", &improved)])
 }

@@ -1,5 +1,6 @@
-//! The tables of a report as one workbook for Excel: a sheet a table, behind a first sheet that says what they are and what
-//! they were made from.
+//! The tables of a report as one workbook for Excel.
+//!
+//! A sheet a table, behind a first sheet that says what they are and what they were made from.
 //!
 //! A number is a number with all its digits, shown with those of the page. The same input gives the same bytes: the date in the
 //! file's properties is fixed, and the one that a reader sees is that of the report.
@@ -319,7 +320,7 @@ mod tests {
             caption: "What it shows.".into(),
             columns: vec![
                 Column::words("test"),
-                Column::figures("force,\u{a0}N").of("before"),
+                Column::figures("force,\u{a0}N").in_group("before"),
                 Column::figures("value"),
                 Column::figures("95 % interval"),
                 Column::figures("share"),
@@ -334,7 +335,7 @@ mod tests {
 
     fn row(name: &str, force: f64, [value, low, high]: [f64; 3], unit: &str, share: f64) -> Vec<Cell> {
         let [value, interval] = Cell::with_interval(value, low, high, unit, &EN);
-        vec![name.into(), Cell::number(force, crate::numbers::error), value, interval, Cell::share(share)]
+        vec![name.into(), Cell::number(force, crate::numbers::error), value, interval, Cell::fraction(share)]
     }
 
     fn bytes(words: &'static Words) -> Vec<u8> {
@@ -400,7 +401,7 @@ mod tests {
     #[test]
     fn the_same_input_gives_the_same_bytes_which_are_known_as_our_own() {
         assert!(bytes(&EN) == bytes(&EN));
-        assert_eq!(dashpot_output::Kind::of(&bytes(&EN)), dashpot_output::Kind::Workbook);
+        assert_eq!(dashpot_output::Kind::detect(&bytes(&EN)), dashpot_output::Kind::Workbook);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-use dashpot_rig::{EFFECTS, HiddenCase, Options, RigError, UNKNOWN_EFFECTS};
+use dashpot_rig::{EFFECTS, InjectedCase, Options, RigError, UNKNOWN_EFFECTS};
 use rayon::prelude::*;
 
 fn main() -> Result<(), RigError> {
@@ -15,7 +15,7 @@ fn main() -> Result<(), RigError> {
     let started = Instant::now();
     let neutral: Vec<_> = (1..=seeds)
         .into_par_iter()
-        .map(|seed| HiddenCase { options: options(seed), ..HiddenCase::default() }.run())
+        .map(|seed| InjectedCase { options: options(seed), ..InjectedCase::default() }.run())
         .collect::<Result<_, _>>()?;
     println!("{} neutral campaigns in {:.2?}", seeds, started.elapsed());
     println!("{:30} {:30} {:>7} {:>7} {:>7} {:>7}  seconds", "effect", "form", "N rms", "% rms", "N max", "in test");
@@ -24,7 +24,7 @@ fn main() -> Result<(), RigError> {
             .into_par_iter()
             .map(|seed| {
                 let started = Instant::now();
-                let case = HiddenCase { options: options(seed), ..HiddenCase::default() }.hiding(name, strength);
+                let case = InjectedCase { options: options(seed), ..InjectedCase::default() }.hiding(name, strength);
                 let outcome = match case.run() {
                     Ok(outcome) => outcome,
                     Err(error) => return (seed, format!("{name:30} seed {seed}: {error}")),

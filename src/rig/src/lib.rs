@@ -5,7 +5,7 @@
 //! instead of a friction curve.
 //!
 //! For a diagnosis there is a second, *neutral* damper of the model's own topology, in which physical effects can be hidden:
-//! [`HiddenCase`].
+//! [`InjectedCase`].
 //!
 //! SI units; extension (rebound) displacement and velocity positive, tension force positive.
 //!
@@ -30,6 +30,8 @@ pub use campaign::{Campaign, Options, Record};
 pub use damper::Damper;
 pub use error::RigError;
 pub use hidden::{EFFECTS, NOTHING, UNKNOWN_EFFECTS};
-pub use hidden_case::{CLEAN_FORCE_FILE, HiddenCampaign, HiddenCase, HiddenEffect, SEALED_FOLDER, TRUTH_FILE, Truth};
+pub use hidden_case::{
+    CLEAN_FORCE_FILE, InjectedCampaign, InjectedCase, InjectedEffect, SEALED_FOLDER, TRUTH_FILE, Truth,
+};
 pub use matrix::{Matrix, MatrixOptions, TestPoint};
 pub use plan::{CHECK_PREFIX, PLANS, Plan};

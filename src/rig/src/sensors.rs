@@ -1,5 +1,7 @@
-//! What the rig's sensors add to the truth: Gaussian noise, a stream of its own for every channel of every test; on the force
-//! also colour, mains hum and the steps of the converter.
+//! What the rig's sensors add to the truth.
+//!
+//! Gaussian noise, a stream of its own for every channel of every test; on the force also colour, mains hum and the
+//! steps of the converter.
 
 use std::f64::consts::TAU;
 

@@ -1,6 +1,6 @@
 //! The rig as its first user meets it.
 
-use dashpot_rig::{Campaign, HiddenCase, Matrix, MatrixOptions, Options, Plan, RigError};
+use dashpot_rig::{Campaign, InjectedCase, Matrix, MatrixOptions, Options, Plan, RigError};
 
 #[test]
 fn a_campaign_is_measured() -> Result<(), RigError> {
@@ -17,7 +17,7 @@ fn a_campaign_is_measured() -> Result<(), RigError> {
 
 #[test]
 fn an_effect_is_hidden() -> Result<(), RigError> {
-    let case = HiddenCase {
+    let case = InjectedCase {
         effects: vec![("free_play".into(), 1.0)],
         plan: Plan::OneFrequency,
         options: Options { seed: 7, noise_percent: 2.0, ..Options::default() },

@@ -1,5 +1,6 @@
-//! The models of the literature beside a model: those that are asked for, identified from the tests that the model was fitted to, on the same
-//! records.
+//! The models of the literature beside a model.
+//!
+//! Those that are asked for, identified from the tests that the model was fitted to, on the same records.
 
 use dashpot_identification::literature::file::{self, FileError};
 use dashpot_identification::literature::{Literature, LiteratureError, MODELS, observation};
@@ -78,7 +79,7 @@ impl Rivals {
     ///
     /// # Errors
     /// [`AgainstError`].
-    pub fn of(
+    pub fn compare(
         wanted: &[String],
         file: &ModelFile,
         campaign: &Campaign,

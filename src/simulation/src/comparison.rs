@@ -75,13 +75,14 @@ pub fn compare_family<'a>(
                 (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
             // Tests in one direction alone have no curve of their own.
-            fit(&own, &options, |_| ()).map_or_else(|_| plain_curve(&file.definition().at(*setting)), |fit| fit.params)
+            fit(&own, &options, |_| ())
+                .map_or_else(|_| plain_curve(&file.definition().params_at(*setting)), |fit| fit.params)
         })
         .collect();
     let at = |k: usize| {
         let setting = settings[k];
         let place = distinct.iter().position(|known| is_same_setting(*known, setting)).unwrap_or(0);
-        Ok((file.definition().at(setting), plain[place]))
+        Ok((file.definition().params_at(setting), plain[place]))
     };
     compare_records(file, campaign, &at, progress)
 }

@@ -3,7 +3,9 @@
 use crate::limit::plain;
 use dashpot_core::Model;
 
-/// What must be known of a damper in steps of a host, s: that its mass rings and they do not follow it; nothing where they do.
+/// What must be known of a damper in steps of a host, s.
+///
+/// That its mass rings and they do not follow it; nothing where they do.
 pub fn remark(model: &Model, step: f64) -> Option<String> {
     let integration = model.integration();
     let longest = integration.longest_that_follows();

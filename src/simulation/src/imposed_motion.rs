@@ -8,8 +8,10 @@ use dashpot_records::MotionRecord;
 /// Most rows that a motion is sampled to: some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
-/// Samples from one word about the progress to the next: some hundredths of a second, so that work asked to stop ends at once to the eye, and
-/// telling costs nothing beside it.
+/// Samples from one word about the progress to the next.
+///
+/// Some hundredths of a second, so that work asked to stop ends at once to the eye, and telling costs nothing beside
+/// it.
 pub const TELL: usize = 16_384;
 
 /// A motion with which a model can be driven.
@@ -31,7 +33,7 @@ pub struct ImposedMotion {
 
 /// The answer of a model to a motion at one sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
+pub struct SimulatedSample {
     /// Time, s.
     pub time: f64,
     /// Displacement, m, extension positive.
@@ -106,9 +108,10 @@ impl ImposedMotion {
         Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, initial_position })
     }
 
-    /// The same motion at a fixed step, s, from its first time on: displacement and velocity from the cubic through
-    /// displacement and velocity of the neighbouring samples, the path that the kernel itself takes between two steps;
-    /// side force and temperature run straight.
+    /// Resamples the motion at a fixed step, s, from its first time on.
+    ///
+    /// Displacement and velocity from the cubic through displacement and velocity of the neighbouring samples, the
+    /// path that the kernel itself takes between two steps; side force and temperature run straight.
     ///
     /// # Errors
     /// Where the step is not above zero, longer than the motion, or makes too many rows.
@@ -192,19 +195,23 @@ impl ImposedMotion {
     ///
     /// # Errors
     /// Where the motion is so far from any damper's that a number overflows.
-    pub fn drive(&self, model: &Model) -> Result<Vec<Answer>, ImposeError> {
+    pub fn drive(&self, model: &Model) -> Result<Vec<SimulatedSample>, ImposeError> {
         self.drive_telling(model, &|_, _| {})
     }
 
-    /// The same of a damper that depends on a setting: `setting` is that which is commanded in the step that ends at a time, s.
+    /// Drives a damper that depends on a setting: `setting` is the command in the step that ends at a time, s.
     ///
     /// # Errors
     /// Those of [`ImposedMotion::drive`].
-    pub fn drive_family(&self, family: &Family, setting: &dyn Fn(f64) -> f64) -> Result<Vec<Answer>, ImposeError> {
+    pub fn drive_family(
+        &self,
+        family: &Family,
+        setting: &dyn Fn(f64) -> f64,
+    ) -> Result<Vec<SimulatedSample>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
         let start = Some(setting(self.time.first().copied().unwrap_or(0.0)));
-        let mut state = family.settled(&first, start);
-        let mut delay = family.settled_delay(start);
+        let mut state = family.steady_state(&first, start);
+        let mut delay = family.steady_delay(start);
         let mut output = family.evaluate(&state, &first, start).0;
         let mut answers = Vec::with_capacity(self.time.len());
         for (i, &time) in self.time.iter().enumerate() {
@@ -218,18 +225,22 @@ impl ImposedMotion {
                 return Err(ImposeError::NotFinite(time, "force"));
             }
             let (displacement, velocity) = (state.displacement, self.velocity[i]);
-            answers.push(Answer { time, displacement, velocity, force: output.force });
+            answers.push(SimulatedSample { time, displacement, velocity, force: output.force });
         }
         Ok(answers)
     }
 
-    /// The same, telling every [`TELL`] samples how many of how many are done.
+    /// Drives a damper and reports every [`TELL`] samples how many are done.
     ///
     /// # Errors
     /// As [`ImposedMotion::drive`].
-    pub fn drive_telling(&self, model: &Model, tell: &dyn Fn(usize, usize)) -> Result<Vec<Answer>, ImposeError> {
+    pub fn drive_telling(
+        &self,
+        model: &Model,
+        tell: &dyn Fn(usize, usize),
+    ) -> Result<Vec<SimulatedSample>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
-        let mut state = model.settled(&first);
+        let mut state = model.steady_state(&first);
         let mut force = dashpot_core::evaluate::force(model, &state, &first).force;
         let mut answers = Vec::with_capacity(self.time.len());
         for (i, &time) in self.time.iter().enumerate() {
@@ -243,7 +254,7 @@ impl ImposedMotion {
             if !(state.is_finite() && force.is_finite()) {
                 return Err(ImposeError::NotFinite(time, "force"));
             }
-            answers.push(Answer { time, displacement: state.displacement, velocity: self.velocity[i], force });
+            answers.push(SimulatedSample { time, displacement: state.displacement, velocity: self.velocity[i], force });
         }
         Ok(answers)
     }
@@ -257,7 +268,9 @@ fn hermite(x: [f64; 2], v: [f64; 2], h: f64, s: f64) -> (f64, f64) {
 }
 
 /// Slopes at the samples of the cubic spline through them, not-a-knot at both ends (de Boor, A Practical Guide to
-/// Splines, 1978, IV); of the parabola through three samples, of the line through two.
+/// Splines, 1978, IV).
+///
+/// Of the parabola through three samples, of the line through two.
 fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
     let n = t.len();
     let h: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();

@@ -6,8 +6,10 @@ use dashpot_core::{Input, Model, State};
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Forces of the model at the samples of a record, driven by its smoothed motion (see [`dashpot_records::smoothing::smooth`]) from the settled
-/// state, with oil that is warmer than the surroundings by `rise`, K ([`WarmStarts`](crate::warm_starts::WarmStarts)).
+/// Forces of the model at the samples of a record, driven by its smoothed motion from the steady state.
+///
+/// See [`dashpot_records::smoothing::smooth`]. The oil is warmer than the surroundings by `rise`, K
+/// ([`WarmStarts`](crate::warm_starts::WarmStarts)).
 pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Vec<f64> {
     let n = record.time.len();
     let input = |i: usize| Input {
@@ -25,7 +27,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
         }
         state
     };
-    let mut start = model.settled(&input(0));
+    let mut start = model.steady_state(&input(0));
     warm(model, &mut start, rise);
     // A periodic record was cut out of a running test: what the damper remembers at its start is what it remembers one
     // cycle later.
@@ -33,7 +35,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
         let later = run(start, 1..first.end + 1, &mut Vec::new());
         start.mass_displacement = later.mass_displacement - later.displacement + start.displacement;
         start.mass_velocity = later.mass_velocity;
-        start.memory = later.memory;
+        start.internal = later.internal;
         warm(model, &mut start, rise);
     }
     let mut forces = vec![dashpot_core::evaluate::force(model, &start, &input(0)).force];
@@ -45,12 +47,14 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
 pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     let at = |velocity: f64| {
         let input = Input::motion(0.0, velocity);
-        dashpot_core::evaluate::force(model, &model.settled(&input), &input).force
+        dashpot_core::evaluate::force(model, &model.steady_state(&input), &input).force
     };
     velocities.iter().map(|v| [*v, at(*v)]).filter(|p| p[1].is_finite()).collect()
 }
 
-/// The same from one velocity to another on the other side of zero: close near zero, where friction and bleed make the shape.
+/// Velocities from one to another on the other side of zero.
+///
+/// They are close near zero, where friction and bleed make the shape.
 pub fn between_velocities(model: &Model, low: f64, high: f64) -> Vec<[f64; 2]> {
     /// Points to each side of zero.
     const POINTS: i32 = 120;

@@ -8,8 +8,9 @@ use dashpot_core::family::Definition;
 use dashpot_core::{Input, Model, Params};
 use nalgebra::DMatrix;
 
-/// Largest step times rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis (Hairer & Wanner, *Solving Ordinary
-/// Differential Equations II*, IV.2).
+/// Largest step times rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis.
+///
+/// Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2.
 const RUNGE_KUTTA: f64 = 2.785;
 /// Rate, 1/s, from which a host's usual step, 1 ms, is too long for that method.
 const STIFF: f64 = RUNGE_KUTTA / 1e-3;
@@ -22,7 +23,7 @@ pub fn fastest_rate(model: &Model) -> f64 {
     let mut fastest = 0.0f64;
     for velocity in SPEEDS.iter().flat_map(|speed| [*speed, -speed]) {
         let input = Input::motion(0.0, velocity);
-        let all = partials(model, &model.settled(&input), &input).rate_by_state;
+        let all = partials(model, &model.steady_state(&input), &input).d_rate_d_state;
         let matrix = DMatrix::from_fn(count, count, |i, j| {
             all.get(i).and_then(|row| row.get(j)).copied().filter(|slope| slope.is_finite()).unwrap_or(0.0)
         });
@@ -42,7 +43,11 @@ pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
     let at_each_setting = |damper: &D| {
         let damper: Definition = (*damper).into();
         let grid = damper.axis.grid().to_vec();
-        if grid.is_empty() { vec![damper.params] } else { grid.iter().map(|setting| damper.at(*setting)).collect() }
+        if grid.is_empty() {
+            vec![damper.params]
+        } else {
+            grid.iter().map(|setting| damper.params_at(*setting)).collect()
+        }
     };
     all.iter()
         .flat_map(at_each_setting)
@@ -91,7 +96,7 @@ mod tests {
     fn the_rate_is_that_of_the_mass_behind_its_spring_and_valves() {
         // An overdamped mass: its fast rate is the slope of the FV curve over the mass, at most.
         let model = model(3e6, 0.05);
-        let slope = model.elements().paths.fv_curve.at(0.0).slope;
+        let slope = model.elements().paths.fv_curve.evaluate(0.0).derivative;
         let rate = fastest_rate(&model);
         assert!(rate > 0.5 * slope / 0.05, "{rate} {slope}");
         assert!(remark(&model).unwrap().contains("model exchange"));
@@ -107,7 +112,7 @@ mod tests {
         let told = explicit_step(fastest_rate(&model));
         let largest = |dt: f64| {
             let motion = |t: f64| Input::motion(0.002 * libm::sin(60.0 * t), 0.12 * libm::cos(60.0 * t));
-            let mut state = model.settled(&motion(0.0));
+            let mut state = model.steady_state(&motion(0.0));
             let mut most = 0.0f64;
             for k in 0..(0.05 / dt) as usize {
                 let t = k as f64 * dt;

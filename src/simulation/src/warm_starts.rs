@@ -19,8 +19,9 @@ impl WarmStarts {
         WarmStarts(Heating::new(records, &[]))
     }
 
-    /// Rise of the oil's temperature, K, with which record `place` begins; nothing where the model computes no heat, or where every record has
-    /// a clock of its own.
+    /// Rise of the oil's temperature, K, with which record `place` begins.
+    ///
+    /// Nothing where the model computes no heat, or where every record has a clock of its own.
     pub fn rise(&self, params: &Params, place: usize) -> f64 {
         let heats = params.is_on(element!("temperature_fade")) && params.number(number!("fade_source")) == 1.0;
         if !heats {
@@ -37,7 +38,7 @@ pub(crate) fn warm(model: &Model, state: &mut State, rise: f64) {
     let is_heat = |k: &usize| model.state_name(*k).is_some_and(|(name, _)| name == "oil_temperature_rise");
     // The first two states are those of the internal mass.
     if let Some(k) = (2..model.states()).find(is_heat) {
-        state.memory[k - 2] = rise;
+        state.internal[k - 2] = rise;
     }
 }
 

@@ -1,5 +1,6 @@
-//! How far a model is off over whole records: the same figures for a fit, a validation and a diagnosis, so that they can be laid side by
-//! side.
+//! How far a model is off over whole records.
+//!
+//! The same figures for a fit, a validation and a diagnosis, so that they can be laid side by side.
 //!
 //! A fit and a diagnosis work on mean cycles, in which noise is averaged out, and a diagnosis refits first; their own figures are smaller
 //! than those of a validation, which takes every sample of every record from the settled start.
@@ -45,7 +46,7 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
     Ok(validate(&compared)?.overall.errors.model)
 }
 
-/// The same of a fit, over the records that it was made of, without what it found them to be off by.
+/// Errors of a fit over its own records, corrected by the measurement error that it found.
 ///
 /// # Errors
 /// Those of [`deviation`].
@@ -87,10 +88,12 @@ fn without(measured: &[Measured], params: &Params, records: &[&Record]) -> Resul
 pub struct OfDiagnosis {
     /// The model as it came.
     pub as_it_came: Deviation,
-    /// The same model, refitted.
+    /// Errors of the model after a refit.
     pub refitted: Deviation,
-    /// With the findings that belong to the damper, over the records without what the diagnosis found the measurement to be off by: as a
-    /// validation of the improved model's file has them.
+    /// With the findings that belong to the damper, over the records without what the diagnosis found the measurement
+    /// to be off by.
+    ///
+    /// As a validation of the improved model's file has them.
     pub improved: Deviation,
 }
 
@@ -99,7 +102,7 @@ impl OfDiagnosis {
     ///
     /// # Errors
     /// As [`deviation`].
-    pub fn of(
+    pub fn evaluate(
         as_it_came: &Params,
         refitted: &Params,
         improved: &Params,

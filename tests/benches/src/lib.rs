@@ -46,7 +46,7 @@ impl Steps {
             Input::motion(x, v)
         };
         let inputs = (0..2 * half).map(input).collect();
-        Steps { state: model.settled(&Input::motion(0.0, 0.0)), model, inputs }
+        Steps { state: model.steady_state(&Input::motion(0.0, 0.0)), model, inputs }
     }
 
     /// Goes on by [`STEPS`] steps; the sum of the forces, so that none is left out.

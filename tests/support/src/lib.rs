@@ -1,4 +1,7 @@
-//! What the tests of all crates share: the sources, seeds of property tests and numbers drawn from one, tests that cannot run on a machine, and where cargo puts what it builds.
+//! What the tests of all crates share.
+//!
+//! The sources, seeds of property tests and numbers drawn from one, tests that cannot run on a machine, and where
+//! cargo puts what it builds.
 
 mod built;
 mod random;

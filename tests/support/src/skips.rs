@@ -21,8 +21,9 @@ fn notes() -> PathBuf {
     target_folder().join("skipped").join(run.to_string())
 }
 
-/// Says that this test cannot run here, for the reason given: on the terminal at once, which the test program does not hold back, and in the
-/// count at the end of a whole run.
+/// Says that this test cannot run here, for the reason given.
+///
+/// On the terminal at once, which the test program does not hold back, and in the count at the end of a whole run.
 ///
 /// # Panics
 /// Where the note cannot be written.

@@ -103,9 +103,10 @@ fn left_out(data: &Path, hold_out: &str, further: &[&str]) -> Value {
     json(&dir.join("v.json"))
 }
 
-/// A magnetorheological damper on an MTS rig, at two currents, motions `10mm2Hz` and `5mm4Hz` left out: no model may be worse than
-/// a careful fit of it elsewhere (least squares from three starts, scored on up to four cycles), by more than the margin
-/// that other weights and other cycles make.
+/// A magnetorheological damper on an MTS rig, at two currents, motions `10mm2Hz` and `5mm4Hz` left out.
+///
+/// No model may be worse than a careful fit of it elsewhere (least squares from three starts, scored on up to four
+/// cycles), by more than the margin that other weights and other cycles make.
 #[test]
 fn on_a_real_damper_every_model_is_as_good_as_a_careful_fit_elsewhere() {
     let Some(folder) = records("mr_mts_utfsm") else { return };

@@ -8,8 +8,10 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use tempfile::TempDir;
 
-/// What is made once: a campaign of the virtual rig's monotube in `records`; `plain.toml`, its model without any dry
-/// friction; everything that a diagnosis leaves (`better.toml`, `d.json`, `d.html`, `figures`) and what it said.
+/// What is made once.
+///
+/// A campaign of the virtual rig's monotube in `records`; `plain.toml`, its model without any dry friction;
+/// everything that a diagnosis leaves (`better.toml`, `d.json`, `d.html`, `figures`) and what it said.
 struct Made {
     folder: TempDir,
     told: String,

@@ -28,7 +28,7 @@ fn damper() -> Definition {
 fn write(folder: &Path, current: f64, suffix: &str) {
     std::fs::create_dir_all(folder).unwrap();
     let sines = [(0.02, 0.04), (0.02, 1.0), (0.02, 4.0), (0.004, 12.0)].map(|(a, f)| Sine::new(a, f));
-    let records = kernel_campaign::campaign(&damper().at(current), &sines, 7, 0.01);
+    let records = kernel_campaign::campaign(&damper().params_at(current), &sines, 7, 0.01);
     for (record, sine) in records.iter().zip(sines) {
         let mut text = String::from("time_s,displacement_m,force_N\n");
         for ((t, x), f) in record.time.iter().zip(&record.displacement).zip(&record.force) {

@@ -22,7 +22,7 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
                 number(corner, "rms_force_difference_n") > 1.0 && number(corner, "energy_j") > 0.0,
                 "{name}: {corner}"
             );
-            assert!((0.0..=1.0).contains(&number(corner, "share_inside_tests")), "{name}: {corner}");
+            assert!((0.0..=1.0).contains(&number(corner, "fraction_inside_tests")), "{name}: {corner}");
         }
         let page = std::fs::read_to_string(at.join("m.html")).expect("the report");
         assert!(page.contains("Operating region") && page.matches("<svg xmlns").count() == 21, "{name}");

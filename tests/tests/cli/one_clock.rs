@@ -7,8 +7,10 @@ use std::path::Path;
 /// How the zero of the force channel moves, N/s.
 const DRIFT: f64 = 0.006;
 
-/// The records as a German rig writes them, each with a time of its own from zero on, twelve minutes after the one before; with date and
-/// time of its beginning above the table, or without.
+/// The records as a German rig writes them, each with a time of its own from zero on, twelve minutes after the one
+/// before.
+///
+/// With date and time of its beginning above the table, or without.
 fn measured(from: &Path, to: &Path, dated: bool) {
     std::fs::create_dir_all(to).unwrap();
     let mut files: Vec<_> = std::fs::read_dir(from).unwrap().map(|e| e.unwrap().path()).collect();

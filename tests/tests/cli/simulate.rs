@@ -97,7 +97,7 @@ fn the_force_is_the_kernels_to_the_bit() {
     let answered = forces(dir, &["both.csv"]);
     let model = model();
     let input = |t: f64| Input::motion(motion(t).0, motion(t).1);
-    let mut state = model.settled(&input(times[0]));
+    let mut state = model.steady_state(&input(times[0]));
     let mut expected = vec![dashpot_core::evaluate::force(&model, &state, &input(times[0])).force];
     for t in times.windows(2) {
         let (next, output) = step(&model, &state, &input(t[1]), t[1] - t[0]);

@@ -61,7 +61,7 @@ fn lines(samples: &[Sample]) -> String {
 /// What the kernel answers, as the hosts print it.
 fn kernel(model: &Model, samples: &[Sample], force_alone: bool) -> String {
     let mut text = String::new();
-    let mut state = model.settled(&Input::motion(0.0, 0.0));
+    let mut state = model.steady_state(&Input::motion(0.0, 0.0));
     for Sample { input, dt } in samples {
         let (next, o): (State, Output) = dashpot_core::step(model, &state, input, *dt);
         state = next;
@@ -69,11 +69,11 @@ fn kernel(model: &Model, samples: &[Sample], force_alone: bool) -> String {
         write!(text, "{warning}").expect("a string takes it");
         hex(&mut text, &[o.force]);
         if !force_alone {
-            hex(&mut text, &[o.force_by_displacement, o.force_by_velocity, o.primary_force, o.spring_force]);
+            hex(&mut text, &[o.d_force_d_displacement, o.d_force_d_velocity, o.primary_force, o.spring_force]);
             hex(&mut text, &[o.friction_force, o.gas_force, o.series_deflection, o.stop_force, o.oil_temperature]);
         }
         hex(&mut text, &[state.displacement, state.velocity, state.mass_displacement, state.mass_velocity]);
-        hex(&mut text, &state.memory);
+        hex(&mut text, &state.internal);
         hex(&mut text, &[state.layout, state.reserved]);
         text.push('\n');
     }
@@ -205,7 +205,7 @@ fn the_headers_example_runs() {
     let mut params = Params::new();
     params.set(number!("gas_force"), 120.0).expect("in bounds");
     let model = Model::new(&params).expect("a model");
-    let mut state = model.settled(&Input::motion(-0.02, 0.0));
+    let mut state = model.steady_state(&Input::motion(-0.02, 0.0));
     let mut output = Output::ZERO;
     for _ in 0..50 {
         (state, output) = dashpot_core::step(&model, &state, &Input::velocity(0.3), 1e-3);

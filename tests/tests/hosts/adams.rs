@@ -85,7 +85,7 @@ fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
         let f = -model.static_output(&Input::motion(z - amplitude, 0.0)).force - SPRING * z;
         if f > 0.0 { low = z } else { high = z }
     }
-    let mut y: Y = (low, 0.0, model.settled(&Input::motion(low - amplitude, 0.0)));
+    let mut y: Y = (low, 0.0, model.steady_state(&Input::motion(low - amplitude, 0.0)));
     let mut t = 0.0;
     accepted
         .iter()
@@ -257,8 +257,10 @@ fn every_element_of_the_model_agrees() {
     }
 }
 
-/// LINEAR (mode 7) sees the damper without dry friction: the eigenvalues are those of the kernel's own slopes, and not those of a damper that its stuck
-/// friction locks, which the same matrix has in dynamics.
+/// LINEAR (mode 7) sees the damper without dry friction.
+///
+/// The eigenvalues are those of the kernel's own slopes, and not those of a damper that its stuck friction locks,
+/// which the same matrix has in dynamics.
 #[test]
 fn a_linearisation_is_not_locked_by_stuck_friction() {
     const MASS: f64 = 40.0;

@@ -174,8 +174,9 @@ fn a_property_file_comes_back_as_it_was() {
     assert!(xml.contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"141.5\""));
 }
 
-/// Adams joins points by Akima's method, which had 60 % more force than a model's curve beside a knee: there are points enough, the file says what is
-/// left, and one that others wrote becomes the curve that Adams has.
+/// Adams joins points by Akima's method, which had 60 % more force than a model's curve beside a knee.
+///
+/// There are points enough, the file says what is left, and one that others wrote becomes the curve that Adams has.
 #[test]
 fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_round() {
     let folder = tempfile::tempdir().unwrap();
@@ -218,7 +219,7 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     let model = dashpot_identification::model_file::read(&folder.path().join("long.toml")).unwrap();
     let model = dashpot_core::Model::new(&model.params).unwrap();
     for v in [-1200.0, -300.0, -40.0, 0.0, 12.5, 77.0, 700.0] {
-        let off = (model.elements().paths.fv_curve.at(1e-3 * v).value - force(v)).abs();
+        let off = (model.elements().paths.fv_curve.evaluate(1e-3 * v).value - force(v)).abs();
         assert!(off < 0.006 * 1750.0, "{v} mm/s: {off} N");
     }
 }
@@ -256,7 +257,9 @@ fn what_a_property_file_leaves_out_is_said() {
     assert!(at("a.xml").contains("<afc ") && at("a.xml").contains("gasPreloadMethod=\"constant\""));
 }
 
-/// What a fit leaves beside a model: the plain curve of the same tests, which has the friction in it that stands beside the model's own curve.
+/// What a fit leaves beside a model.
+///
+/// The plain curve of the same tests, which has the friction in it that stands beside the model's own curve.
 const FIT: &str = "\n[identification.fv_only]\nvelocity = [-1.0, -0.01, 0.0, 0.01, 1.0]\nforce = [-640.0, -50.0, 0.0, 50.4, 1340.0]\n\
                    gas_force = 150.0\n";
 
@@ -345,8 +348,10 @@ fn a_closed_standard_output_is_an_error() {
     }
 }
 
-/// Real files of Adams Car, where a folder of them is named (such as dampers.tbl of the public wokomm/PropertyView-mechanics): all are
-/// read, and what is left out is said.
+/// Real files of Adams Car, where a folder of them is named (such as dampers.tbl of the public
+/// wokomm/PropertyView-mechanics).
+///
+/// All are read, and what is left out is said.
 #[test]
 fn real_property_files_are_read() {
     let Some(from) = std::env::var_os("DASHPOT_ADAMS_PROPERTY_FILES") else {
@@ -482,7 +487,9 @@ fn spline(dataset: &Dataset, id: u64) -> Vec<(f64, f64)> {
     points
 }
 
-/// A spline holds few elements: of each other one it is said, beside the files, that it is the reason why there is no native.adm, and one of an
+/// A spline holds few elements.
+///
+/// Of each other one it is said, beside the files, that it is the reason why there is no native.adm, and one of an
 /// earlier export is not taken for this model's.
 #[test]
 fn no_element_is_left_out_of_the_native_elements_without_a_word() {
@@ -559,7 +566,7 @@ fn native_agrees(text: &str) {
         let w = std::f64::consts::TAU * frequency;
         let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
         let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
-        let mut state = model.settled(&input(0.0));
+        let mut state = model.steady_state(&input(0.0));
         // Where the model rests, as Adams' statics find it.
         let mut dif = [1e3 * (state.mass_displacement - state.displacement), 0.0, 0.0];
         let dt = 1e-5;

@@ -206,8 +206,9 @@ fn outside_adams_it_loads_and_answers_its_selftest() {
     }
 }
 
-/// A solver that has loaded its utilities for itself alone, as an interpreter's extension does: they are in the process, and not in
-/// the global scope.
+/// A solver that has loaded its utilities for itself alone, as an interpreter's extension does.
+///
+/// They are in the process, and not in the global scope.
 #[test]
 fn utilities_loaded_for_another_library_alone_are_found() {
     const UTILITIES: &str = "#include <stdio.h>\nvoid c_errmes(int e, const char *t, int id, const char *s) { (void)id; printf(\"%d %s %s\\n\", e, s, t); }\n";
@@ -353,7 +354,7 @@ fn a_gforce_in_space_acts_along_the_line_between_its_ends() {
             side_force: size(cross(guide, axis)),
             ..Input::motion(1e-3 * (size(apart) - 400.0), 1e-3 * dot(minus(vi, vj), axis))
         };
-        let mut state = model.settled(&input);
+        let mut state = model.steady_state(&input);
         state.mass_velocity = input.velocity;
         let tension = dashpot_core::evaluate::force(&model, &state, &input).force;
         let want = axis.map(|c| -tension * c);

@@ -181,7 +181,7 @@ impl Rig {
         }
         let force = model.static_output(&Input::motion(low, 0.0)).force;
         let y = [force / self.stiffness[1], 0.0, -force / self.stiffness[0], 0.0];
-        Instant { y, damper: model.settled(&Input::motion(y[2] - y[0], 0.0)) }
+        Instant { y, damper: model.steady_state(&Input::motion(y[2] - y[0], 0.0)) }
     }
 }
 

@@ -81,7 +81,7 @@ fn the_windows_library_exports_its_entries_needs_only_windows_and_runs() {
     assert!(text.contains("usrmes 1 INFO dashpot: model file damper.toml, 2 states"), "{text}");
     // The steady force at this motion.
     let (model, input) = (model_of(PLAIN), Input::motion(0.01, 0.15));
-    let want = -force(&model, &model.settled(&input), &input).force;
+    let want = -force(&model, &model.steady_state(&input), &input).force;
     let line = text.lines().find_map(|l| l.trim().strip_prefix("sforce ")).unwrap();
     let got: f64 = line.parse().unwrap();
     assert!((got - want).abs() < 1e-9 * want.abs(), "{got} {want}");

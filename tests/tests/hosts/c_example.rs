@@ -45,7 +45,7 @@ fn the_example_gives_the_kernels_forces() {
     let got: Vec<f64> = String::from_utf8(out.stdout).unwrap().lines().map(|l| l.parse().unwrap()).collect();
 
     let model = Model::new(&params).unwrap();
-    let mut state = model.settled(&Input::motion(-0.02, 0.0));
+    let mut state = model.steady_state(&Input::motion(-0.02, 0.0));
     let want: Vec<f64> = velocities
         .iter()
         .map(|v| {

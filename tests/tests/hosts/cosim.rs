@@ -1,5 +1,7 @@
-//! An exported FMU in stock hosts for co-simulation that are not FMPy: libcosim of the Open Simulation Platform, which is built on the FMI
-//! Library, and Ecos, which has an FMI library of its own. The force of every step is that of the library itself.
+//! An exported FMU in stock hosts for co-simulation that are not FMPy.
+//!
+//! libcosim of the Open Simulation Platform, which is built on the FMI Library, and Ecos, which has an FMI library of
+//! its own. The force of every step is that of the library itself.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{directory, root};

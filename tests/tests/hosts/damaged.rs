@@ -1,5 +1,6 @@
-//! Damaged channel maps and FMU resources through the readers in C, under the compiler's watch over memory: each is taken or refused, and
-//! nothing is read or written beyond its block.
+//! Damaged channel maps and FMU resources through the readers in C, under the compiler's watch over memory.
+//!
+//! Each is taken or refused, and nothing is read or written beyond its block.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;

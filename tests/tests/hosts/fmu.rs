@@ -253,8 +253,9 @@ fn the_description_is_the_parameter_table() {
     }
 }
 
-/// The FMU compiled again from its unpacked sources alone gives the bridge's forces bit for bit: with the kernel that lies there,
-/// and with the kernel compiled from the sources that lie there.
+/// The FMU compiled again from its unpacked sources alone gives the bridge's forces bit for bit.
+///
+/// With the kernel that lies there, and with the kernel compiled from the sources that lie there.
 #[test]
 fn its_sources_are_all_it_needs() {
     if !has_python() {

@@ -1,5 +1,7 @@
-//! FMUs in the hands of importers with habits of their own: wrong or no resources folder, a logger that goes away, start values that
-//! nobody sets, outputs asked for where the solver has passed, calls out of order.
+//! FMUs in the hands of importers with habits of their own.
+//!
+//! Wrong or no resources folder, a logger that goes away, start values that nobody sets, outputs asked for where the
+//! solver has passed, calls out of order.
 
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::fmu::exported;

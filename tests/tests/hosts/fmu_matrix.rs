@@ -2,7 +2,7 @@
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
-use dashpot_simulation::accuracy::{Given, References, Sine, errors, step_forces};
+use dashpot_simulation::accuracy::{HostInput, References, Sine, errors, step_forces};
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{Language, compiler, root, succeed};
@@ -60,7 +60,7 @@ fn runs(fmi: &str, four: bool) {
     let (mut steps, mut exchange) = ([0.0_f64; 2], [0.0_f64; 2]);
     for (sine, exact) in exact() {
         let of: [Vec<f64>; 2] = std::array::from_fn(|_| forces.by_ref().take(exact.len()).collect());
-        let kernel = step_forces(&model, &sine.motion(), DT, exact.len() - 1, Given::Motion);
+        let kernel = step_forces(&model, &sine.motion(), DT, exact.len() - 1, HostInput::Motion);
         // Python's sine and the reference's may differ in the last digit.
         let same = errors(&of[0], &kernel);
         assert!(same.largest < 1e-11, "{sine:?}: co-simulation is not the kernel's step: {same:?}");

@@ -1,4 +1,6 @@
-//! Hosts set parameters one by one: what an FMU does with a set that does not fit together, in a host that sees every status and message.
+//! Hosts set parameters one by one.
+//!
+//! What an FMU does with a set that does not fit together, in a host that sees every status and message.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};

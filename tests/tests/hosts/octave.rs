@@ -34,7 +34,7 @@ fn the_example_gives_the_kernels_forces() {
     let mut params = Params::new();
     model_file::read(MODEL.as_bytes(), &mut params).expect("the model file");
     let model = Model::new(&params).expect("a model");
-    let mut state = model.settled(&Input::motion(0.0, 0.0));
+    let mut state = model.steady_state(&Input::motion(0.0, 0.0));
     let peak = forces.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
     assert!(peak > 100.0, "{peak}");
     let w = std::f64::consts::TAU * 12.0;

@@ -1,5 +1,7 @@
-//! The examples in Python on multibody programs that nobody here wrote: a mass dropped on spring and damper is where the kernel says,
-//! stepped so finely that the host's own method no longer matters.
+//! The examples in Python on multibody programs that nobody here wrote.
+//!
+//! A mass dropped on spring and damper is where the kernel says, stepped so finely that the host's own method no
+//! longer matters.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_tests::library::{root, shared, succeed};
@@ -19,7 +21,7 @@ fn kernel() -> Vec<[f64; 2]> {
     model_file::read(MODEL.as_bytes(), &mut params).expect("the model");
     let model = Model::new(&params).expect("a model");
     let at_rest = |x: f64| {
-        let state = model.settled(&Input::motion(x, 0.0));
+        let state = model.steady_state(&Input::motion(x, 0.0));
         (state, step(&model, &state, &Input::motion(x, 0.0), 0.0).1.force)
     };
     let rest = at_rest(0.0).1;

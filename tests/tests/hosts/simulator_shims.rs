@@ -37,7 +37,7 @@ fn carsim_in_its_own_units() {
     runs("carsim.c", "carsim/vs_damper.c", &[header], Some("maps/carsim.toml"));
 }
 
-/// The same key in the maps of CarSim, the S-function and a plain host.
+/// One key in the maps of CarSim, the S-function and a plain host.
 #[test]
 fn the_zero_of_the_rig_is_where_the_map_says() {
     let directory = tempfile::tempdir().expect("a directory");

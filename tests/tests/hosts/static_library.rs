@@ -67,7 +67,7 @@ int main(void)
 
 fn kernel() -> f64 {
     let model = dashpot_core::Model::new(&dashpot_core::Params::new()).expect("a model");
-    let state = model.settled(&dashpot_core::Input::motion(0.0, 0.0));
+    let state = model.steady_state(&dashpot_core::Input::motion(0.0, 0.0));
     dashpot_core::step(&model, &state, &dashpot_core::Input::velocity(0.1), 1e-3).1.force
 }
 

@@ -1,5 +1,6 @@
-//! The vehicle on the simulator bridge, as a real-time simulator has it: every manoeuvre at steps from 0.25 to 2 ms is bit for
-//! bit that of the kernel, with the host's signs in between.
+//! The vehicle on the simulator bridge, as a real-time simulator has it.
+//!
+//! Every manoeuvre at steps from 0.25 to 2 ms is bit for bit that of the kernel, with the host's signs in between.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_simulation::vehicle::{Car, Dampers, Manoeuvre, run, run_with};

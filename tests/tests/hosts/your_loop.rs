@@ -1,4 +1,6 @@
-//! The example of the page for host authors: its three loops are the same car, and the implicit one is calm where the explicit one is not.
+//! The example of the page for host authors.
+//!
+//! Its three loops are the same car, and the implicit one is calm where the explicit one is not.
 
 use dashpot_tests::library::{Language, Linkage, host, root, succeed};
 use std::path::Path;
@@ -50,8 +52,10 @@ fn three_loops_are_one_car() {
     }
 }
 
-/// A mass in the damper moves the car as it does in small steps, whatever velocity a loop advances the displacement with: the first loop is
-/// semi-implicit. What the loops get wrong of the body themselves cancels in the difference.
+/// A mass in the damper moves the car as it does in small steps, whatever velocity a loop advances the displacement
+/// with.
+///
+/// The first loop is semi-implicit. What the loops get wrong of the body themselves cancels in the difference.
 #[test]
 fn a_moving_mass_acts_as_it_is_in_every_loop() {
     let folder = tempfile::tempdir().expect("a directory");

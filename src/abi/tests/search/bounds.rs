@@ -1,4 +1,4 @@
-//! What the force of a case must keep to: what its elements can make along its motion, and what the same motion comes to in short steps.
+//! Bounds of the force of a case: what its elements can make along its motion, and the result of short steps.
 
 use crate::case::{Case, Failure, Given, Run, prepare};
 use dashpot_core::parameter::Number;
@@ -8,8 +8,9 @@ use dashpot_core::parameter::Number;
 pub enum Against {
     /// What the elements can make along the motion, or short steps come to: a force beyond both is none of this damper.
     Possible,
-    /// Short steps alone, where it is more than the elements make in one stroke: a mass that a method brings into step with the drive, which short
-    /// steps do not, fails.
+    /// Short steps alone, if the force is more than the elements make in one stroke.
+    ///
+    /// A mass that a method locks onto the drive, which short steps do not, fails.
     ShortSteps,
 }
 
@@ -83,9 +84,11 @@ fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
 /// Friction, and what else answers the speed at once where it acts.
 const FRICTION: [&str; 4] = ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"];
 
-/// The most that friction makes behind the series spring up to a speed: it acts on the mass there, which passes every speed between
-/// rest and that, whatever the host's motion is read at. A friction that falls with speed has two places that balance the spring,
-/// stuck and sliding; which of them a step comes to depends on its length, and both are forces that the element makes.
+/// Largest friction behind the series spring up to a velocity.
+///
+/// It acts on the mass there, which passes every velocity between rest and that, whatever the motion of the host. A
+/// friction that falls with velocity has two equilibria with the spring, stuck and sliding. The length of a step
+/// decides between them, and both are forces that the element makes.
 fn stuck(case: &Case, speed: f64) -> f64 {
     if !case.values.iter().any(|(name, value)| *name == "series_load" && value[0] == 1.0) {
         return 0.0;
@@ -132,8 +135,10 @@ fn turned(case: &Case) -> f64 {
     finer(case, 8).motion.iter().fold(0.0, |sum, g| sum + (g.v - std::mem::replace(&mut last, g.v)).abs())
 }
 
-/// Force of the series path where all that the drive can give the mass is in it: against the driven end the mass gains no more speed than that
-/// end changes its own by, whatever the spring, and each time no damper has taken any of it.
+/// Force of the series path if it stores all energy that the drive can give the mass.
+///
+/// Against the moving end the mass gains no more velocity than that end changes its own by, whatever the spring. No
+/// damper has absorbed any of it.
 fn thrown(case: &Case) -> f64 {
     let speed = turned(case);
     let straight = caught(case, speed);
@@ -151,8 +156,10 @@ fn thrown(case: &Case) -> f64 {
 /// The most that a late valve makes of the force of the FV curve: one that is shut lets a hundredth through.
 const SHUT: f64 = 100.0;
 
-/// The most that the elements can make along the motion, however badly timed it is: no damper takes what the drive gives the mass, a valve with a
-/// memory is shut when the piston is fastest.
+/// Largest force of the elements along the motion, with the worst timing.
+///
+/// No damper absorbs what the drive supplies to the mass, and a valve with an internal state is shut when the piston
+/// is fastest.
 ///
 /// Twice the sum, as in [`check`]: forces of several elements add up, and the mass may move twice as fast as the driven end.
 fn most(case: &Case, found: &Run) -> f64 {
@@ -173,7 +180,7 @@ fn beside(case: &Case) -> f64 {
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// The same with another method.
+/// The case with another method.
 fn by(case: &Case, method: f64, substeps: f64) -> Case {
     let mut other = case.clone();
     other.values.retain(|(name, _)| *name != "method" && *name != "substeps");
@@ -218,8 +225,9 @@ fn is_beyond(top: f64, same: f64, euler: f64, elements: f64) -> bool {
     top > SHORT_STEPS * same + 0.2 * elements || top > 10.0 * euler + elements
 }
 
-/// Holds the forces of a run against what the elements make one by one and, where they are larger, against what the same
-/// motion comes to in short steps.
+/// Compares the forces of a run with what the elements make one by one.
+///
+/// Larger ones are compared with the result of short steps.
 ///
 /// Not `thorough`: without the shortest steps, and without what dampers near this one make, which take a thousand times as long as the run.
 pub fn check(case: &Case, found: &Run, against: Against, thorough: bool) -> Result<(), Failure> {

@@ -139,8 +139,10 @@ fn a_lag_that_changes_with_speed_stays_between_its_targets() {
     assert!(run.forces.iter().all(|f| f.abs() <= 1.25 * 12e3), "{:?}", run.forces);
 }
 
-/// The method of fourth order puts its last stage together from those before it: that had a blow-off valve open two and a half
-/// times over, whose force then fell with the flow, and the third step came to 1e22 N.
+/// The method of fourth order combines its last stage from those before it, which once opened a blow-off valve two
+/// and a half times over.
+///
+/// Its force then fell with the flow, and the third step reached 1e22 N.
 #[test]
 fn a_valve_opens_no_further_than_open() {
     let mut case = millimetre(
@@ -160,8 +162,10 @@ fn a_valve_opens_no_further_than_open() {
     assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
 }
 
-/// The spring was taken for a straight line where the mass was predicted, in a table whose pieces it crosses by the dozen in a
-/// step of 10 ms: 74 kN, where the elements make 4.
+/// The spring was linearized at the predicted position, in a table whose pieces the mass crosses by the dozen in a
+/// step of 10 ms.
+///
+/// The force was 74 kN, where the elements make 4.
 #[test]
 fn a_spring_of_a_table_is_met_where_the_mass_comes_to() {
     for method in [0.0, 1.0, 2.0, 3.0, 4.0] {
@@ -187,7 +191,9 @@ fn a_spring_of_a_table_is_met_where_the_mass_comes_to() {
     }
 }
 
-/// The tangent of the cheap step, drawn inside a steep piece of the curve, was followed far beyond it: 1.9 kN from a curve of 29 N.
+/// The tangent of the cheap step, from inside a steep piece of the curve, was used far beyond it.
+///
+/// The force was 1.9 kN from a curve of 29 N.
 #[test]
 fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     let mut checked = 0;
@@ -218,8 +224,9 @@ fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     assert_eq!(checked, 100);
 }
 
-/// Friction that falls with speed leaves the stage's equation no slope of its own; the straight step by those that stood in for
-/// it threw the mass to 3 km/s, and the force to 3 MN.
+/// With friction that falls with velocity, the equation of a stage has no derivative of its own.
+///
+/// The Newton step with a substitute threw the mass to 3 km/s, and the force to 3 MN.
 #[test]
 fn no_straight_step_by_slopes_that_stand_in() {
     let mut case = millimetre(
@@ -354,8 +361,9 @@ fn euler_behind_air_in_cold_oil_makes_what_the_elements_do() {
     assert!(run.forces.iter().all(|f| f.abs() < 1.01 * 34481.62 * 3f64.exp()), "{:?}", run.forces);
 }
 
-/// What the method of fourth order puts together from its stages opened the spool when they had closed it: 272 kN at an end
-/// whose latest stage had 0.2, and the motion makes 163.
+/// The method of fourth order combined its stages to an open spool when they had closed it.
+///
+/// The force was 272 kN at an end whose latest stage had 0.2, and the motion makes 163.
 #[test]
 fn a_spool_that_turns_inside_a_step() {
     let mut case = millimetre(
@@ -379,9 +387,10 @@ fn a_spool_that_turns_inside_a_step() {
     holds(&case);
 }
 
-/// A piece of the FV curve that is level at one end and in the mean a thousand times steeper than what soft oil leaves of the mass. The
-/// middles of the bracket all lay at its one end, and the stage ended without an answer: half a kilogram was thrown to 0.16 m/s in
-/// 10 µs by a force of 37 N (seed 503, case 3947).
+/// A piece of the FV curve that is level at one end and on average a thousand times steeper than soft oil and mass.
+///
+/// The midpoints of the bracket all lay at one end, and the stage ended without a root. Half a kilogram was thrown to
+/// 0.16 m/s in 10 µs by a force of 37 N (seed 503, case 3947).
 #[test]
 fn soft_oil_on_the_level_half_of_a_curve() {
     let on = [
@@ -470,8 +479,10 @@ fn to_and_fro(speed: f64, steps: i32, side: f64, on: &[&'static str], values: &[
     }
 }
 
-/// The curve damps nothing below 0.3 m/s: by its mean slope over the whole range the mass had one substep, which put its own frequency on
-/// that of the drive, with three times the force.
+/// The curve has no damping below 0.3 m/s.
+///
+/// By its mean derivative over the whole range the mass had one substep, which put its own frequency on that of the
+/// drive, with three times the force.
 #[test]
 fn a_mass_on_the_level_middle_of_a_curve_has_the_substeps_of_one_that_nothing_damps() {
     let (v, f) = ([-0.545, -0.372, -0.341, -0.304, -0.248, 0.0], [-6473.0, -4014.0, -3858.0, 0.0, 0.0, 0.0]);
@@ -488,8 +499,9 @@ fn a_chosen_method_has_more_substeps_where_nothing_damps_the_mass() {
     }
 }
 
-/// Substeps that the host chose and that do not follow the swing of a mass: the method shifts its frequency onto that of the drive, with
-/// three times the force of short steps.
+/// Substeps chosen by the host that do not resolve the swing of a mass.
+///
+/// The method shifts its frequency onto that of the drive, with three times the force of short steps.
 #[test]
 fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
     for mass in (0..40).map(|i| 0.06 + 5e-4 * f64::from(i)) {
@@ -502,8 +514,10 @@ fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
     }
 }
 
-/// A mass on hardening rubber that the drive throws about: deep in the rubber its frequency is beyond what substeps for the rubber at rest
-/// follow, with up to ten times the force of short steps. One in a hundred of these did that, whether the method was chosen or not.
+/// A mass on hardening rubber that the drive throws about.
+///
+/// Deep in the rubber its frequency is too high for the substeps of the rubber at rest, with up to ten times the
+/// force of short steps. One in a hundred of these did that, whether the method was chosen or not.
 #[test]
 fn substeps_that_do_not_follow_a_mass_in_hard_rubber_take_its_energy() {
     let mut r = Random(7);

@@ -1,7 +1,8 @@
-//! Looks for parameter sets and motions at which the promises of the interface fail: every answer that is not a
-//! refusal is finite, a refusal leaves the state as it was, the force is one that the elements can make along the motion. The seed of that search
-//! is another one in every run of the night; that of the suite is read off the sources: any change of the code draws cases that nobody has run, and
-//! what passed once passes wherever the same code is tested.
+//! Searches for parameter sets and motions that break the promises of the interface.
+//!
+//! Every result of a successful call is finite, an error leaves the state unchanged, and the force is one that the
+//! elements can make along the motion. The seed of that search differs in every nightly run. That of the suite
+//! follows from the sources: any change of the code draws new cases, and the same code always repeats its cases.
 //!
 //! A sharper search holds the force against short steps, however much the elements could make. It still finds cases (which ones: see the book,
 //! step.md), so its seed stays.
@@ -140,8 +141,11 @@ fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     (compared, off)
 }
 
-/// Where one derivative is all that can be had, a step gives that of one side or one between both (step.md): so it is but for a part that the book
-/// tells. Cases far from all dampers come in clumps, hence the margin: seeds 5, 6 and 7 had 23 of 40351, 52 of 41656 and 56 of 41410.
+/// Where only one derivative exists, a step returns that of one side or one between both (step.md), except for a
+/// fraction stated in the book.
+///
+/// Cases far from all dampers come in clumps, hence the margin: seeds 5, 6 and 7 had 23 of 40351, 52 of 41656 and 56
+/// of 41410.
 #[test]
 fn derivatives_of_steps_are_differences() {
     let (compared, off) = slopes(3000, 60, of_the_code());

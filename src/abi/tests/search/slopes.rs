@@ -77,9 +77,9 @@ pub fn compare(case: &Case, r: &mut Random, share: f64) -> (u64, Vec<Off>) {
                 let given = Given { x: given.x.map(|at| at + x), v: given.v + v, ..*given };
                 one_step(&model, &state, &given).map(|(_, output)| output.force)
             };
-            let by_v = is_derivative(output.force_by_velocity, &|h| moved(0.0, h), &WIDTHS[1]);
+            let by_v = is_derivative(output.d_force_d_velocity, &|h| moved(0.0, h), &WIDTHS[1]);
             let by_x = if given.x.is_some() {
-                is_derivative(output.force_by_displacement, &|h| moved(h, 0.0), &WIDTHS[0])
+                is_derivative(output.d_force_d_displacement, &|h| moved(h, 0.0), &WIDTHS[0])
             } else {
                 None
             };

@@ -6,7 +6,7 @@ use dashpot_core::number;
 use dashpot_core::step::{Integration, Method, step_into};
 use dashpot_core::{Input, Model, Output, Params};
 use dashpot_rig::Matrix;
-use dashpot_simulation::accuracy::{Given, References, Sine, worst};
+use dashpot_simulation::accuracy::{HostInput, References, Sine, worst};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::Command;
@@ -95,7 +95,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             let Some((method_name, _)) = METHODS.into_iter().find(|(_, each)| *each == method) else { continue };
             progress.say((k as f64 + 0.5) / models.len() as f64, method_name);
             let run = if automatic { model } else { model.with_integration(Integration::fixed(method, substeps)) };
-            let exact = worst(&references.compare(&run, STEP, Given::Motion));
+            let exact = worst(&references.compare(&run, STEP, HostInput::Motion));
             rows.push(Row {
                 model: name,
                 method: method_name,
@@ -103,8 +103,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 automatic,
                 rms_percent_1ms: 100.0 * exact.rms,
                 largest_percent_1ms: 100.0 * exact.largest,
-                rms_percent_quarter_ms: 100.0 * worst(&references.compare(&run, 0.25 * STEP, Given::Motion)).rms,
-                rms_percent_velocity_only: 100.0 * worst(&references.compare(&run, STEP, Given::Velocity)).rms,
+                rms_percent_quarter_ms: 100.0 * worst(&references.compare(&run, 0.25 * STEP, HostInput::Motion)).rms,
+                rms_percent_velocity_only: 100.0 * worst(&references.compare(&run, STEP, HostInput::Velocity)).rms,
                 instructions: if counted { count(method_name, substeps) } else { None },
                 nanoseconds: time(&run),
             });
@@ -172,13 +172,13 @@ fn road() -> Vec<Input> {
 
 fn spin(model: &Model, steps: usize) -> f64 {
     let road = road();
-    let mut state = model.settled(&road[0]);
+    let mut state = model.steady_state(&road[0]);
     let mut output = Output::ZERO;
     let mut sum = 0.0;
     for i in 0..steps {
         let from = state;
         step_into(model, &from, &road[i & 4095], STEP, &mut state, &mut output);
-        sum += output.force + output.force_by_displacement + output.force_by_velocity;
+        sum += output.force + output.d_force_d_displacement + output.d_force_d_velocity;
     }
     sum
 }

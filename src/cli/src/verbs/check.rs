@@ -46,14 +46,14 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
     let file = model::read(&args.model)?;
     let ready = args.host.ready(&file.params)?;
-    for line in ready.told().into_iter().chain(ready.stiffness()?) {
+    for line in ready.messages().into_iter().chain(ready.stiffness()?) {
         dashpot_output::say(on_stdout, &line)?;
     }
     if let Some(path) = out {
         if ready.softened.is_none() {
             dashpot_output::say(on_stdout, "Nothing was replaced: the file is the damper as it was.")?;
         }
-        dashpot_output::write(path, model_file::plain(&ready.params, &ready.told()))?;
+        dashpot_output::write(path, model_file::plain(&ready.params, &ready.messages()))?;
     }
     if let Some(path) = json {
         dashpot_output::json(path, &ready.figures()?)?;

@@ -165,7 +165,7 @@ impl DataArgs {
     /// Reads and cleans the records.
     pub fn load(&self) -> anyhow::Result<Campaign> {
         let campaign = self.load_like(&self.data)?;
-        tell_sign(&campaign.notes);
+        print_sign(&campaign.notes);
         Ok(campaign)
     }
 
@@ -173,11 +173,11 @@ impl DataArgs {
     pub fn load_over_setting(&self) -> anyhow::Result<Campaign> {
         let mut campaign = self.read_noting(&self.data, &self.options()?, &|note| note.kind != "settings")?;
         campaign.notes.retain(|note| note.kind != "settings");
-        tell_sign(&campaign.notes);
+        print_sign(&campaign.notes);
         Ok(campaign)
     }
 
-    /// The same, without what the model's own fit found these records to be off by.
+    /// Loads the campaign, corrected by the measurement error that the model's own fit found in these records.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
         let mut campaign = if model.axis.is_some() { self.load_over_setting()? } else { self.load()? };
         let note = model.identification.right(&mut campaign.records);
@@ -186,12 +186,12 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Reads and cleans records by the same options. How sure their direction is they say once they have agreed on it with others ([`tell_sign`]).
+    /// Reads and cleans records by the same options. How sure their direction is they say once they have agreed on it with others ([`print_sign`]).
     pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         Ok(self.read(paths, &self.options()?)?)
     }
 
-    /// The same by options that were made of these.
+    /// Reads paths with options that were made of these.
     pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
         self.read_noting(paths, options, &|_| true)
     }
@@ -207,7 +207,7 @@ impl DataArgs {
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
         // What decides which records count is said before the work, whatever the verb.
-        for note in campaign.notes.iter().filter(|n| is_said_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
+        for note in campaign.notes.iter().filter(|n| is_shown_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));
         }
@@ -226,7 +226,7 @@ pub fn named(paths: &[PathBuf]) -> String {
 }
 
 /// Whether a note was said when the records were read.
-pub fn is_said_first(note: &Note) -> bool {
+pub fn is_shown_first(note: &Note) -> bool {
     [
         "gap",
         "rests",
@@ -251,7 +251,7 @@ pub fn is_said_first(note: &Note) -> bool {
 }
 
 /// Warns where it is not sure which direction the files count positive.
-pub fn tell_sign<'a>(notes: impl IntoIterator<Item = &'a Note>) {
+pub fn print_sign<'a>(notes: impl IntoIterator<Item = &'a Note>) {
     for note in notes.into_iter().filter(|note| note.kind == "sign_unsure") {
         dashpot_output::warn(&format!("warning: {}", note.text));
     }

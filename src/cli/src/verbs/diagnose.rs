@@ -1,6 +1,6 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
-use super::data::{DataArgs, name_of, named, tell_sign};
+use super::data::{DataArgs, name_of, named, print_sign};
 use super::{groups, model};
 use crate::page::PageArgs;
 use crate::progress::Progress;
@@ -14,7 +14,7 @@ use dashpot_records::groups::split;
 use dashpot_records::{Campaign, Record, Sentence, Unusable, agree_on_sign, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
 use dashpot_report::groups::page;
-use dashpot_report::numbers::{digits, share, with_interval, with_unit};
+use dashpot_report::numbers::{digits, fraction, with_interval, with_unit};
 use dashpot_report::whole_records;
 use dashpot_report::words::{TERMINAL, Words};
 use dashpot_report::{Made, Print, parameters, reading, write_workbook};
@@ -85,7 +85,7 @@ pub fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::
     if patterns.is_empty() {
         return Ok(choose_held_out(&records, seed));
     }
-    Ok(hold_out::held_out(campaign, patterns, "look at")?)
+    Ok(hold_out::select_hold_out(campaign, patterns, "look at")?)
 }
 
 /// A diagnosis with what it was made from.
@@ -124,7 +124,8 @@ pub fn examine(
     let progress = Progress::new("diagnosing");
     let found =
         diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text.english()))?;
-    let over_whole_records = OfDiagnosis::of(&model.params, &found.base, &found.improved, &found.measured, &records)?;
+    let over_whole_records =
+        OfDiagnosis::evaluate(&model.params, &found.base, &found.improved, &found.measured, &records)?;
     let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
     let unusable = campaign.unusable.clone();
     Ok(Diagnosed { found, left_out, over_whole_records, as_the_fit_saw, unusable })
@@ -142,9 +143,9 @@ impl Diagnosed {
     }
 
     /// In lines.
-    pub fn told(&self) -> Vec<String> {
-        let mut lines = told(&self.found);
-        lines.push(whole_records::told(&self.over_whole_records, &TERMINAL));
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = format_diagnosis(&self.found);
+        lines.push(whole_records::format_errors(&self.over_whole_records, &TERMINAL));
         lines
     }
 
@@ -205,7 +206,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let mut campaign = args.data.load_like(&args.data.data)?;
     if args.reference.is_empty() {
-        tell_sign(&campaign.notes);
+        print_sign(&campaign.notes);
     }
     let left = held_out(&campaign, &args.hold_out, args.seed)?;
     let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&campaign.files).cloned().collect();
@@ -213,7 +214,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if !args.reference.is_empty() {
         let mut good = args.data.load_like(&args.reference)?;
         agree_on_sign(&mut [&mut campaign, &mut good]);
-        tell_sign(campaign.notes.iter().chain(&good.notes));
+        print_sign(campaign.notes.iter().chain(&good.notes));
         campaign.also_without(good.unusable);
         files.extend(good.files);
         reference = good.records;
@@ -225,7 +226,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     say(&reading::sign_in_words(&campaign.sign, &TERMINAL))?;
-    say(&diagnosed.told().join("\n"))?;
+    say(&diagnosed.lines().join("\n"))?;
     if let Some(path) = out {
         dashpot_output::write(path, diagnosed.model(&model, &campaign))?;
         if !dashpot_output::is_stdout(path) {
@@ -292,7 +293,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     }
     let reference = good.as_mut().map(|good| &mut good.campaign);
     let split = split(&data.data, by, &|paths| data.read(paths, &options), reference)?;
-    tell_sign(split.notes.iter().chain(good.iter().flat_map(|good| &good.campaign.notes)));
+    print_sign(split.notes.iter().chain(good.iter().flat_map(|good| &good.campaign.notes)));
     let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&split.files).cloned().collect();
     files.extend(good.iter().flat_map(|good| good.campaign.files.clone()));
     let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), ..Options::default() };
@@ -301,7 +302,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     let answers = diagnose_groups((split, by), good, model, options, args.seed, &told)?;
     drop(progress);
     let json = args.json.as_deref();
-    dashpot_output::say(json, &groups::told(&answers).join("\n"))?;
+    dashpot_output::say(json, &groups::format_groups(&answers).join("\n"))?;
     if let Some(path) = json {
         dashpot_output::json(path, &answers)?;
     }
@@ -326,7 +327,7 @@ const RIVALS: usize = 2;
 const NEXT: usize = 3;
 
 /// The findings in lines.
-pub fn told(found: &Diagnosis) -> Vec<String> {
+pub fn format_diagnosis(found: &Diagnosis) -> Vec<String> {
     let mut lines = vec![headline(found, &TERMINAL)];
     if !found.inventory.is_empty() {
         lines.push(format!("  {:<28} {:>10} {:>6} {:>12}  {}", "inventory", "N rms", "force", "probability", "status"));
@@ -368,13 +369,13 @@ pub fn told(found: &Diagnosis) -> Vec<String> {
 fn one(finding: &Finding) -> Vec<String> {
     let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
     let mut lines =
-        vec![format!("Found {}{form}, {} sure: {}", finding.effect, share(finding.confidence), finding.meaning)];
+        vec![format!("Found {}{form}, {} sure: {}", finding.effect, fraction(finding.confidence), finding.meaning)];
     lines.push(format!(
         "  where: {}, family {} ({} sure); {} of the disagreement opens again without it",
         finding.path,
         finding.family,
-        share(finding.family_confidence),
-        share(finding.share)
+        fraction(finding.family_confidence),
+        fraction(finding.share)
     ));
     for (name, v) in &finding.parameters {
         let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
@@ -382,7 +383,7 @@ fn one(finding: &Finding) -> Vec<String> {
         lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
     }
     if let Some(gap) = finding.gap_closed {
-        lines.push(format!("  closes {} of the gap by itself", share(gap)));
+        lines.push(format!("  closes {} of the gap by itself", fraction(gap)));
     }
     if finding.of_the_rig {
         lines.push("  of the rig: corrected in the comparison, not put into the model".to_owned());
@@ -409,7 +410,7 @@ fn errors(found: &Diagnosis) -> Vec<String> {
         let tests = if found.after.held_out_rmse_n.is_some() { "left-out" } else { "fitted" };
         lines.push(format!(
             "  {} of the gap is closed on {tests} tests, each counted in units of its own noise",
-            share(gap)
+            fraction(gap)
         ));
     }
     lines
@@ -425,6 +426,6 @@ fn inventory_line(item: &InventoryItem) -> String {
         (Status::Removed, None) => "removed".to_owned(),
     };
     let form = if item.form.is_empty() { String::new() } else { format!(" ({})", item.form) };
-    let (force, part, probability) = (digits(item.force_n_rms, 3), share(item.share), share(item.probability));
+    let (force, part, probability) = (digits(item.force_n_rms, 3), fraction(item.share), fraction(item.probability));
     format!("  {:<28} {force:>10} {part:>6} {probability:>12}  {status}{form}", item.effect)
 }

@@ -2,7 +2,7 @@
 
 use dashpot_diagnosis::Change;
 use dashpot_diagnosis::groups::Answers;
-use dashpot_report::numbers::{share, with_interval, with_unit};
+use dashpot_report::numbers::{fraction, with_interval, with_unit};
 use dashpot_report::words::TERMINAL;
 
 fn change(change: &Change) -> String {
@@ -19,11 +19,15 @@ fn foremost(changed: &[Change]) -> &[Change] {
 }
 
 /// One line a group, and the numbers that changed in any of them.
-pub fn told(answers: &Answers) -> Vec<String> {
+pub fn format_groups(answers: &Answers) -> Vec<String> {
     let mut lines = vec![format!("Compared with {}:", answers.reference)];
     for answer in &answers.groups {
-        let names: Vec<String> =
-            answer.diagnosis.findings.iter().map(|f| format!("{} ({} sure)", f.effect, share(f.confidence))).collect();
+        let names: Vec<String> = answer
+            .diagnosis
+            .findings
+            .iter()
+            .map(|f| format!("{} ({} sure)", f.effect, fraction(f.confidence)))
+            .collect();
         let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
         lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
         let all = answer.diagnosis.changes.len();

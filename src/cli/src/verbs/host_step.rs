@@ -20,6 +20,6 @@ pub struct HostArgs {
 impl HostArgs {
     /// The damper as the host gets it, and what is to be said of it there.
     pub fn ready(&self, params: &Params) -> Result<Ready, HostError> {
-        Ready::of(params, self.host_step, self.wheel_mass, self.for_step)
+        Ready::prepare(params, self.host_step, self.wheel_mass, self.for_step)
     }
 }

@@ -35,7 +35,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check_kinds([(Some(path.as_path()), Kind::Profile)])?;
     let campaign = args.data.load()?;
     let mut options = args.data.options()?;
-    if let Some(earlier) = Profile::of(folder)? {
+    if let Some(earlier) = Profile::read(folder)? {
         options = options.over(&earlier.options().map_err(anyhow::Error::msg)?);
         options.exclude.sort();
         options.exclude.dedup();
@@ -43,7 +43,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&path, Profile::from_options(&options).text())?;
     let to = Some(path.as_path());
     dashpot_output::say(to, &reading::sign_in_words(&campaign.sign, &TERMINAL))?;
-    for note in campaign.notes.iter().filter(|n| !super::data::is_said_first(n)) {
+    for note in campaign.notes.iter().filter(|n| !super::data::is_shown_first(n)) {
         dashpot_output::say(to, &format!("note: {}", note.text))?;
     }
     dashpot_output::say(to, &format!("{} tests can be read so; said in {}", campaign.records.len(), path.display()))

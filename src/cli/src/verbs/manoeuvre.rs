@@ -87,7 +87,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let quiet = without_chatter(&car, driven, [models, curves], &both, args.step)?;
     let [with_model, with_curve] = &both;
     let campaign = args.tests.as_ref().map(|path| DataArgs::folder(path.clone()).load()).transpose()?;
-    let covered = campaign.as_ref().map(|campaign| Covered::of(&campaign.records));
+    let covered = campaign.as_ref().map(|campaign| Covered::from_records(&campaign.records));
     let figures =
         manoeuvre::figures(&args.name, args.step, [with_model, with_curve], quiet.as_ref(), covered.as_ref(), models);
     let json = args.json.as_deref();
@@ -174,7 +174,7 @@ fn table(f: &Figures) -> String {
     if let Some(r) = f.rig_tests {
         out += &format!("{:<10}{:>20}{:>22}\n", "rig tests", span(r.displacement_m), span(r.velocity_m_s));
         for c in &f.corners {
-            let share = 100.0 * c.share_inside_tests.unwrap_or(0.0);
+            let share = 100.0 * c.fraction_inside_tests.unwrap_or(0.0);
             out += &format!("{}: {share:.1} % of the time where rig tests came near\n", c.corner);
         }
     }

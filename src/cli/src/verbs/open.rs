@@ -38,7 +38,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 fn window() -> anyhow::Result<PathBuf> {
     let window = std::env::current_exe()?.with_file_name(WINDOW);
     if !window.is_file() {
-        bail!("there is no {}; build it with `cargo build --release -p dashpot-bench`", window.display());
+        bail!("there is no {}; build it with `cargo build --release -p dashpot-gui`", window.display());
     }
     Ok(window)
 }

@@ -1,6 +1,6 @@
 //! What reading found in the records, for the terminal.
 
-use super::data::is_said_first;
+use super::data::is_shown_first;
 use dashpot_records::Campaign;
 use dashpot_report::words::TERMINAL;
 
@@ -28,7 +28,7 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
 /// What the reader found in the records.
 pub fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
     say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
-    for note in campaign.notes.iter().filter(|n| !is_said_first(n)) {
+    for note in campaign.notes.iter().filter(|n| !is_shown_first(n)) {
         say(&format!("note: {}", note.text))?;
     }
     for line in repairs(campaign) {

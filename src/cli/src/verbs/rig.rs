@@ -4,7 +4,7 @@ use crate::progress::Progress;
 use anyhow::Context as _;
 use dashpot_output::FolderLock;
 use dashpot_proving::asked::{Asked, Numbers, strengths};
-use dashpot_rig::{Campaign, EFFECTS, HiddenCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
+use dashpot_rig::{Campaign, EFFECTS, InjectedCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
 use std::path::PathBuf;
 
 /// Measure a campaign on the virtual rig: a physical damper that shares nothing with the model
@@ -109,7 +109,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let searched = matrix.is_none().then(|| plan.unwrap_or_default());
         let effects = strengths(effects(&args.hide)?, numbers, searched, &options, &|_, _| ())?;
         let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));
-        let case = HiddenCase { effects, plan: Plan::default(), options };
+        let case = InjectedCase { effects, plan: Plan::default(), options };
         let outcome = case.run_matrix(&matrix, |done, total| progress.count(done, total))?;
         outcome.write(&args.output)?;
         outcome.campaign.records.len()

@@ -39,7 +39,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let named = args.model.file_name().unwrap_or_default().to_string_lossy();
     let name = if file.axis.name().is_empty() { "setting" } else { file.axis.name() };
     let remark = format!("{named} at {name} = {} {}", args.setting, file.axis.unit());
-    let text = plain(&file.definition().at(args.setting), &[remark.trim_end().to_owned()]);
+    let text = plain(&file.definition().params_at(args.setting), &[remark.trim_end().to_owned()]);
     dashpot_output::write(&args.output, text)?;
     dashpot_output::say(Some(&args.output), &format!("{} in {}", remark.trim_end(), args.output.display()))
 }

@@ -8,7 +8,7 @@ use dashpot_core::family::Family;
 use dashpot_core::step::LONG_STEP;
 use dashpot_identification::model_file::prepared;
 use dashpot_records::read_motion;
-use dashpot_simulation::imposed_motion::{Answer, ImposedMotion};
+use dashpot_simulation::imposed_motion::{ImposedMotion, SimulatedSample};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -122,7 +122,7 @@ impl Commands {
 }
 
 /// Numbers are written so that they read back to the bit.
-fn csv(answers: &[Answer]) -> String {
+fn csv(answers: &[SimulatedSample]) -> String {
     let mut out = String::from("time_s,displacement_m,velocity_m_s,force_N\n");
     for a in answers {
         let _ = writeln!(out, "{:?},{:?},{:?},{:?}", a.time, a.displacement, a.velocity, a.force);
@@ -131,7 +131,7 @@ fn csv(answers: &[Answer]) -> String {
 }
 
 /// A remark where rows are so far apart that the motion between them is a guess.
-fn coarse(answers: &[Answer]) -> Option<String> {
+fn coarse(answers: &[SimulatedSample]) -> Option<String> {
     let steps = answers.windows(2).map(|rows| rows[1].time - rows[0].time);
     let long = steps.clone().filter(|step| *step > LONG_STEP * (1.0 + 1e-9)).count();
     let longest = steps.fold(0.0, f64::max);
@@ -147,7 +147,7 @@ fn coarse(answers: &[Answer]) -> Option<String> {
 }
 
 /// A remark where the motion is faster than the FV curve reaches.
-fn beyond(model: &Model, answers: &[Answer]) -> Option<String> {
+fn beyond(model: &Model, answers: &[SimulatedSample]) -> Option<String> {
     let outside = answers.iter().filter(|a| !model.covers(a.velocity)).count();
     let (low, high) = model.elements().paths.fv_curve.range();
     let fastest = answers.iter().map(|a| a.velocity).max_by(|a, b| a.abs().total_cmp(&b.abs()))?;

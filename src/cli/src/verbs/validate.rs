@@ -111,7 +111,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let mut rivals: Vec<Rival> = Vec::new();
     if !args.against.is_empty() {
         let progress = Progress::new("comparing");
-        let found = Rivals::of(&args.against, &model, &campaign, &|done, name| progress.say(done, name))?;
+        let found = Rivals::compare(&args.against, &model, &campaign, &|done, name| progress.say(done, name))?;
         drop(progress);
         if found.fitted_to_all {
             dashpot_output::say(json, &format!("note: {FITTED_TO_ALL}"))?;

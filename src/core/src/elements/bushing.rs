@@ -36,8 +36,8 @@ pub struct Bushing {
     per_slow_time: f64,
 }
 
-/// What the branches that give way answer after an implicit stage: z and y, their slopes over the rate of the deflection, and
-/// over their known parts.
+/// Relaxing branches after an implicit stage: z and y, their derivatives over the rate of the deflection, and over
+/// their known parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxed {
     pub at: [f64; 2],
@@ -150,7 +150,7 @@ impl Bushing {
         let z = (known[0] + rate * g) * divide;
         let mut relaxed = Relaxed {
             at: [z, 0.0],
-            by_rate: [g * divide * (1.0 - z * gives_way.slope(0)), 0.0],
+            by_rate: [g * divide * (1.0 - z * gives_way.derivative(0)), 0.0],
             by_known: [divide, 0.0],
         };
         if SLOW {
@@ -168,8 +168,10 @@ impl Bushing {
         z * self.share + y * self.slow_share
     }
 
-    /// How many times as stiff as at rest the rubber is where it holds the energy of `deflection` and, over ½ k_s, that of a `moving` mass in m²;
-    /// without its stop, which no deflection takes beyond what it adds.
+    /// Ratio of the stiffness of the rubber at its largest deflection to that at rest.
+    ///
+    /// The rubber then stores the energy of `deflection` and, over ½ k_s, that of a `moving` mass in m². The stop is
+    /// not included, because no deflection goes beyond the stiffness that it adds.
     ///
     /// With d_h as the unit a deflection d holds ½ k_s (d² + ½ d⁴) and is 1 + 3 d² times as stiff.
     pub(crate) fn stiffer(&self, deflection: f64, moving: f64) -> f64 {

@@ -1,5 +1,7 @@
-//! Cavitation: a void that one stroke leaves, because the gas pressure limits its force or because the foot valve does not
-//! refill the chamber, and that the other has to close again.
+//! Cavitation: a void that opens in one stroke and closes in the other.
+//!
+//! It opens because the gas pressure limits the force of that stroke, or because the foot valve does not refill the
+//! chamber.
 
 use crate::dual::{Dual, Real};
 use crate::element::Prepare;
@@ -7,8 +9,9 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Towards the capped side (p = σ F_h, σ = 1 for rebound, −1 for compression) the oil carries no more than the cap C:
-/// what the driven stroke exceeds opens a void, of depth e as a stroke.
+/// Toward the capped side (p = σ F_h, σ = 1 for rebound, −1 for compression) the oil carries at most the cap C.
+///
+/// The excess of the stroke opens a void, of depth e as a stroke.
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
@@ -198,8 +201,9 @@ impl Cavitation {
         (-(returning * (0.5 * self.lost))).plus(1.0)
     }
 
-    /// p − C and T − p: how far the pressure is beyond the cap, and short of what holds the void open; `expanded` is what
-    /// its gas leaves of both.
+    /// Excess of the pressure over the cap, p − C, and distance to the closing pressure, T − p.
+    ///
+    /// `expanded` is the remaining part of both after the expansion of the gas.
     #[inline(always)]
     fn beyond_and_short<R: Real>(&self, pressure: R, kept: R, expanded: R) -> (R, R) {
         if self.is_foot_valve {
@@ -267,9 +271,11 @@ impl Cavitation {
         if half.value() > 0.0 { product * (half + root).inverse() } else { root - half }
     }
 
-    /// The same where the cap grows with the void. e − g de/dt rises with e: the cap that opens it and the pressure that closes it
-    /// both grow. It is negative at the lower end of the bracket and positive at the upper, so there is one answer; Newton's
-    /// steps that do not halve what is left are replaced by halves (rtsafe: Press & al., *Numerical Recipes*, 9.4).
+    /// Solves the stage if the cap grows with the void.
+    ///
+    /// e − g de/dt rises with e, because the opening cap and the closing pressure both grow. It is negative at the
+    /// lower end of the bracket and positive at the upper, so there is one root. Newton's steps that do not halve the
+    /// residual are replaced by bisection (rtsafe: Press & al., *Numerical Recipes*, 9.4).
     fn stage_with_gas<R: Real>(&self, pressure: R, kept: R, known: R, g: f64) -> R {
         let (p, k) = (Dual::<1>::constant(pressure.value()), Dual::constant(kept.value()));
         let target = known.value();
@@ -281,18 +287,18 @@ impl Cavitation {
         let root = libm::sqrt(0.25 * b * b + c);
         let straight = (0.5 * b + root - 1.0) / self.per_expansion;
         let mut void = if opens > 0.0 && straight > low && straight < high { straight } else { target.max(0.0) };
-        let (mut slope, mut last) = (1.0, high - low);
+        let (mut derivative, mut last) = (1.0, high - low);
         for _ in 0..STEPS {
             let at = Dual::along(void, 0);
             let there = at - self.rate_at(p, k, at) * g;
             let over = there.value() - target;
-            slope = there.slope(0).max(1.0);
+            derivative = there.derivative(0).max(1.0);
             if over > 0.0 {
                 high = void;
             } else {
                 low = void;
             }
-            let newton = void - over / slope;
+            let newton = void - over / derivative;
             let inside = newton >= low && newton <= high && (newton - void).abs() <= 0.5 * last;
             let next = if inside { newton } else { 0.5 * (low + high) };
             last = (next - void).abs();
@@ -304,6 +310,6 @@ impl Cavitation {
         // One more step, which knows how the end depends on what it started from.
         let end = R::constant(void);
         let missed = end - self.rate_at(pressure, kept, end) * g - known;
-        end - missed * (1.0 / slope)
+        end - missed * (1.0 / derivative)
     }
 }

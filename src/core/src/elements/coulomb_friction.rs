@@ -40,5 +40,5 @@ impl Force for CoulombFriction {
 #[inline(always)]
 pub fn smooth_sign(level: f64, steepness: f64, v: f64) -> Response {
     let t = tanh(steepness * v);
-    Response { force: level * t, by_x: 0.0, by_v: level * steepness * (1.0 - t * t) }
+    Response { force: level * t, d_force_d_x: 0.0, d_force_d_v: level * steepness * (1.0 - t * t) }
 }

@@ -38,7 +38,7 @@ impl EndStop {
     pub const OFF: EndStop =
         EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0, is_orifice: false };
 
-    /// The push P at travel `x` towards the stop and speed `s` into it, with its slopes over both.
+    /// The push P at travel `x` towards the stop and speed `s` into it, with its derivatives over both.
     pub fn push(&self, x: f64, s: f64) -> Response {
         let beyond = x - self.clearance;
         if beyond <= 0.0 {
@@ -65,8 +65,8 @@ impl EndStop {
         let covered_by_depth = 1.0 + 2.0 * depth * self.per_progression;
         Response {
             force: spring * gain + oil * covered * flow,
-            by_x: (spring_by_depth * gain + oil * covered_by_depth * flow) * depth_by_x,
-            by_v: spring * gain_by_s + oil * covered * flow_by_s,
+            d_force_d_x: (spring_by_depth * gain + oil * covered_by_depth * flow) * depth_by_x,
+            d_force_d_v: spring * gain_by_s + oil * covered * flow_by_s,
         }
     }
 }

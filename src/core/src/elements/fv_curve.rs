@@ -115,7 +115,7 @@ fn of_table(p: &View<FvCurve>, reason: Reason) -> Fault {
     p.fault(row, reason)
 }
 
-/// The fault of slopes and knees. Slopes are bounded by the table, so that only knees beside each other are left.
+/// The fault of derivatives and knees. Slopes are bounded by the table, so that only knees beside each other are left.
 fn of_knees(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
     p.fault(row, reason)
@@ -126,7 +126,7 @@ fn check_order(p: &View<FvCurve>) -> Result<(), Fault> {
     if vr2 <= vr1 { Err(p.fault(REBOUND_V[1], Reason::Order)) } else { Ok(()) }
 }
 
-/// Points of the curve of slopes and knees.
+/// Points of the curve of derivatives and knees.
 pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
     let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
     let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
@@ -134,20 +134,20 @@ pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
     let vc1 = p.number(own!("fv_compression_v1"));
     let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
     let fr2 = fr1 + cr2 * (vr2 - vr1);
-    // One more point beyond each last knee carries the last slope outwards.
+    // One more point beyond each last knee carries the last derivative outwards.
     let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
     let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
     (v, f)
 }
 
 impl FvCurve {
-    /// F_d and its slope at internal velocity `v`.
+    /// F_d and its derivative at internal velocity `v`.
     #[inline(always)]
-    pub fn at(&self, v: f64) -> Value {
-        self.0.at(v)
+    pub fn evaluate(&self, v: f64) -> Value {
+        self.0.evaluate(v)
     }
 
-    /// F_d(v) − F_d(0), with slope and curvature; see [`Curve::above_zero`].
+    /// F_d(v) − F_d(0), with derivative and curvature; see [`Curve::above_zero`].
     #[inline(always)]
     pub fn above_zero(&self, v: f64) -> Above {
         self.0.above_zero(v)

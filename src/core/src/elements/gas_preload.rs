@@ -28,7 +28,7 @@ impl Prepare for GasPreload {
 impl Force for GasPreload {
     #[inline(always)]
     fn force(&self, _: &Motion) -> Response {
-        Response { force: -self.push, by_x: 0.0, by_v: 0.0 }
+        Response { force: -self.push, d_force_d_x: 0.0, d_force_d_v: 0.0 }
     }
 
     #[inline(always)]

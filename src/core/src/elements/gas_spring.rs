@@ -1,9 +1,9 @@
 //! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
 
-use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response, Share};
+use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::Path;
-use crate::math::{drawn, larger, power_inlined};
+use crate::math::{max, power_inlined, relaxation};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
@@ -68,8 +68,8 @@ struct Gas {
     value: f64,
 }
 
-/// Up to this change of the volume its power is found from the one at the other end of the step, by a series whose next term
-/// is below 3e-11.
+/// Largest change of the volume for the series of the power about the other end of the step; the next term is below
+/// 3e-11.
 const NEAR: f64 = 1.0 / 64.0;
 
 impl GasSpring {
@@ -87,7 +87,7 @@ impl GasSpring {
     #[inline(always)]
     fn gas(&self, x: f64) -> Gas {
         let ratio = 1.0 + x * self.per_length;
-        let inside = larger(ratio, SMALLEST);
+        let inside = max(ratio, SMALLEST);
         let value = power_inlined(inside, self.excess);
         Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
@@ -109,71 +109,72 @@ impl GasSpring {
         (value, self.excess * value * self.per_length / inside)
     }
 
-    /// What 1 + z is drawn to, ξ^(γ−1), and its slope.
+    /// What 1 + z is drawn to, ξ^(γ−1), and its derivative.
     #[inline(always)]
     fn rests(&self, at: &Gas) -> (f64, f64) {
-        let slope = self.excess * at.value * at.per_inside;
-        (at.value + slope * at.below, slope * self.per_length)
+        let derivative = self.excess * at.value * at.per_inside;
+        (at.value + derivative * at.below, derivative * self.per_length)
     }
 
-    /// The pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)) as a share of p_0, and its slope.
+    /// The pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)) as a share of p_0, and its derivative.
     #[inline(always)]
     fn pressure(&self, at: &Gas) -> (f64, f64) {
         let value = at.per_inside / at.value;
-        let slope = -(self.excess + 1.0) * value * at.per_inside;
-        (value + slope * at.below, slope * self.per_length)
+        let derivative = -(self.excess + 1.0) * value * at.per_inside;
+        (value + derivative * at.below, derivative * self.per_length)
     }
 }
 
-impl Memory for GasSpring {
-    fn share(&self) -> Share {
-        Share::Gas
+impl StatefulForce for GasSpring {
+    fn component(&self) -> ForceComponent {
+        ForceComponent::Gas
     }
 
-    fn recall(&self, at: &Motion, z: f64) -> Recall {
+    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse {
         let gas = self.gas(at.displacement);
         let (isothermal, isothermal_by_x) = self.rests(&gas);
         let (pressure, pressure_by_x) = self.pressure(&gas);
-        Recall {
+        StateResponse {
             force: self.push * (1.0 - (1.0 + z) * pressure),
-            by_x: -self.push * (1.0 + z) * pressure_by_x,
-            by_memory: -self.push * pressure,
+            d_force_d_x: -self.push * (1.0 + z) * pressure_by_x,
+            d_force_d_z: -self.push * pressure,
             rate: (isothermal - 1.0 - z) * self.per_time,
-            rate_by_x: isothermal_by_x * self.per_time,
-            rate_by_memory: -self.per_time,
-            ..Recall::NONE
+            d_rate_d_x: isothermal_by_x * self.per_time,
+            d_rate_d_z: -self.per_time,
+            ..StateResponse::NONE
         }
     }
 
-    fn settled(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &Motion) -> f64 {
         self.rests(&self.gas(at.displacement)).0 - 1.0
     }
 
     /// Exact but for the terms beyond the cubic of what it is drawn to on the way.
     #[inline(always)]
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Reached> {
+    fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let h = path.length();
-        let (kept, takes) = drawn(h * self.per_time);
+        let (kept, takes) = relaxation(h * self.per_time);
         let ((x0, v0), (x1, v1)) = (path.start(), path.end());
         let gas = self.gas(x1);
         let ((to, to_by_x), (from, from_by_x)) = (self.rests(&gas), self.rests_near(&gas, x0));
-        // From both ends' values and slopes, as the path itself: p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d of the
-        // difference d and the slopes s and e over the step.
+        // From both ends' values and derivatives, as the path itself: p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d of the
+        // difference d and the derivatives s and e over the step.
         let [_, first, second, third] = takes;
         let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
         let of_start = first - second + of_end;
-        let slopes_take = of_start * v0 * from_by_x + of_end * v1 * to_by_x;
-        let end = kept * z + takes[0] * (from - 1.0) + of_change * (to - from) + h * slopes_take;
+        let derivatives_take = of_start * v0 * from_by_x + of_end * v1 * to_by_x;
+        let end = kept * z + takes[0] * (from - 1.0) + of_change * (to - from) + h * derivatives_take;
         let (pressure, pressure_by_x) = self.pressure(&gas);
         let (pushes, by_end) = (self.push * (1.0 + end), -self.push * pressure);
-        let mut answer = Response { force: self.push - pushes * pressure, by_x: -pushes * pressure_by_x, by_v: 0.0 };
-        if slopes {
+        let mut response =
+            Response { force: self.push - pushes * pressure, d_force_d_x: -pushes * pressure_by_x, d_force_d_v: 0.0 };
+        if derivatives {
             let bends =
                 if gas.below < 0.0 { 0.0 } else { (self.excess - 1.0) * to_by_x * gas.per_inside * self.per_length };
-            answer.by_x += by_end * (of_change * to_by_x + of_end * h * v1 * bends);
-            answer.by_v += by_end * of_end * h * to_by_x;
+            response.d_force_d_x += by_end * (of_change * to_by_x + of_end * h * v1 * bends);
+            response.d_force_d_v += by_end * of_end * h * to_by_x;
         }
-        Some(Reached { memory: end, answer })
+        Some(EndState { z: end, response })
     }
 }
 
@@ -191,14 +192,14 @@ mod tests {
                 for change in [-0.5, -0.0157, -0.0156, -1e-3, -1e-9, 0.0, 1e-9, 1e-3, 0.0156, 0.0157, 0.5] {
                     let place = |volume: f64| (volume - 1.0) / spring.per_length;
                     let x = place(volume + change * f64::max(volume, 0.05));
-                    let (value, slope) = spring.rests_near(&spring.gas(place(volume)), x);
-                    let (want, want_slope) = spring.rests(&spring.gas(x));
+                    let (value, derivative) = spring.rests_near(&spring.gas(place(volume)), x);
+                    let (want, want_derivative) = spring.rests(&spring.gas(x));
                     assert!(
                         (value - want).abs() < 3.1e-11 * want.abs().max(1.0),
                         "{excess}: {volume}, {change}: {value}, {want}"
                     );
                     assert!(
-                        (slope - want_slope).abs() < 1e-10 * want_slope.abs().max(1.0),
+                        (derivative - want_derivative).abs() < 1e-10 * want_derivative.abs().max(1.0),
                         "{excess}: {volume}, {change}: slope"
                     );
                 }
@@ -207,21 +208,21 @@ mod tests {
     }
 
     #[test]
-    fn slopes_of_a_step_are_those_of_differences() {
+    fn derivatives_of_a_step_are_those_of_differences() {
         // The gas takes the temperature of its wall within the step, and the rod goes through a third of its volume.
         let spring = GasSpring::new(250.0, 0.4, 1.6, 1.0 / 300.0);
         let (v0, dt, z) = (-20.0, 5e-3, 0.1);
         let carried = |x1: f64, v1: f64| {
             let path = Path::new(0.0, v0, &Input::motion(x1, v1), dt);
-            spring.carried(&path, z, true).unwrap()
+            spring.propagate(&path, z, true).unwrap()
         };
         for (x1, v1) in [(-0.13, -40.0), (-0.002, 30.0), (0.05, 3.0)] {
-            let answer = carried(x1, v1).answer;
+            let answer = carried(x1, v1).response;
             let (dx, dv) = (1e-6, 1e-3);
-            let by_x = (carried(x1 + dx, v1).answer.force - carried(x1 - dx, v1).answer.force) / (2.0 * dx);
-            let by_v = (carried(x1, v1 + dv).answer.force - carried(x1, v1 - dv).answer.force) / (2.0 * dv);
-            assert!((answer.by_x - by_x).abs() < 1e-6 * by_x.abs(), "{x1} {v1}: {} {by_x}", answer.by_x);
-            assert!((answer.by_v - by_v).abs() < 1e-6 * by_v.abs(), "{x1} {v1}: {} {by_v}", answer.by_v);
+            let by_x = (carried(x1 + dx, v1).response.force - carried(x1 - dx, v1).response.force) / (2.0 * dx);
+            let by_v = (carried(x1, v1 + dv).response.force - carried(x1, v1 - dv).response.force) / (2.0 * dv);
+            assert!((answer.d_force_d_x - by_x).abs() < 1e-6 * by_x.abs(), "{x1} {v1}: {} {by_x}", answer.d_force_d_x);
+            assert!((answer.d_force_d_v - by_v).abs() < 1e-6 * by_v.abs(), "{x1} {v1}: {} {by_v}", answer.d_force_d_v);
         }
     }
 }

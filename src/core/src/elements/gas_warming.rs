@@ -40,7 +40,7 @@ impl Prepare for GasWarming {
 impl Force for GasWarming {
     #[inline(always)]
     fn force(&self, at: &Motion) -> Response {
-        Response { force: -self.rate * (at.temperature - self.reference), by_x: 0.0, by_v: 0.0 }
+        Response { force: -self.rate * (at.temperature - self.reference), d_force_d_x: 0.0, d_force_d_v: 0.0 }
     }
 
     #[inline(always)]

@@ -1,10 +1,10 @@
 //! Polynomial FV curve behind a first-order lag: one of the models the thesis compares itself with.
 
 use crate::dual::{Dual, Real};
-use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response};
+use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::{Fault, Reason};
 use crate::input::Path;
-use crate::math::drawn;
+use crate::math::relaxation;
 use crate::schema::kind::One;
 use crate::schema::own::own;
 use crate::schema::{Describe, Own, Parameter, View};
@@ -63,14 +63,14 @@ impl Prepare for LaggedPolynomial {
 }
 
 impl LaggedPolynomial {
-    /// Σ a_k v^k and its slope.
+    /// Σ a_k v^k and its derivative.
     fn polynomial(&self, v: f64) -> (f64, f64) {
-        let (mut value, mut slope) = (0.0, 0.0);
+        let (mut value, mut derivative) = (0.0, 0.0);
         for a in self.a.iter().rev() {
-            slope = slope * v + value;
+            derivative = derivative * v + value;
             value = value * v + a;
         }
-        (value, slope)
+        (value, derivative)
     }
 
     /// y after the step.
@@ -91,7 +91,7 @@ impl LaggedPolynomial {
             let (middle, last) = (at(from + 0.5 * part), at(from + part));
             let rate = (first.1 + middle.1 * 4.0 + last.1) * sixth;
             let r = rate.value();
-            let (kept, takes) = drawn(r);
+            let (kept, takes) = relaxation(r);
             // Slope of a moment: M_k/r − M_k + M_{k+1}.
             let take = |k: usize| rate.chain(takes[k], takes[k] / r - takes[k] + takes[k + 1]);
             let rise = last.0 - first.0;
@@ -102,7 +102,7 @@ impl LaggedPolynomial {
         y
     }
 
-    /// Time constant and its slope over velocity.
+    /// Time constant and its derivative over velocity.
     fn time_constant(&self, v: f64) -> (f64, f64) {
         let speed = v.abs();
         if speed <= self.v1 {
@@ -115,36 +115,37 @@ impl LaggedPolynomial {
     }
 }
 
-impl Memory for LaggedPolynomial {
-    fn recall(&self, at: &Motion, y: f64) -> Recall {
+impl StatefulForce for LaggedPolynomial {
+    fn evaluate(&self, at: &Motion, y: f64) -> StateResponse {
         let (target, by_v) = self.polynomial(at.velocity);
         let (t, t_by_v) = self.time_constant(at.velocity);
         let rate = (target - y) / t;
-        Recall {
+        StateResponse {
             force: y,
-            by_memory: 1.0,
+            d_force_d_z: 1.0,
             rate,
-            rate_by_v: (by_v - rate * t_by_v) / t,
-            rate_by_memory: -1.0 / t,
-            ..Recall::NONE
+            d_rate_d_v: (by_v - rate * t_by_v) / t,
+            d_rate_d_z: -1.0 / t,
+            ..StateResponse::NONE
         }
     }
 
-    fn settled(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &Motion) -> f64 {
         self.polynomial(at.velocity).0
     }
 
-    /// Part by part exact for the mean rate of a part and the parabola through its targets: however much the time constant changes
-    /// on the way, y stays between what it was and what it is drawn to. (A Runge–Kutta method that is stable for every
-    /// constant rate need not be for one that changes a thousandfold.)
-    fn carried(&self, path: &Path, y: f64, slopes: bool) -> Option<Reached> {
+    /// Exact part by part, for the mean rate of a part and the parabola through its targets.
+    ///
+    /// However much the time constant changes on the way, y stays between its start and its targets. (A Runge–Kutta
+    /// method that is stable for every constant rate need not be for one that changes a thousandfold.)
+    fn propagate(&self, path: &Path, y: f64, derivatives: bool) -> Option<EndState> {
         let (x1, v1) = path.end();
-        let after = if slopes {
+        let after = if derivatives {
             self.after(path, Dual::<2>::along(x1, 0), Dual::along(v1, 1), y)
         } else {
             Dual::constant(self.after(path, x1, v1, y))
         };
-        let Dual { value, slopes: [by_x, by_v] } = after;
-        Some(Reached { memory: value, answer: Response { force: value, by_x, by_v } })
+        let Dual { value, derivatives: [by_x, by_v] } = after;
+        Some(EndState { z: value, response: Response { force: value, d_force_d_x: by_x, d_force_d_v: by_v } })
     }
 }

@@ -1,11 +1,12 @@
-//! Moving mass: eye, clamp and tube between load cell and damper, where the load cell moves with them; or oil in a long
-//! passage, which the piston has to speed up.
+//! Moving mass between load cell and damper, or oil in a long passage.
+//!
+//! The first is eye, clamp and tube, where the load cell moves with them. The second is accelerated by the piston.
 
 use crate::dual::{Dual, Real};
-use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response};
+use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::Path;
-use crate::math::{drawn, pair};
+use crate::math::{pair, relaxation};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
@@ -104,40 +105,40 @@ impl MovingMass {
 /// Displacements nearer than this, m, are one: a host's own arithmetic knows them no better, and no next iterate lies so near.
 const NEAR: f64 = 1e-9;
 
-impl Memory for MovingMass {
-    fn recall(&self, at: &Motion, z: f64) -> Recall {
+impl StatefulForce for MovingMass {
+    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse {
         let behind = at.velocity - z;
-        Recall {
+        StateResponse {
             force: self.damping * behind,
-            by_v: self.damping,
-            by_memory: -self.damping,
+            d_force_d_v: self.damping,
+            d_force_d_z: -self.damping,
             rate: behind * self.per_time,
-            rate_by_v: self.per_time,
-            rate_by_memory: -self.per_time,
-            ..Recall::NONE
+            d_rate_d_v: self.per_time,
+            d_rate_d_z: -self.per_time,
+            ..StateResponse::NONE
         }
     }
 
-    fn settled(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &Motion) -> f64 {
         at.velocity
     }
 
     /// Exact for the velocity of [`MovingMass::velocity`], a polynomial of second order.
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Reached> {
-        let (kept, takes) = drawn(path.length() * self.per_time);
+    fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
+        let (kept, takes) = relaxation(path.length() * self.per_time);
         let (x1, v1) = path.end();
         let after = |p: [f64; 3]| takes[0] * p[0] + takes[1] * p[1] + takes[2] * p[2];
         let end = kept * z + after(self.velocity(path, z, x1, v1));
         let mut by_end = [0.0; 2];
-        if slopes {
+        if derivatives {
             let by = self.velocity(path, z, Dual::<2>::along(x1, 0), Dual::along(v1, 1));
-            by_end = pair(|k| after(by.map(|p| p.slopes[k])));
+            by_end = pair(|k| after(by.map(|p| p.derivatives[k])));
         }
-        let answer = Response {
+        let response = Response {
             force: self.damping * (v1 - end),
-            by_x: -self.damping * by_end[0],
-            by_v: self.damping - self.damping * by_end[1],
+            d_force_d_x: -self.damping * by_end[0],
+            d_force_d_v: self.damping - self.damping * by_end[1],
         };
-        Some(Reached { memory: end, answer })
+        Some(EndState { z: end, response })
     }
 }

@@ -172,7 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn deflection_undoes_what_is_taken_up_and_its_slopes_are_those_of_differences() {
+    fn deflection_undoes_what_is_taken_up_and_its_derivatives_are_those_of_differences() {
         let oil =
             OilCompressibility { compliance: [1e-7, 3e-8], shortening: 12.0, has_two_chambers: true, changes: 1.5e-6 };
         for x in [-0.09, -0.04, 0.0, 0.03, 0.08] {

@@ -104,12 +104,12 @@ impl<T: Tables> Force for ParallelSpring<T> {
     }
 
     #[inline(always)]
-    fn bends(&self) -> bool {
+    fn is_nonlinear(&self) -> bool {
         self.has_higher || self.has_lookup
     }
 
     #[inline(always)]
-    fn unbent(&self, at: &Motion) -> Response {
+    fn linear_force(&self, at: &Motion) -> Response {
         self.even(at.displacement)
     }
 
@@ -142,7 +142,7 @@ impl<T: Tables> ParallelSpring<T> {
     fn even(&self, x: f64) -> Response {
         let [k1, k2, ..] = self.k;
         let [secant, by_x] = pair(|i| k1[i] + x.abs() * k2[i]);
-        Response { force: x * secant, by_x, by_v: 0.0 }
+        Response { force: x * secant, d_force_d_x: by_x, d_force_d_v: 0.0 }
     }
 
     /// All terms and the table, out of the way of the many springs that have neither.
@@ -159,8 +159,8 @@ impl<T: Tables> ParallelSpring<T> {
         if self.has_lookup {
             let value = self.lookup.lookup(x);
             force += value.value;
-            by_x += value.slope;
+            by_x += value.derivative;
         }
-        Response { force, by_x, by_v: 0.0 }
+        Response { force, d_force_d_x: by_x, d_force_d_v: 0.0 }
     }
 }

@@ -1,17 +1,19 @@
 //! Presliding friction: contacts that bend before they slide (Dahl; effect of seal lip and guide after every reversal).
 
 use crate::dual::{Dual, Real};
-use crate::element::{Memory, Motion, Prepare, Reached, Recall, Response, Share};
+use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::Path;
-use crate::math::{larger, power, smaller};
+use crate::math::{max, min, power};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1): the force turns over within a few z_0 of travel, whatever the speed.
-/// n = 1 is Dahl's contact, which slips from the first; a larger n bends elastically first. Where the return is elastic a
-/// bent contact does not slip while it is unbent (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²): below the speed v_c the
-/// contact creeps, and the friction of a long slow motion is less than F_c.
+/// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
+///
+/// The force reverses within a few z_0 of travel, whatever the velocity. n = 1 is Dahl's contact, which slips from
+/// the first; a larger n deflects elastically first. With an elastic return a deflected contact does not slip while
+/// it is released (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²): below the velocity v_c the contact creeps, and the
+/// friction of a long slow motion is less than F_c.
 #[derive(Clone, Copy, Debug)]
 pub struct PreslidingFriction {
     /// F_c/z_0.
@@ -86,7 +88,7 @@ impl PreslidingFriction {
     /// dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0: where ζ ends. It never crosses the value it is drawn to, so a
     /// contact is never bent further than its law allows, however long the slip.
     #[inline(never)]
-    fn bends<R: Real>(&self, bent: R, r: R, slip: R) -> R {
+    fn bend<R: Real>(&self, bent: R, r: R, slip: R) -> R {
         let (mut bent, mut slip) = (bent, slip);
         if self.returns_elastically && bent.value() * r.value() < 0.0 {
             let unbent = bent + r * slip;
@@ -102,8 +104,8 @@ impl PreslidingFriction {
         let level = {
             let size = r.value().abs();
             let level = power(size, 1.0 / (1.0 + self.power));
-            let slope = if size > 0.0 { level / (size * (1.0 + self.power)) } else { 0.0 };
-            r.chain(level.copysign(r.value()), slope)
+            let derivative = if size > 0.0 { level / (size * (1.0 + self.power)) } else { 0.0 };
+            r.chain(level.copysign(r.value()), derivative)
         };
         let part = slip * (1.0 / PARTS as f64);
         let below = bent.value() < level.value();
@@ -111,8 +113,8 @@ impl PreslidingFriction {
             let size = bent.abs();
             let at = size.value();
             let raised = if at > 0.0 { power(at, self.power) } else { 0.0 };
-            let raised_slope = if at > 0.0 { self.power * raised / at } else { 0.0 };
-            let raised = size.chain(raised, raised_slope);
+            let raised_derivative = if at > 0.0 { self.power * raised / at } else { 0.0 };
+            let raised = size.chain(raised, raised_derivative);
             let falls = raised * (1.0 + self.power);
             // (1 − e^−J h)/J h: what of the slip counts.
             let through = falls * part;
@@ -129,21 +131,22 @@ impl PreslidingFriction {
         bent
     }
 
-    /// A stretch of the path in one direction: so far does it go, with these velocities at its start, middle and end, in so
-    /// long a time.
+    /// Propagates the state over a stretch of the path in one direction.
+    ///
+    /// The arguments are its travel, the velocities at its start, middle and end, and its time.
     #[inline(always)]
     fn along<R: Real>(&self, bent: R, moved: R, velocity: [R; 3], time: R) -> R {
         let moved = moved * self.per_length;
         let [first, middle, last] = velocity;
-        let fastest = larger(larger(first.value().abs(), middle.value().abs()), last.value().abs());
+        let fastest = max(max(first.value().abs(), middle.value().abs()), last.value().abs());
         if fastest * fastest > FAST * FAST * self.creep_squared {
             let r = if moved.value() < 0.0 { -1.0 } else { 1.0 };
-            return self.bends(bent, R::constant(r), moved.abs());
+            return self.bend(bent, R::constant(r), moved.abs());
         }
         self.creeps(bent, moved, velocity, time)
     }
 
-    /// The same where creep counts.
+    /// Propagates the state over a stretch on which creep counts.
     #[inline(never)]
     fn creeps<R: Real>(&self, bent: R, moved: R, [first, middle, last]: [R; 3], time: R) -> R {
         // By Simpson's rule.
@@ -152,9 +155,9 @@ impl PreslidingFriction {
         let slip = sum * (time * (self.per_length / 6.0));
         if slip.value() < moved.value().abs() || slip.value() < f64::MIN_POSITIVE {
             let r = if moved.value() < 0.0 { -1.0 } else { 1.0 };
-            return self.bends(bent, R::constant(r), moved.abs());
+            return self.bend(bent, R::constant(r), moved.abs());
         }
-        self.bends(bent, moved * slip.inverse(), slip)
+        self.bend(bent, moved * slip.inverse(), slip)
     }
 
     /// ζ after the step.
@@ -167,14 +170,14 @@ impl PreslidingFriction {
         // The velocity lies between these three (Bézier): where they have one sign the driven end does not turn.
         let between = (mean * 3.0 - first - last).value();
         let (a, b, c) = (v0, last.value(), between);
-        if smaller(smaller(a, b), c) >= 0.0 || larger(larger(a, b), c) <= 0.0 {
+        if min(min(a, b), c) >= 0.0 || max(max(a, b), c) <= 0.0 {
             let middle = mean * 1.5 - (first + last) * 0.25;
             return self.along(R::constant(bent), moved, [first, middle, last], R::constant(dt));
         }
         self.turns(path, x1, v1, bent)
     }
 
-    /// The same where it may turn: stretch by stretch.
+    /// Propagates the state over a path that may reverse, stretch by stretch.
     #[inline(never)]
     fn turns<R: Real>(&self, path: &Path, x1: R, v1: R, bent: f64) -> R {
         let velocity = path.velocity(x1, v1);
@@ -185,7 +188,7 @@ impl PreslidingFriction {
         let half = p1 * -0.5;
         let square = half * half - p0 * p2;
         let mut turns = [none; 2];
-        // Below this the motion is nothing, and slopes of its roots would overflow.
+        // Below this the motion is nothing, and derivatives of its roots would overflow.
         if square.value() > 1e-200 {
             let root = square.sqrt();
             let q = if half.value() < 0.0 { half - root } else { half + root };
@@ -215,12 +218,12 @@ impl PreslidingFriction {
     }
 }
 
-impl Memory for PreslidingFriction {
-    fn share(&self) -> Share {
-        Share::Friction
+impl StatefulForce for PreslidingFriction {
+    fn component(&self) -> ForceComponent {
+        ForceComponent::Friction
     }
 
-    fn recall(&self, at: &Motion, z: f64) -> Recall {
+    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse {
         let v = at.velocity;
         let bent = z * self.per_length;
         let speed = libm::sqrt(v * v + self.creep_squared);
@@ -233,33 +236,38 @@ impl Memory for PreslidingFriction {
             let raised = if size > 0.0 { power(size, self.power) } else { 0.0 };
             (slips, slips_by_bent) = (bent * raised, (1.0 + self.power) * raised);
         }
-        Recall {
+        StateResponse {
             force: self.stiffness * z,
-            by_memory: self.stiffness,
+            d_force_d_z: self.stiffness,
             rate: v - speed * slips,
-            rate_by_v: 1.0 - sign * slips,
-            rate_by_memory: -speed * slips_by_bent * self.per_length,
-            ..Recall::NONE
+            d_rate_d_v: 1.0 - sign * slips,
+            d_rate_d_z: -speed * slips_by_bent * self.per_length,
+            ..StateResponse::NONE
         }
     }
 
-    /// In travel instead of time the contact has a law of its own state alone, so the path inside the step does not matter but for
-    /// its turns: for n = 1 the answer is exact.
-    fn carried(&self, path: &Path, z: f64, slopes: bool) -> Option<Reached> {
+    /// Exact for n = 1.
+    ///
+    /// In travel instead of time the contact has a law of its own state alone. The path inside the step matters only
+    /// by its reversals.
+    fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (x1, v1) = path.end();
         let bent = z * self.per_length;
-        let after = if slopes {
+        let after = if derivatives {
             self.after(path, Dual::<2>::along(x1, 0), Dual::along(v1, 1), bent)
         } else {
             Dual::constant(self.after(path, x1, v1, bent))
         };
-        let Dual { value, slopes: [by_x, by_v] } = after * self.length;
+        let Dual { value, derivatives: [by_x, by_v] } = after * self.length;
         let k = self.stiffness;
-        Some(Reached { memory: value, answer: Response { force: k * value, by_x: k * by_x, by_v: k * by_v } })
+        Some(EndState {
+            z: value,
+            response: Response { force: k * value, d_force_d_x: k * by_x, d_force_d_v: k * by_v },
+        })
     }
 
     /// At rest every bend stays; before any motion there is none.
-    fn settled(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &Motion) -> f64 {
         if at.velocity == 0.0 {
             return 0.0;
         }
@@ -268,15 +276,15 @@ impl Memory for PreslidingFriction {
     }
 
     /// At rest the bend is what the way there left.
-    fn held(&self, from: f64, z: f64, at: &Motion) -> f64 {
-        if !self.keeps(at) {
-            return self.settled(at);
+    fn equilibrium_from(&self, from: f64, z: f64, at: &Motion) -> f64 {
+        if !self.is_path_dependent(at) {
+            return self.equilibrium(at);
         }
         let moved = (at.displacement - from) * self.per_length;
-        if moved == 0.0 { z } else { self.length * self.bends(z * self.per_length, moved.signum(), moved.abs()) }
+        if moved == 0.0 { z } else { self.length * self.bend(z * self.per_length, moved.signum(), moved.abs()) }
     }
 
-    fn keeps(&self, at: &Motion) -> bool {
+    fn is_path_dependent(&self, at: &Motion) -> bool {
         at.velocity == 0.0
     }
 }
@@ -317,9 +325,9 @@ mod tests {
                             (contact.after(&path, ends.0, ends.1, bent), contact.turns(&path, ends.0, ends.1, bent));
                         assert!((quick.value - in_full.value).abs() < 1e-12, "{contact:?} {v0} {v1} {share} {bent}");
                         for k in 0..2 {
-                            let size = in_full.slopes[k].abs().max(1.0);
+                            let size = in_full.derivatives[k].abs().max(1.0);
                             assert!(
-                                (quick.slopes[k] - in_full.slopes[k]).abs() < 1e-9 * size,
+                                (quick.derivatives[k] - in_full.derivatives[k]).abs() < 1e-9 * size,
                                 "{contact:?} {v0} {v1} {share} {bent}"
                             );
                         }
@@ -351,7 +359,8 @@ mod tests {
                 let (mut pieces, mut turns) = (bent, 0);
                 let n = 500;
                 for i in 0..n {
-                    let (from, to) = (path.at(f64::from(i) / f64::from(n)), path.at(f64::from(i + 1) / f64::from(n)));
+                    let (from, to) =
+                        (path.point(f64::from(i) / f64::from(n)), path.point(f64::from(i + 1) / f64::from(n)));
                     turns += usize::from(from.v * to.v < 0.0);
                     let piece = Path::new(from.x, from.v, &Input::motion(to.x, to.v), dt / f64::from(n));
                     pieces = carried(&piece, pieces).value;
@@ -361,8 +370,14 @@ mod tests {
                 let at = |x1: f64, v1: f64| carried(&Path::new(0.0, v0, &Input::motion(x1, v1), dt), bent).value;
                 let by_x = (at(x1 + 1e-8, v1) - at(x1 - 1e-8, v1)) / 2e-8;
                 let by_v = (at(x1, v1 + 1e-5) - at(x1, v1 - 1e-5)) / 2e-5;
-                assert!((whole.slopes[0] - by_x).abs() < 1e-5 * by_x.abs().max(1.0), "{x1} {v0} {v1} {bent}: {by_x}");
-                assert!((whole.slopes[1] - by_v).abs() < 1e-5 * by_v.abs().max(1.0), "{x1} {v0} {v1} {bent}: {by_v}");
+                assert!(
+                    (whole.derivatives[0] - by_x).abs() < 1e-5 * by_x.abs().max(1.0),
+                    "{x1} {v0} {v1} {bent}: {by_x}"
+                );
+                assert!(
+                    (whole.derivatives[1] - by_v).abs() < 1e-5 * by_v.abs().max(1.0),
+                    "{x1} {v0} {v1} {bent}: {by_v}"
+                );
             }
         }
         assert!(turns_seen.iter().all(|seen| *seen > 0), "{turns_seen:?}");

@@ -28,7 +28,7 @@ impl SoftGap {
         let alone = k * d.abs();
         let half = (k * self.gap - alone).plus(self.softness) * 0.5;
         let product = alone * self.softness;
-        // A number below all forces keeps the root away from 0, where it has no slope.
+        // A number below all forces keeps the root away from 0, where it has no derivative.
         let root = (half * half + product).plus(1e-30).sqrt();
         let size = if half.value() > 0.0 { product * (half + root).inverse() } else { root - half };
         let open = size.plus(self.softness).inverse();

@@ -135,16 +135,16 @@ impl StribeckFriction {
         let fallen = power(r, fall);
         let bump = excess * exp_below_bound(-fallen);
         let d_bump =
-            if speed > 0.0 { -bump * fall * fallen / speed } else { slope_at_rest(-bump * per_stribeck, fall) };
+            if speed > 0.0 { -bump * fall * fallen / speed } else { derivative_at_rest(-bump * per_stribeck, fall) };
         let risen = rise * power(q, rise_power);
         let sign = smooth_sign(1.0, 1.0, risen);
         let d_risen =
-            if speed > 0.0 { rise_power * risen / speed } else { slope_at_rest(rise * per_breakaway, rise_power) };
+            if speed > 0.0 { rise_power * risen / speed } else { derivative_at_rest(rise * per_breakaway, rise_power) };
         let level = coulomb + bump;
         Response {
             force: (level * sign.force).copysign(v) * if level < 0.0 { -1.0 } else { 1.0 },
-            by_x: 0.0,
-            by_v: d_bump * sign.force + level * sign.by_v * d_risen,
+            d_force_d_x: 0.0,
+            d_force_d_v: d_bump * sign.force + level * sign.d_force_d_v * d_risen,
         }
     }
 }
@@ -179,7 +179,7 @@ impl Force for StribeckFriction {
 /// The simplified form far above break-away, where nothing is left of its exponentials.
 #[inline(always)]
 fn far_above(coulomb: f64, v: f64) -> Response {
-    Response { force: coulomb.copysign(v), by_x: 0.0, by_v: 0.0 }
+    Response { force: coulomb.copysign(v), d_force_d_x: 0.0, d_force_d_v: 0.0 }
 }
 
 /// The simplified form where its exponentials matter; `square` is (v/v_st)². Apart, for the sake of the strokes that do
@@ -188,10 +188,14 @@ fn far_above(coulomb: f64, v: f64) -> Response {
 fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) -> Response {
     let bump = peak * exp_below_bound(-square);
     let level = smooth_sign(coulomb, steepness, v);
-    Response { force: bump * v + level.force, by_x: 0.0, by_v: bump * (1.0 - 2.0 * square) + level.by_v }
+    Response {
+        force: bump * v + level.force,
+        d_force_d_x: 0.0,
+        d_force_d_v: bump * (1.0 - 2.0 * square) + level.d_force_d_v,
+    }
 }
 
 /// Derivative of `scale · s^p` at s = 0 for p ≥ 1.
-fn slope_at_rest(scale: f64, p: f64) -> f64 {
+fn derivative_at_rest(scale: f64, p: f64) -> f64 {
     if p == 1.0 { scale } else { 0.0 }
 }

@@ -6,11 +6,12 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// The laminar part of F_d, which is 1/(1 + |F_d|/F_l) of it, is multiplied by the viscosity over that at T_0,
-/// exp(−α (T − T_0)/(1 + κ (T − T_0))): what passes orifices and blow-off valves does not know it. κ = 0 is an exponential,
-/// κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), C about 95 °C for damper oils. T is the temperature that the host gives,
-/// or that of the surroundings it gives plus the rise ϑ by the damper's own heat, C_h dϑ/dt = F_h (w + b) − h ϑ with the flow b
-/// beside the valves.
+/// The laminar part of F_d is multiplied by the viscosity over that at T_0, exp(−α (T − T_0)/(1 + κ (T − T_0))).
+///
+/// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0
+/// is an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), C about 95 °C for damper oils. T is the
+/// temperature from the host, or that of its surroundings plus the rise ϑ by the damper's own heat. The rise follows
+/// C_h dϑ/dt = F_h (w + b) − h ϑ with the flow b parallel to the valves.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,

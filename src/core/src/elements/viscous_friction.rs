@@ -29,7 +29,7 @@ impl Force for ViscousFriction {
     #[inline(always)]
     fn force(&self, at: &Motion) -> Response {
         let (v, speed) = (at.velocity, at.velocity.abs());
-        Response { force: self.coefficient * v * speed, by_x: 0.0, by_v: 2.0 * self.coefficient * speed }
+        Response { force: self.coefficient * v * speed, d_force_d_x: 0.0, d_force_d_v: 2.0 * self.coefficient * speed }
     }
 
     #[inline(always)]

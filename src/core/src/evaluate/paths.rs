@@ -9,56 +9,56 @@ use crate::input::Input;
 use crate::paths::bypass;
 use crate::paths::hydraulic::{self, Around, Flow, column_force, column_rate};
 use crate::paths::series::{self, Frame};
-use crate::paths::solve::{ROUNDS, Residual, oil_velocity};
+use crate::paths::solve::{ITERATIONS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, Slots, place};
 use crate::state::State;
 use crate::tables::{ForceLaw, Tables};
 
-/// Directions in which an instant is differentiated at once. All that is asked here is compiled for this one kind of number, whether or not its slopes
+/// Directions in which an instant is differentiated at once. All that is asked here is compiled for this one kind of number, whether or not its derivatives
 /// are needed: hosts ask now and then, and with all thirteen directions at once the formulas were as long as those of all steps together.
 const DIRECTIONS: usize = 4;
 
-/// A number with its slopes.
-type Sloped = Dual<DIRECTIONS>;
+/// A number with its derivatives.
+type Derivatived = Dual<DIRECTIONS>;
 
 /// What the oil does at given states.
 struct Instant {
     /// 0 where the velocity of the oil is the right one.
-    residual: Sloped,
-    rates: [Sloped; STATES],
-    force: Sloped,
-    primary: Sloped,
-    inner: Sloped,
+    residual: Derivatived,
+    rates: [Derivatived; STATES],
+    force: Derivatived,
+    primary: Derivatived,
+    inner: Derivatived,
 }
 
 /// [`hydraulic::flow`], once for all who ask.
 #[inline(never)]
 fn flow(
     e: &Paths<impl Tables>,
-    curve: Sloped,
-    w: Sloped,
-    around: &Around<Sloped>,
-    states: &[Sloped; STATES],
-) -> Flow<Sloped> {
+    curve: Derivatived,
+    w: Derivatived,
+    around: &Around<Derivatived>,
+    states: &[Derivatived; STATES],
+) -> Flow<Derivatived> {
     hydraulic::flow(e, curve, Dual::constant(e.fv_curve.at_zero()), w, around, states)
 }
 
 /// [`bypass::flow`], once for all who ask.
 #[inline(never)]
-fn past(e: &Paths<impl Tables>, force: Sloped, x: Sloped, states: &[Sloped; STATES]) -> Sloped {
+fn past(e: &Paths<impl Tables>, force: Derivatived, x: Derivatived, states: &[Derivatived; STATES]) -> Derivatived {
     bypass::flow(e, force, x, states)
 }
 
 #[inline(never)]
 fn instant(
     elements: &Elements<impl Tables>,
-    states: &[Sloped; STATES],
-    around: &Around<Sloped>,
-    w: Sloped,
-    curve: Sloped,
+    states: &[Derivatived; STATES],
+    around: &Around<Derivatived>,
+    w: Derivatived,
+    curve: Derivatived,
 ) -> Instant {
     let e = &elements.paths;
-    let frame = Frame::of(e);
+    let frame = Frame::new(e);
     let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
     let flow = flow(e, curve, w, around, states);
     let mut rates = [Dual::constant(0.0); STATES];
@@ -99,7 +99,7 @@ fn instant(
         temperature: around.temperature,
     };
     let inner = elements.on_the_mass(&at);
-    let inner = x.chain(inner.force, inner.by_x) + u.chain(0.0, inner.by_v);
+    let inner = x.chain(inner.force, inner.d_force_d_x) + u.chain(0.0, inner.d_force_d_v);
     let mut force = inner + primary;
     if e.has_series() {
         let rate = around.v - u;
@@ -115,14 +115,19 @@ fn instant(
 /// Relative change of the velocity at which it is found.
 const TOLERANCE: f64 = 1e-13;
 
-/// The velocity w of the oil that leaves nothing of what is `left` at it and the force of the FV curve there, from a guess.
+/// Finds the velocity w of the oil at which `left` and the force of the FV curve balance, from a guess.
 #[inline(never)]
-fn sought(e: &Paths<impl Tables>, guess: f64, least: [f64; 2], left: &dyn Fn(Sloped, Sloped) -> Sloped) -> f64 {
+fn sought(
+    e: &Paths<impl Tables>,
+    guess: f64,
+    least: [f64; 2],
+    left: &dyn Fn(Derivatived, Derivatived) -> Derivatived,
+) -> f64 {
     let residual = |w: f64, f: f64| {
         let r = left(Dual::along(w, 0), Dual::along(f, 1));
-        Residual { value: r.value, by_w: r.slope(0), by_curve: r.slope(1) }
+        Residual { value: r.value, by_w: r.derivative(0), by_curve: r.derivative(1) }
     };
-    oil_velocity(e, guess, ROUNDS, least, TOLERANCE, &residual, &mut ()).answer()
+    oil_velocity(e, guess, ITERATIONS, least, TOLERANCE, &residual, &mut ()).root()
 }
 
 /// The velocity of the oil at given states.
@@ -161,10 +166,10 @@ impl<'a, T: Tables> At<'a, T> {
         let states = e.paths.slots().read(state);
         let around = Around { x, v, side_force, temperature };
         let w = oil(e, &states, &around);
-        At { e, states, around, w, curve: e.paths.fv_curve.at(w) }
+        At { e, states, around, w, curve: e.paths.fv_curve.evaluate(w) }
     }
 
-    /// The instant with its slopes over what stands at these places.
+    /// The instant with its derivatives over what stands at these places.
     fn along(&self, places: [usize; W]) -> Instant {
         let lifted = |value: f64, place: usize| match places.iter().position(|moved| *moved == place) {
             Some(direction) => Dual::along(value, direction),
@@ -177,24 +182,26 @@ impl<'a, T: Tables> At<'a, T> {
         let Around { x, v, side_force, temperature } = self.around;
         let around = Around { x: lifted(x, X), v: lifted(v, V), side_force, temperature };
         let w = Dual::along(self.w, W);
-        instant(self.e, &states, &around, w, w.chain(self.curve.value, self.curve.slope))
+        instant(self.e, &states, &around, w, w.chain(self.curve.value, self.curve.derivative))
     }
 }
 
 impl Instant {
-    /// The slopes of a number of it, the velocity of the oil following.
-    fn slopes(&self, number: &Sloped) -> [f64; W] {
-        let by_w = self.residual.slope(W);
-        let follows = if by_w != 0.0 { -number.slope(W) / by_w } else { 0.0 };
-        let mut slopes = [0.0; W];
-        for (to, (own, residual)) in slopes.iter_mut().zip(number.slopes.iter().zip(&self.residual.slopes)) {
+    /// The derivatives of a number of it, the velocity of the oil following.
+    fn derivatives(&self, number: &Derivatived) -> [f64; W] {
+        let by_w = self.residual.derivative(W);
+        let follows = if by_w != 0.0 { -number.derivative(W) / by_w } else { 0.0 };
+        let mut derivatives = [0.0; W];
+        for (to, (own, residual)) in
+            derivatives.iter_mut().zip(number.derivatives.iter().zip(&self.residual.derivatives))
+        {
             *to = own + follows * residual;
         }
-        slopes
+        derivatives
     }
 }
 
-/// The force through both paths, its parts, and its slopes over displacement and velocity of the driven end.
+/// The force through both paths, its parts, and its derivatives over displacement and velocity of the driven end.
 pub(super) struct Through {
     pub force: f64,
     pub primary: f64,
@@ -209,7 +216,7 @@ pub(super) enum Beside<'a> {
     Nothing,
     /// The rates of the states.
     Rates(&'a mut State),
-    /// The slopes of force and rates.
+    /// The derivatives of force and rates.
     Partials(&'a mut Partials),
 }
 
@@ -218,7 +225,7 @@ pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, b
     // The last of the states with the input, which the force is differentiated by in any case.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
     let instant = at.along(WITH_INPUT);
-    let [_, by_x, by_v] = instant.slopes(&instant.force);
+    let [_, by_x, by_v] = instant.derivatives(&instant.force);
     match beside {
         Beside::Nothing => (),
         Beside::Rates(rate) => e.paths.slots().write(&instant.rates.map(Dual::value), rate),
@@ -239,26 +246,26 @@ pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, b
 }
 
 impl Instant {
-    /// Puts the slopes over what stands at these places where they belong.
+    /// Puts the derivatives over what stands at these places where they belong.
     #[inline(never)]
     fn put(&self, places: [usize; W], slots: &Slots, p: &mut Partials) {
-        for (place, slope) in places.into_iter().zip(self.slopes(&self.force)) {
-            if let Some(to) = slots.index(place).and_then(|i| p.force_by_state.get_mut(i)) {
-                *to = slope;
+        for (place, derivative) in places.into_iter().zip(self.derivatives(&self.force)) {
+            if let Some(to) = slots.index(place).and_then(|i| p.d_force_d_state.get_mut(i)) {
+                *to = derivative;
             }
         }
         for (place, rate) in self.rates.iter().enumerate() {
             let Some(i) = slots.index(place) else { continue };
-            let (Some(by_input), Some(by_state)) = (p.rate_by_input.get_mut(i), p.rate_by_state.get_mut(i)) else {
+            let (Some(by_input), Some(by_state)) = (p.d_rate_d_input.get_mut(i), p.d_rate_d_state.get_mut(i)) else {
                 continue;
             };
-            for (moved, slope) in places.into_iter().zip(self.slopes(rate)) {
+            for (moved, derivative) in places.into_iter().zip(self.derivatives(rate)) {
                 match moved {
-                    X => by_input[0] = slope,
-                    V => by_input[1] = slope,
+                    X => by_input[0] = derivative,
+                    V => by_input[1] = derivative,
                     _ => {
                         if let Some(to) = slots.index(moved).and_then(|j| by_state.get_mut(j)) {
-                            *to = slope;
+                            *to = derivative;
                         }
                     }
                 }
@@ -274,7 +281,7 @@ const TOGETHER: usize = 200;
 const DRAWN: usize = 40;
 
 /// The velocity of the oil and the hydraulic force where nothing opens or closes any more: what [`crate::settle`] needs.
-pub(crate) fn settled(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
+pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
     // What a state is drawn to follows the force, and the force the state: both have settled long before the end.
     let mut force = 0.0;
@@ -285,12 +292,12 @@ pub(crate) fn settled(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) 
         let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
         let mut held = states;
         let at = |states: &[f64; STATES], w: f64| {
-            let curve = Dual::constant(e.fv_curve.at(w).value);
+            let curve = Dual::constant(e.fv_curve.evaluate(w).value);
             flow(e, curve, Dual::constant(w), &around, &states.map(Dual::constant))
         };
         let solve = |states: &[f64; STATES], void_moves: bool| {
             let lifted = states.map(Dual::constant);
-            let steady = |w: Sloped, f: Sloped| {
+            let steady = |w: Derivatived, f: Derivatived| {
                 let force = flow(e, f, w, &around, &lifted).force;
                 let through = w + past(e, force, around.x, &lifted) - around.v;
                 if !void_moves {

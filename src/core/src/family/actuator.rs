@@ -9,7 +9,7 @@
 //! z is the state of a Dahl element over the setting: it tends to 1 while y rises and to −1 while it falls, so the valve stands h below y on the way up and
 //! h above it on the way down. After a reversal ds/dy begins at 0 and tends to 1: s never moves against y.
 
-use crate::math::{exp_below_bound, larger, smaller};
+use crate::math::{exp_below_bound, max, min};
 
 /// Time constants below this, s, are none: an instant at which rates are asked takes this one for them.
 pub const QUICKEST: f64 = 1e-4;
@@ -86,8 +86,8 @@ impl Actuator {
         if rate > 0.0 {
             // At the limit until the lag alone is slower.
             let slow = rate * time;
-            let until = larger(left - slow, 0.0) / rate;
-            let at_limit = smaller(until, dt);
+            let until = max(left - slow, 0.0) / rate;
+            let at_limit = min(until, dt);
             left -= rate * at_limit;
             dt -= at_limit;
         }
@@ -114,7 +114,7 @@ impl Actuator {
     pub fn rates(&self, stand: &Stand, u: f64) -> Rates {
         let way = u - stand.lagged;
         let falls = usize::from(way < 0.0);
-        let per_time = 1.0 / larger(self.time[falls], QUICKEST);
+        let per_time = 1.0 / max(self.time[falls], QUICKEST);
         let limit = self.rate[falls];
         let (mut rate, mut by_way) = (way * per_time, per_time);
         if limit > 0.0 && rate.abs() > limit {

@@ -1,10 +1,10 @@
 //! What a user fills in: the grid of the setting, the values over it, the actuator.
 
 use super::actuator::Actuator;
-use super::interpolation::{MAX_GRID, Place, derivatives, limit};
+use super::interpolation::{MAX_GRID, Place, limit};
 use crate::curve::MAX_POINTS;
 use crate::fault::{Fault, NO_PARAMETER, Reason};
-use crate::math::larger;
+use crate::math::max;
 use crate::parameter::values::check;
 use crate::parameter::{Element, List, Number, Params, Shape, table};
 use crate::{element, list};
@@ -102,8 +102,8 @@ impl From<Params> for Definition {
 
 impl Definition {
     /// The ordinary damper at a setting; the same where it depends on none.
-    pub fn at(&self, setting: f64) -> Params {
-        self.axis.at(&self.params, setting)
+    pub fn params_at(&self, setting: f64) -> Params {
+        self.axis.params_at(&self.params, setting)
     }
 }
 
@@ -355,19 +355,20 @@ impl Axis {
         Ok(())
     }
 
-    /// Forces of all points of the FV table at grid value `index` and their derivatives over the setting, which are limited so that the forces do not fall over velocity
-    /// between the grid.
+    /// Forces of all points of the FV table at grid value `index` and their derivatives over the setting.
+    ///
+    /// The derivatives are limited, so that the forces do not decrease over velocity between the grid values.
     pub(crate) fn forces_with_derivatives(&self, index: usize) -> ([f64; MAX_POINTS], [f64; MAX_POINTS]) {
         let (grid, points) = (self.grid(), self.points as usize);
         let forces = self.forces.get(index).copied().unwrap_or([0.0; MAX_POINTS]);
-        let mut slopes = [0.0; MAX_POINTS];
-        for (point, slope) in slopes.iter_mut().enumerate().take(points) {
+        let mut derivatives = [0.0; MAX_POINTS];
+        for (point, derivative) in derivatives.iter_mut().enumerate().take(points) {
             let mut over = [0.0; MAX_GRID];
             for (to, forces) in over.iter_mut().zip(&self.forces) {
                 *to = forces.get(point).copied().unwrap_or(0.0);
             }
-            let of_point = derivatives(grid, over.get(..grid.len()).unwrap_or(&[]));
-            *slope = of_point.get(index).copied().unwrap_or(0.0);
+            let of_point = super::interpolation::derivatives(grid, over.get(..grid.len()).unwrap_or(&[]));
+            *derivative = of_point.get(index).copied().unwrap_or(0.0);
         }
         let at = |place: usize| grid.get(place).copied();
         let length = |from: Option<f64>, to: Option<f64>| match (from, to) {
@@ -377,14 +378,14 @@ impl Axis {
         let before = length(index.checked_sub(1).and_then(at), at(index));
         let after = length(at(index), at(index + 1));
         let force = |point: usize| forces.get(point).copied().unwrap_or(0.0);
-        if let Some(slopes) = slopes.get_mut(..points) {
-            limit(slopes, |point| force(point + 1) - force(point), before, after);
+        if let Some(derivatives) = derivatives.get_mut(..points) {
+            limit(derivatives, |point| force(point + 1) - force(point), before, after);
         }
-        (forces, slopes)
+        (forces, derivatives)
     }
 
     /// The ordinary damper at a setting, which is clamped to the grid: the set with the interpolated numbers and forces.
-    pub fn at(&self, params: &Params, setting: f64) -> Params {
+    pub fn params_at(&self, params: &Params, setting: f64) -> Params {
         let mut at = *params;
         self.put(&mut at, setting);
         at
@@ -400,20 +401,20 @@ impl Axis {
         for varying in self.numbers() {
             let Some(row) = table().nth(varying.row as usize) else { continue };
             let Ok(number) = Number::try_from(row) else { continue };
-            let derivatives = derivatives(grid, varying.values.get(..grid.len()).unwrap_or(&[]));
+            let derivatives = super::interpolation::derivatives(grid, varying.values.get(..grid.len()).unwrap_or(&[]));
             // Between two values that the table allows.
             let _ = params.set(number, number.inside(place.value(&varying.values, &derivatives)));
         }
         if self.has_forces() {
-            let (from, from_slopes) = self.forces_with_derivatives(place.interval);
-            let (to, to_slopes) = self.forces_with_derivatives(place.interval + 1);
+            let (from, from_derivatives) = self.forces_with_derivatives(place.interval);
+            let (to, to_derivatives) = self.forces_with_derivatives(place.interval + 1);
             let [w0, w1, w2, w3] = place.weights;
             let mut forces = [0.0; MAX_POINTS];
-            let ends = from.iter().zip(&to).zip(from_slopes.iter().zip(&to_slopes));
+            let ends = from.iter().zip(&to).zip(from_derivatives.iter().zip(&to_derivatives));
             // They rise but for rounding.
             let mut last = f64::NEG_INFINITY;
             for (force, ((f0, f1), (d0, d1))) in forces.iter_mut().zip(ends) {
-                *force = larger((w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1), last);
+                *force = max((w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1), last);
                 last = *force;
             }
             let _ = params.set_list(list!("fv_force"), forces.get(..self.points as usize).unwrap_or(&[]));
@@ -446,7 +447,7 @@ impl Axis {
         }
         for forces in (0..self.grid().len()).filter_map(|index| self.forces(index)) {
             if forces.iter().zip(forces.iter().skip(1)).any(|(force, next)| next < force) {
-                return Err(list!("fv_force").fault(Reason::Falls));
+                return Err(list!("fv_force").fault(Reason::ForceDecreases));
             }
         }
         for varying in self.numbers() {
@@ -497,8 +498,10 @@ impl Axis {
         Ok((*first, axis))
     }
 
-    /// Numbers that depend on the setting and store energy, or act at rest: by these a change of the setting may do work on the host. Without one the
-    /// damper is passive however the setting changes.
+    /// Numbers that depend on the setting and store energy, or act at rest.
+    ///
+    /// Through them a change of the setting may do work on the host. Without one the damper is passive however the
+    /// setting changes.
     ///
     /// Energy is stored in springs, columns of oil and masses, by the force or the temperature of the gas, and in the bend of a contact. What only takes
     /// energy may change at any time: at every instant its power is that of a damper at a constant setting.

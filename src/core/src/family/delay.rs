@@ -4,7 +4,7 @@
 //! mean over the time that the step has moved on, so no part of the signal is lost or counted twice, whatever the lengths of the steps. A change is
 //! delayed by the dead time to within the length of a cell.
 
-use crate::math::larger;
+use crate::math::max;
 
 /// Cells in a dead time: a change is off by a sixteenth of it at most.
 pub const CELLS: usize = 16;
@@ -69,7 +69,7 @@ impl Delay {
                 break;
             }
             let Some(mean) = self.cells.get_mut(self.oldest as usize) else { return signal };
-            let rest = larger(cell - self.elapsed, 0.0);
+            let rest = max(cell - self.elapsed, 0.0);
             let part = if left < rest { left } else { rest };
             sum += *mean * part;
             self.filled += signal * part;

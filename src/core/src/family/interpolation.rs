@@ -16,8 +16,8 @@
 //!
 //! Where the derivatives violate it they are reduced toward zero ([`limit`]), which keeps them monotone over the setting.
 
-use crate::curve::monotone_slope;
-use crate::math::{larger, smaller};
+use crate::curve::monotone_derivative;
+use crate::math::{max, min};
 
 /// Most values of a grid.
 pub const MAX_GRID: usize = 8;
@@ -43,7 +43,7 @@ impl Place {
         let low = grid[interval & (MAX_GRID - 1)];
         let h = grid[(interval + 1) & (MAX_GRID - 1)] - low;
         let t = (setting - low) / h;
-        let t = smaller(1.0, larger(0.0, t));
+        let t = min(1.0, max(0.0, t));
         let rest = 1.0 - t;
         let weights =
             [rest * rest * (1.0 + 2.0 * t), t * t * (1.0 + 2.0 * rest), h * (t * (rest * rest)), -(h * (t * t * rest))];
@@ -63,12 +63,13 @@ impl Place {
 pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
     let mut derivatives = [0.0; MAX_GRID];
     for (place, derivative) in derivatives.iter_mut().enumerate().take(grid.len()) {
-        *derivative = monotone_slope(grid, values, place);
+        *derivative = monotone_derivative(grid, values, place);
     }
     derivatives
 }
 
-/// Reduces the derivatives of the forces of all points at one grid value, so that the forces do not fall over velocity on the intervals beside it.
+/// Reduces the derivatives of the forces of all points at one grid value, so that the forces do not decrease over
+/// velocity.
 ///
 /// `rises`: difference of the forces of a point and the next, for each point but the last. `before`, `after`: lengths of the intervals on both sides;
 /// infinite where there is none.
@@ -87,7 +88,7 @@ pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64,
             let (up, down) = (within(before), within(after));
             if sign > 0.0 { (up, down) } else { (down, up) }
         };
-        let target = |derivatives: &[f64], point: usize| larger(sign * sign_at(derivatives, point), 0.0);
+        let target = |derivatives: &[f64], point: usize| max(sign * sign_at(derivatives, point), 0.0);
         for point in 1..count {
             let (up, _) = room(derivatives, point - 1);
             let most = target(derivatives, point - 1) + up;
@@ -146,7 +147,7 @@ mod tests {
             for s in &GRID[1..count - 1] {
                 let e = 1e-7;
                 let (left, right) = ((at(*s) - at(s - e)) / e, (at(s + e) - at(*s)) / e);
-                // Over e the slope itself changes by e times the curvature.
+                // Over e the derivative itself changes by e times the curvature.
                 assert!((left - right).abs() < 1e-2 * (1.0 + left.abs()), "{left} {right} at {s}");
             }
             // Clamped outside.

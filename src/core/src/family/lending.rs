@@ -65,7 +65,7 @@ macro_rules! lent_or_renewed {
 pub(crate) use lent_or_renewed;
 
 impl ParallelSpring {
-    /// The same, with its table borrowed.
+    /// The parallel spring, with its table borrowed.
     #[inline(always)]
     pub(crate) fn lent(&self) -> ParallelSpring<Lent<'_>> {
         self.with_table(self.table())
@@ -81,7 +81,7 @@ impl ParallelSpring {
 }
 
 impl ValveHysteresis {
-    /// The same, with its passage borrowed.
+    /// The valve, with its passage borrowed.
     #[inline(always)]
     pub(crate) fn lent(&self) -> ValveHysteresis<Lent<'_>> {
         self.with_conductance(Passage::Table(self.conductance()))

@@ -12,14 +12,16 @@ use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::input::Input;
 use crate::integration::Integration;
 use crate::layout::{LAG, bits, with_actuator};
-use crate::math::{larger, smaller};
+use crate::math::{max, min};
 use crate::model::Model;
 use crate::parameter::{Element, Params, Row, table};
-use crate::state::{MAX_MEMORY, Output, State};
+use crate::state::{MAX_INTERNAL, Output, State};
 use crate::step::step_borrowed;
 use crate::{Partials, element, list, number};
 
-/// Half the distance over which derivatives over the setting are taken, as a part of the grid: the forces are known to 1e-13, so 1e-6 leaves seven digits.
+/// Half the distance of differences over the setting, as a part of the grid.
+///
+/// The forces are known to 1e-13, so 1e-6 leaves seven digits.
 const NEAR: f64 = 1e-6;
 /// Step at which methods of integration are compared, s: see [`crate::integration`].
 const COMPARED_AT: f64 = 1e-3;
@@ -55,7 +57,7 @@ enum Fv {
     Same,
     /// By the forces of its table.
     Forces,
-    /// By slopes and knees.
+    /// By derivatives and knees.
     Knees,
 }
 
@@ -85,7 +87,7 @@ pub struct Family {
     is_cubic: bool,
     /// Forces of the points at each grid value, and their derivatives over the setting.
     forces: [[f64; ROOM]; MAX_GRID],
-    slopes: [[f64; ROOM]; MAX_GRID],
+    derivatives: [[f64; ROOM]; MAX_GRID],
     layout: f64,
     /// Place of the actuator's states in memory.
     lagged_at: u64,
@@ -126,7 +128,7 @@ impl Numbers for At<'_> {
             {
                 let value = self.place.value(&number.values, &number.derivatives);
                 // Between two values that the table allows, but for rounding.
-                *slot = smaller(number.high, larger(number.low, value));
+                *slot = min(number.high, max(number.low, value));
             }
         }
         if self.family.has_mass_inside {
@@ -187,12 +189,14 @@ impl Family {
         point_count: 0,
         is_cubic: false,
         forces: [[0.0; ROOM]; MAX_GRID],
-        slopes: [[0.0; ROOM]; MAX_GRID],
+        derivatives: [[0.0; ROOM]; MAX_GRID],
         layout: 0.0,
         lagged_at: 0,
     };
 
-    /// Whether a family can be made of the parameters and the axis: the damper of every grid value is one, and all of them have the same states.
+    /// Whether the parameters and the axis define a family.
+    ///
+    /// Every grid value must define a damper, and all of them must have the same states.
     ///
     /// # Errors
     /// The parameter at fault, and why.
@@ -220,7 +224,7 @@ impl Family {
         }
         let actuator = axis.actuator();
         let own = usize::from(actuator.has_lag()) + usize::from(actuator.has_hysteresis());
-        if Model::memories_of(&at) + own > MAX_MEMORY {
+        if Model::memories_of(&at) + own > MAX_INTERNAL {
             return Err(Fault { parameter: NO_PARAMETER, reason: Reason::TooManyStates });
         }
         Ok(())
@@ -258,7 +262,7 @@ impl Family {
             axis.put(&mut self.params, *setting);
             self.model.set(&self.params)?;
             let integration = self.model.integration();
-            cheap_up_to = smaller(integration.cheap_up_to, cheap_up_to);
+            cheap_up_to = min(integration.cheap_up_to, cheap_up_to);
             let costs = (stages(&integration), integration.per_time);
             if index == 0 || costs > (stages(&chosen), chosen.per_time) {
                 chosen = integration;
@@ -321,14 +325,14 @@ impl Family {
             self.is_cubic = self.params.number(number!("fv_interpolation")) == 0.0;
             if axis.has_forces() {
                 self.fv = Fv::Forces;
-                for (index, (forces, slopes)) in self.forces.iter_mut().zip(&mut self.slopes).enumerate() {
-                    (*forces, *slopes) = (Points::NONE.f, [0.0; ROOM]);
+                for (index, (forces, derivatives)) in self.forces.iter_mut().zip(&mut self.derivatives).enumerate() {
+                    (*forces, *derivatives) = (Points::NONE.f, [0.0; ROOM]);
                     if index < axis.grid().len() {
                         let (of_points, over_setting) = axis.forces_with_derivatives(index);
                         for (to, from) in forces.iter_mut().zip(of_points).take(u.len()) {
                             *to = from;
                         }
-                        for (to, from) in slopes.iter_mut().zip(over_setting) {
+                        for (to, from) in derivatives.iter_mut().zip(over_setting) {
                             *to = from;
                         }
                     }
@@ -388,23 +392,23 @@ impl Family {
     #[inline(always)]
     fn command(&self, setting: Option<f64>) -> f64 {
         let (low, high) = self.range();
-        smaller(high, larger(low, setting.unwrap_or(self.start)))
+        min(high, max(low, setting.unwrap_or(self.start)))
     }
 
     #[inline(always)]
     fn stand(&self, state: &State) -> Stand {
-        let at = |place: u64| state.memory.get(place as usize).copied().unwrap_or(0.0);
+        let at = |place: u64| state.internal.get(place as usize).copied().unwrap_or(0.0);
         let turned = if self.actuator.has_hysteresis() { at(self.lagged_at + 1) } else { 0.0 };
         Stand { lagged: at(self.lagged_at), turned }
     }
 
     #[inline(always)]
     fn put_stand(&self, state: &mut State, stand: &Stand) {
-        if let Some(slot) = state.memory.get_mut(self.lagged_at as usize) {
+        if let Some(slot) = state.internal.get_mut(self.lagged_at as usize) {
             *slot = stand.lagged;
         }
         if self.actuator.has_hysteresis()
-            && let Some(slot) = state.memory.get_mut(self.lagged_at as usize + 1)
+            && let Some(slot) = state.internal.get_mut(self.lagged_at as usize + 1)
         {
             *slot = stand.turned;
         }
@@ -453,7 +457,7 @@ impl Family {
     fn forces_at(&self, place: &Place, forces: &mut [f64; ROOM]) {
         let (from, to) = (place.interval & (MAX_GRID - 1), (place.interval + 1) & (MAX_GRID - 1));
         let [w0, w1, w2, w3] = place.weights;
-        let (f0, f1, d0, d1) = (&self.forces[from], &self.forces[to], &self.slopes[from], &self.slopes[to]);
+        let (f0, f1, d0, d1) = (&self.forces[from], &self.forces[to], &self.derivatives[from], &self.derivatives[to]);
         let value = |point: usize| (w0 * f0[point] + w1 * f1[point]) + (w2 * d0[point] + w3 * d1[point]);
         // Most tables have fewer than 16 points, behind which a section does not look then.
         for (point, force) in forces.iter_mut().enumerate().take(FEW_POINTS) {
@@ -466,7 +470,7 @@ impl Family {
         }
     }
 
-    /// Points of the FV curve of slopes and knees at a place. Apart: it is rare.
+    /// Points of the FV curve of derivatives and knees at a place. Apart: it is rare.
     #[inline(never)]
     fn knees_at(&self, at: &At) -> Points {
         let group = element!("fv_curve").place();
@@ -485,7 +489,7 @@ impl Family {
 
     /// The state at equilibrium at a setting that has long been commanded: see [`Model::settled`].
     #[inline(never)]
-    pub fn settled(&self, input: &Input, setting: Option<f64>) -> State {
+    pub fn steady_state(&self, input: &Input, setting: Option<f64>) -> State {
         let command = self.command(setting);
         let mut state = self.ask(command, |model| model.equilibrium(input));
         self.put_stand_if_any(&mut state, command);
@@ -499,7 +503,7 @@ impl Family {
     }
 
     /// The dead time of a setting that has long been commanded.
-    pub fn settled_delay(&self, setting: Option<f64>) -> Delay {
+    pub fn steady_delay(&self, setting: Option<f64>) -> Delay {
         Delay::constant(self.command(setting))
     }
 
@@ -516,7 +520,7 @@ impl Family {
     }
 
     /// One step of `dt` to the input and the commanded setting at its end, in place: see [`crate::step::step_in_place`]. The command is constant during the step. Without
-    /// `slopes` those of the output mean nothing. False, and all as it was, where the force is not a finite number.
+    /// `derivatives` those of the output mean nothing. False, and all as it was, where the force is not a finite number.
     ///
     /// The damper is that of the setting at which the valve stands at the end of the step. `dt = 0` is the force at equilibrium, with the valve at rest at the
     /// command; the state stays.
@@ -530,18 +534,18 @@ impl Family {
         setting: Option<f64>,
         dt: f64,
         output: &mut Output,
-        slopes: bool,
+        derivatives: bool,
     ) -> bool {
         if state.layout != self.layout || self.actuator.has_lag() || self.actuator.dead_time > 0.0 {
-            return self.step_behind_actuator(state, delay, to, setting, dt, output, slopes);
+            return self.step_behind_actuator(state, delay, to, setting, dt, output, derivatives);
         }
-        self.step_at(self.command(setting), state, to, dt, output, slopes)
+        self.step_at(self.command(setting), state, to, dt, output, derivatives)
     }
 
     /// Steps at the setting where the valve stands, from a state of this family.
     #[inline(never)]
-    fn step_at(&self, at: f64, state: &mut State, to: &Input, dt: f64, output: &mut Output, slopes: bool) -> bool {
-        self.ask(at, |model| step_borrowed(model, state, to, dt, output, slopes))
+    fn step_at(&self, at: f64, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
+        self.ask(at, |model| step_borrowed(model, state, to, dt, output, derivatives))
     }
 
     /// Steps while the valve moves to its command, or from a state of other elements.
@@ -555,11 +559,11 @@ impl Family {
         setting: Option<f64>,
         dt: f64,
         output: &mut Output,
-        slopes: bool,
+        derivatives: bool,
     ) -> bool {
         if state.layout != self.layout {
             let mut own = self.laid_out(state, setting);
-            let done = self.step_in_place(&mut own, delay, to, setting, dt, output, slopes);
+            let done = self.step_in_place(&mut own, delay, to, setting, dt, output, derivatives);
             if done {
                 *state = own;
             }
@@ -568,7 +572,7 @@ impl Family {
         let command = self.command(setting);
         let (stand, after) = self.moved(state, delay, command, dt);
         let at = if self.actuator.has_lag() { self.actuator.setting(&stand) } else { stand.lagged };
-        let done = self.step_at(at, state, to, dt, output, slopes);
+        let done = self.step_at(at, state, to, dt, output, derivatives);
         if done && dt > 0.0 {
             if self.actuator.has_lag() {
                 self.put_stand(state, &stand);
@@ -595,10 +599,10 @@ impl Family {
         (self.actuator.advance(&stand, u, dt), Some(after))
     }
 
-    /// Derivative of the force at the end of a step over the setting at which the valve stands there; all that happens in the step is included. Of `dt = 0`:
-    /// of the force at equilibrium.
+    /// Total derivative of the force at the end of a step over the actual setting there; with `dt = 0`, of the
+    /// equilibrium force.
     #[inline(never)]
-    pub fn force_by_setting(
+    pub fn d_force_d_setting(
         &self,
         state: &State,
         delay: &Delay,
@@ -607,7 +611,7 @@ impl Family {
         dt: f64,
     ) -> Option<f64> {
         if state.layout != self.layout {
-            return self.force_by_setting(&self.laid_out(state, setting), delay, to, setting, dt);
+            return self.d_force_d_setting(&self.laid_out(state, setting), delay, to, setting, dt);
         }
         let command = self.command(setting);
         let (stand, _) = self.moved(state, delay, command, dt);
@@ -628,7 +632,7 @@ impl Family {
     ) -> Option<[f64; N]> {
         let (low, high) = self.range();
         let near = NEAR * (high - low);
-        let middle = smaller(high - near, larger(low + near, at));
+        let middle = min(high - near, max(low + near, at));
         let (before, after) = (middle - near, middle + near);
         let (from, to) = (numbers(before)?, numbers(after)?);
         let mut by = [0.0; N];
@@ -676,7 +680,7 @@ impl Family {
             let (output, rate) = self.evaluate_at(setting, state, input);
             let mut numbers = [0.0; 11];
             let all = [output.force, rate.mass_displacement, rate.mass_velocity];
-            for (to, from) in numbers.iter_mut().zip(all.iter().chain(&rate.memory)) {
+            for (to, from) in numbers.iter_mut().zip(all.iter().chain(&rate.internal)) {
                 *to = *from;
             }
             Some(numbers)
@@ -696,10 +700,10 @@ impl Family {
         let (y, h) = (self.lagged_at as usize + 2, self.actuator.hysteresis);
         let states = if self.actuator.has_hysteresis() { 2 } else { 1 };
         for (state, by_stand) in [(y, 1.0), (y + 1, -h)].into_iter().take(states) {
-            if let Some(to) = p.force_by_state.get_mut(state) {
+            if let Some(to) = p.d_force_d_state.get_mut(state) {
                 *to = force * by_stand;
             }
-            for (row, rate) in p.rate_by_state.iter_mut().zip(rates) {
+            for (row, rate) in p.d_rate_d_state.iter_mut().zip(rates) {
                 if let Some(to) = row.get_mut(state) {
                     *to = rate * by_stand;
                 }
@@ -708,7 +712,7 @@ impl Family {
         let rows = [[of.lagged_by[0], 0.0], [of.turned_by[0], of.turned_by[1]]];
         let commands = [of.lagged_by[1], of.turned_by[2]];
         for (own, (of_states, by_command)) in rows.into_iter().zip(commands).enumerate().take(states) {
-            if let Some(row) = p.rate_by_state.get_mut(y + own) {
+            if let Some(row) = p.d_rate_d_state.get_mut(y + own) {
                 for (to, from) in row.iter_mut().skip(y).zip(of_states).take(states) {
                     *to = from;
                 }

@@ -2,7 +2,7 @@
 
 use crate::curve::{Above, Curve, MAX_POINTS, Value};
 use crate::elements::valve_hysteresis::{Conductance, tabulated};
-use crate::math::{larger, smaller};
+use crate::math::{max, min};
 use core::fmt::Debug;
 
 use crate::tables::{Conducted, Conduction, ForceLaw, Lookup, Tables};
@@ -52,7 +52,7 @@ pub struct Section<'a> {
     per: &'a [f64; ROOM],
     f: &'a [f64; ROOM],
     count: usize,
-    /// Fritsch–Butland slopes; else straight lines.
+    /// Fritsch–Butland derivatives; else straight lines.
     is_cubic: bool,
 }
 
@@ -100,16 +100,16 @@ impl<'a> Section<'a> {
         index
     }
 
-    /// Mean slope behind a point.
+    /// Mean derivative behind a point.
     #[inline(always)]
     fn chord(&self, point: usize) -> f64 {
         let (from, to) = (point & MASK, (point + 1) & MASK);
         (self.f[to] - self.f[from]) * self.per[from]
     }
 
-    /// Fritsch–Butland slope at a point with the mean slopes `before` and `after` it, which are not negative.
+    /// Fritsch–Butland derivative at a point with the mean derivatives `before` and `after` it, which are not negative.
     #[inline(always)]
-    fn slope(&self, point: usize, before: f64, after: f64) -> f64 {
+    fn derivative(&self, point: usize, before: f64, after: f64) -> f64 {
         if point == 0 {
             return after;
         }
@@ -135,8 +135,8 @@ impl<'a> Section<'a> {
             if !self.is_cubic {
                 return Piece { u0, f0, c1: chord, c2: 0.0, c3: 0.0, low: 0.0, high, chord };
             }
-            let m0 = self.slope(left, if left > 0 { self.chord(left - 1) } else { 0.0 }, chord);
-            let m1 = self.slope(index, chord, if index < last { self.chord(index) } else { 0.0 });
+            let m0 = self.derivative(left, if left > 0 { self.chord(left - 1) } else { 0.0 }, chord);
+            let m1 = self.derivative(index, chord, if index < last { self.chord(index) } else { 0.0 });
             let c2 = (3.0 * chord - 2.0 * m0 - m1) * per;
             let c3 = (m0 + m1 - 2.0 * chord) * (per * per);
             return Piece { u0, f0, c1: m0, c2, c3, low: 0.0, high, chord };
@@ -145,17 +145,17 @@ impl<'a> Section<'a> {
         if self.count < 2 {
             return Piece { u0: 0.0, f0: 0.0, c1: 0.0, c2: 0.0, c3: 0.0, low: -FAR, high: FAR, chord: 0.0 };
         }
-        let (anchor, slope) = if index == 0 { (0, self.chord(0)) } else { (last, self.chord(last - 1)) };
+        let (anchor, derivative) = if index == 0 { (0, self.chord(0)) } else { (last, self.chord(last - 1)) };
         let (low, high) = if index == 0 { (-FAR, 0.0) } else { (0.0, FAR) };
         Piece {
             u0: self.u[anchor & MASK],
             f0: self.f[anchor & MASK],
-            c1: slope,
+            c1: derivative,
             c2: 0.0,
             c3: 0.0,
             low,
             high,
-            chord: slope,
+            chord: derivative,
         }
     }
 }
@@ -165,14 +165,14 @@ impl Piece {
     fn at(&self, t: f64) -> Value {
         Value {
             value: self.f0 + t * (self.c1 + t * (self.c2 + t * self.c3)),
-            slope: self.c1 + t * (2.0 * self.c2 + t * (3.0 * self.c3)),
+            derivative: self.c1 + t * (2.0 * self.c2 + t * (3.0 * self.c3)),
         }
     }
 }
 
 impl ForceLaw for Section<'_> {
     #[inline(always)]
-    fn at(&self, u: f64) -> Value {
+    fn evaluate(&self, u: f64) -> Value {
         let piece = self.piece(self.locate(u, |u, _| u));
         piece.at(u - piece.u0)
     }
@@ -181,13 +181,13 @@ impl ForceLaw for Section<'_> {
     fn above_zero(&self, u: f64) -> Above {
         let piece = self.piece(self.locate(u, |u, _| u));
         let t = u - piece.u0;
-        let Value { value, slope } = piece.at(t);
-        Above { value: value - self.at_zero(), slope, curvature: 2.0 * piece.c2 + t * (6.0 * piece.c3) }
+        let Value { value, derivative } = piece.at(t);
+        Above { value: value - self.at_zero(), derivative, curvature: 2.0 * piece.c2 + t * (6.0 * piece.c3) }
     }
 
     #[inline(always)]
     fn at_zero(&self) -> f64 {
-        self.at(0.0).value
+        self.evaluate(0.0).value
     }
 
     /// Solves `a u + f(u) = r`: the velocity and the value of the curve there.
@@ -198,15 +198,15 @@ impl ForceLaw for Section<'_> {
         let c1 = a + p.c1;
         let mut t = target * (1.0 / (a + p.chord));
         for _ in 0..STEPS {
-            let (mean, slope) = (c1 + t * (p.c2 + t * p.c3), c1 + t * (2.0 * p.c2 + t * (3.0 * p.c3)));
+            let (mean, derivative) = (c1 + t * (p.c2 + t * p.c3), c1 + t * (2.0 * p.c2 + t * (3.0 * p.c3)));
             let value = t * mean - target;
             let bend = p.c2 + t * (3.0 * p.c3);
             let bent = value * bend;
-            let narrowed = slope * slope - bent;
-            let step = value * narrowed / (slope * (narrowed - bent) + value * (value * p.c3));
+            let narrowed = derivative * derivative - bent;
+            let step = value * narrowed / (derivative * (narrowed - bent) + value * (value * p.c3));
             t -= step;
-            t = larger(p.low, t);
-            t = smaller(p.high, t);
+            t = max(p.low, t);
+            t = min(p.high, t);
             if step.abs() <= FEW * p.high {
                 break;
             }
@@ -224,7 +224,8 @@ impl ForceLaw for Section<'_> {
 pub enum Passage<'a> {
     /// The table of the family.
     Table(&'a Conductance),
-    /// Computed node by node from the FV curve at the setting, where that or the valve depends on it: its table would begin at this force, N.
+    /// Computed node by node from the FV curve at the setting, where either depends on it: its table would begin at
+    /// this force, N.
     From(f64),
 }
 
@@ -241,7 +242,7 @@ impl Conduction for Passage<'_> {
 impl Lookup for &Curve {
     #[inline(always)]
     fn lookup(&self, u: f64) -> Value {
-        self.at(u)
+        self.evaluate(u)
     }
 }
 

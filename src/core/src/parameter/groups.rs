@@ -22,7 +22,7 @@ pub enum Acts {
     /// Beside the damper: position.
     Preload,
     /// Beside the damper, with a private state.
-    Memory,
+    Stateful,
     /// Beside the damper, at the ends of the stroke.
     Stop,
     /// Nowhere: the settings.
@@ -40,7 +40,7 @@ macro_rules! groups {
         inner { $($inner:ident: $Inner:ty,)* }
         friction { $($friction:ident: $Friction:ty,)* }
         preload { $($preload:ident: $Preload:ty,)* }
-        memory { $($memory:ident: $Memory:ty,)* }
+        stateful { $($stateful:ident: $Stateful:ty,)* }
         stops { $($stop:ident: $Stop:ty,)* }
         default { $($default:ident,)* }
         settings { $settings:ident: $Settings:ty }
@@ -48,7 +48,7 @@ macro_rules! groups {
         /// Places of the elements in the table's groups.
         #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
         #[derive(Clone, Copy)]
-        pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($memory,)* $($stop,)* $settings }
+        pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($stateful,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
         // A static, so that the texts are in a program once and not in each crate that looks at them.
@@ -65,7 +65,7 @@ macro_rules! groups {
             $(Group { name: stringify!($inner), meaning: <$Inner>::MEANING, parameters: <$Inner>::PARAMETERS },)*
             $(Group { name: stringify!($friction), meaning: <$Friction>::MEANING, parameters: <$Friction>::PARAMETERS },)*
             $(Group { name: stringify!($preload), meaning: <$Preload>::MEANING, parameters: <$Preload>::PARAMETERS },)*
-            $(Group { name: stringify!($memory), meaning: <$Memory>::MEANING, parameters: <$Memory>::PARAMETERS },)*
+            $(Group { name: stringify!($stateful), meaning: <$Stateful>::MEANING, parameters: <$Stateful>::PARAMETERS },)*
             $(Group { name: stringify!($stop), meaning: <$Stop>::MEANING, parameters: <$Stop>::PARAMETERS },)*
             Group { name: stringify!($settings), meaning: <$Settings>::MEANING, parameters: <$Settings>::PARAMETERS },
         ];
@@ -84,7 +84,7 @@ macro_rules! groups {
                 $(acts(Acts::Inner, Place::$inner),)*
                 $(acts(Acts::Friction, Place::$friction),)*
                 $(acts(Acts::Preload, Place::$preload),)*
-                $(acts(Acts::Memory, Place::$memory),)*
+                $(acts(Acts::Stateful, Place::$stateful),)*
                 $(acts(Acts::Stop, Place::$stop),)*
             ];
             ACTS.get(group).copied().unwrap_or(Acts::Nowhere)

@@ -138,7 +138,8 @@ impl Params {
         self.elements & element.bit() != 0
     }
 
-    /// Whether a number says anything of the damper: its element is on, or it is a setting, and it belongs to the form that is chosen.
+    /// Whether a parameter affects the damper: its element is on, or it is a setting, and it belongs to the chosen
+    /// form.
     pub fn counts(&self, row: &Row) -> bool {
         row.element().is_none_or(|element| self.is_on(element)) && self.is_of_form(row)
     }

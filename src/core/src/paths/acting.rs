@@ -34,7 +34,7 @@ pub(crate) enum Bends {
 }
 
 /// How sharply those of an element set do.
-pub(crate) fn bends(e: &Paths<impl Tables>) -> Bends {
+pub(crate) fn is_nonlinear(e: &Paths<impl Tables>) -> Bends {
     let turns = !e.aeration.is_even() || !e.oil_compressibility.is_even();
     let acting = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
     match acting {
@@ -51,8 +51,10 @@ pub(crate) fn bends(e: &Paths<impl Tables>) -> Bends {
     }
 }
 
-/// What acts on top of something else only, and shares the stage that is compiled for that: whether it does is asked when the program runs. That
-/// costs no more than one in a hundred instructions; of a length that changes, or of two forms of one element, it costs four to eight.
+/// Elements that only add to others and share the stage compiled for those; the program tests for them at run time.
+///
+/// That costs at most one in a hundred instructions. For a length that changes, or for two forms of one element, it
+/// costs four to eight.
 const ADDED: u32 = AIR | HEAT | SPOOL;
 
 /// Whether a stage that is compiled for those `ON` does for an element set.

@@ -39,7 +39,7 @@ pub fn flow<R: Real>(e: &Paths<impl Tables>, force: R, x: R, states: &[R; STATES
     flow
 }
 
-/// b after an implicit stage, with its slopes.
+/// b after an implicit stage, with its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past {
     /// b.
@@ -69,8 +69,8 @@ impl Past {
         if acts::<ON>(e, PASSAGE) {
             let z = e.frequency_selective_damping.filled(force, Dual::along(known, 2), g);
             flow = flow + e.frequency_selective_damping.passes(force, z);
-            (state, state_by) = (z.value, [z.slope(0), z.slope(2)]);
+            (state, state_by) = (z.value, [z.derivative(0), z.derivative(2)]);
         }
-        Past { flow: flow.value, flow_by: flow.slopes, state, state_by }
+        Past { flow: flow.value, flow_by: flow.derivatives, state, state_by }
     }
 }

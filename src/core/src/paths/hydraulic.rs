@@ -78,30 +78,31 @@ pub fn flow<R: Real>(
 /// The factor s of a stage: it depends on nothing that the stage has to find.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factors {
-    /// On the compression and the rebound stroke, and their slopes over the displacement.
+    /// On the compression and the rebound stroke, and their derivatives over the displacement.
     strokes: [[f64; 2]; 2],
-    /// By temperature, and its slope over the rise.
+    /// By temperature, and its derivative over the rise.
     fade: [f64; 2],
 }
 
 impl Factors {
     #[inline(always)]
-    pub fn of<const ON: u32>(e: &Paths<impl Tables>, x: f64, temperature: f64, rise: f64) -> Factors {
+    pub fn new<const ON: u32>(e: &Paths<impl Tables>, x: f64, temperature: f64, rise: f64) -> Factors {
         let mut factors = Factors { strokes: [[1.0, 0.0]; 2], fade: [1.0, 0.0] };
         if acts::<ON>(e, POSITION) {
             let x = Dual::<1>::along(x, 0);
-            factors.strokes = e.position_dependent_damping.factors(x).map(|s| [s.value, s.slope(0)]);
+            factors.strokes = e.position_dependent_damping.factors(x).map(|s| [s.value, s.derivative(0)]);
         }
         if acts::<ON>(e, FADE) {
             let s = e.temperature_fade.factor(temperature, Dual::<1>::along(rise, 0));
-            factors.fade = [s.value, s.slope(0)];
+            factors.fade = [s.value, s.derivative(0)];
         }
         factors
     }
 }
 
-/// The force of the valves after an implicit stage, with its slopes, link by link: s F_d, what a late valve makes of it,
-/// what frequency-selective damping makes of that.
+/// The force of the valves after an implicit stage, with its derivatives, link by link.
+///
+/// The links are s F_d, a delayed valve, and frequency-selective damping.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Valves {
     /// F_h.
@@ -115,8 +116,10 @@ pub(crate) struct Valves {
     pub by_w: f64,
     /// Of s F_d over F_d, displacement and rise of temperature.
     scaled_by: [f64; 3],
-    /// Of the force behind the late valve, and of where that stands, over the force before, the known part of where it
-    /// stands, and the height of the FV curve at the two velocities `read` there.
+    /// Derivatives of the force behind the delayed valve, and of the valve's position.
+    ///
+    /// They are over the force before the valve, the known part of its position, and the height of the FV curve at
+    /// the two velocities `read` there.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
@@ -199,10 +202,10 @@ impl Valves {
             let element = &e.valve_hysteresis;
             let stands = element.known(known[place::VALVE], known[place::VALVE_RATE], since);
             let late = element.stage(&e.fv_curve, force - standing, stands, since, raised);
-            (force, valves.late_by) = (late.force.value + standing, late.force.slopes);
-            (valves.valve, valves.valve_by) = (late.stands.value, late.stands.slopes);
+            (force, valves.late_by) = (late.force.value + standing, late.force.derivatives);
+            (valves.valve, valves.valve_by) = (late.stands.value, late.stands.derivatives);
             valves.read = late.read;
-            by_curve *= late.force.slope(0);
+            by_curve *= late.force.derivative(0);
         }
         if acts::<ON>(e, SELECTIVE) {
             let element = &e.frequency_selective_damping;
@@ -211,10 +214,10 @@ impl Valves {
             let state = Dual::<3>::along(valves.selective, 2) + element.target(before, w) * per;
             let state = state * (1.0 / (1.0 + per));
             let selected = element.force(before, w, state);
-            (force, valves.selected_by) = (selected.value + standing, selected.slopes);
-            (valves.selective, valves.selective_by) = (state.value, state.slopes);
-            by_curve *= selected.slope(0);
-            by_w = selected.slope(1);
+            (force, valves.selected_by) = (selected.value + standing, selected.derivatives);
+            (valves.selective, valves.selective_by) = (state.value, state.derivatives);
+            by_curve *= selected.derivative(0);
+            by_w = selected.derivative(1);
         }
         if leaks {
             force += LEAKAGE * w;
@@ -270,8 +273,10 @@ pub fn deflection<R: Real>(e: &Paths<impl Tables>, force: R) -> R {
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
-/// The state of an oil column under a force: its deflection or, with two chambers whose length changes, what it has taken up of
-/// the piston's stroke.
+/// The state of an oil column under a force.
+///
+/// It is its deflection or, with two chambers whose length changes, the part of the piston's stroke that it has
+/// absorbed.
 pub(crate) fn column_state(e: &Paths<impl Tables>, x: f64, force: f64) -> f64 {
     let q = deflection(e, force);
     if e.counts_stroke() { e.oil_compressibility.taken_up(x, q) } else { q }
@@ -297,19 +302,21 @@ pub fn column_rate<R: Real>(e: &Paths<impl Tables>, [x, v]: [R; 2], deflection: 
 /// The oil column after an implicit stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Column {
-    /// Its state, and the slopes of that over F_h and the displacement.
+    /// Its state, and the derivatives of that over F_h and the displacement.
     pub state: f64,
     pub by_force: f64,
-    pub by_x: f64,
-    /// What it adds to u − w, times g, and the slopes of that over F_h, the known part of the state, the displacement and the place
-    /// from which the stage moves the driven end.
+    pub d_state_d_x: f64,
+    /// Its contribution to u − w, times g, and the derivatives of that.
+    ///
+    /// They are over F_h, the known part of the state, the displacement, and the displacement from which the stage
+    /// moves the moving end.
     pub change: f64,
     pub change_by: [f64; 4],
 }
 
 impl Column {
     /// None.
-    pub const NONE: Column = Column { state: 0.0, by_force: 0.0, by_x: 0.0, change: 0.0, change_by: [0.0; 4] };
+    pub const NONE: Column = Column { state: 0.0, by_force: 0.0, d_state_d_x: 0.0, change: 0.0, change_by: [0.0; 4] };
 
     /// Under a force, from the `known` part of its state. In all three kinds of column u − w rises with the force:
     ///
@@ -324,29 +331,35 @@ impl Column {
         let (air, compliance) = column(e, force);
         let [q, per_force] = if acts::<ON>(e, AIR) {
             let q = air.deflection(compliance, Dual::<1>::along(force, 0));
-            [q.value, q.slope(0)]
+            [q.value, q.derivative(0)]
         } else {
             [force * compliance, compliance]
         };
         let change = q - known;
         if !acts::<ON>(e, LENGTH) {
             let change_by = [per_force, -1.0, 0.0, 0.0];
-            return Column { state: q, by_force: per_force, by_x: 0.0, change, change_by };
+            return Column { state: q, by_force: per_force, d_state_d_x: 0.0, change, change_by };
         }
         if !e.counts_stroke() {
             let length = e.oil_compressibility.length(Dual::<1>::along(x, 0));
-            let change_by = [length.value * per_force, -length.value, length.slope(0) * change, 0.0];
-            return Column { state: q, by_force: per_force, by_x: 0.0, change: length.value * change, change_by };
+            let change_by = [length.value * per_force, -length.value, length.derivative(0) * change, 0.0];
+            return Column {
+                state: q,
+                by_force: per_force,
+                d_state_d_x: 0.0,
+                change: length.value * change,
+                change_by,
+            };
         }
         let q = Dual::<2>::along(q, 0);
         let after = e.oil_compressibility.taken_up(Dual::along(x, 1), q);
         let before = e.oil_compressibility.taken_up(Dual::along(from, 1), q);
         Column {
             state: after.value,
-            by_force: after.slope(0) * per_force,
-            by_x: after.slope(1),
+            by_force: after.derivative(0) * per_force,
+            d_state_d_x: after.derivative(1),
             change: before.value - known,
-            change_by: [before.slope(0) * per_force, -1.0, 0.0, before.slope(1)],
+            change_by: [before.derivative(0) * per_force, -1.0, 0.0, before.derivative(1)],
         }
     }
 }

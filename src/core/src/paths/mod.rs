@@ -1,5 +1,6 @@
-//! The two paths of force whose elements act on each other: the series path from the driven end to the internal mass,
-//! and the hydraulic path from there to the valves.
+//! The two force paths whose elements act on each other.
+//!
+//! The series path goes from the moving end to the internal mass, and the hydraulic path from there to the valves.
 //!
 //! ```text
 //! F_s = φ(x − x_m) + c_s χ (v − u) + k_1 z + k_2 y                   [series]
@@ -30,7 +31,7 @@ use crate::fault::{Fault, Reason};
 use crate::parameter::Params;
 use crate::parameter::groups::Place;
 use crate::preparing::{Keep, checked, placed};
-use crate::tables::{Held, Owned, Tables};
+use crate::tables::{Owned, OwnedElement, Tables};
 use bits::{
     AIR, BUSHING, CAVITATION, COLUMN, FADE, FREE_PLAY, GROOVE, HEAT, LENGTH, PASSAGE, POSITION, SELECTIVE, SERIES,
     SLOW_BUSHING, SPOOL, VALVE, WHOLE,
@@ -72,9 +73,9 @@ macro_rules! gathered {
                 Paths {
                 on: 0,
                 $primary: <$Primary>::OFF,
-                $series: Held(<$Series>::OFF),
-                $($law: Held(<$Law>::OFF),)*
-                $($hydraulic: Held(<$Hydraulic>::OFF),)*
+                $series: OwnedElement(<$Series>::OFF),
+                $($law: OwnedElement(<$Law>::OFF),)*
+                $($hydraulic: OwnedElement(<$Hydraulic>::OFF),)*
                     $late: <$Late>::OFF,
                 slots: Slots::NONE,
                 acting: 0,

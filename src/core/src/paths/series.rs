@@ -20,24 +20,24 @@ pub struct Frame<R> {
 impl<R: Real> Frame<R> {
     /// That of the model.
     #[inline(always)]
-    pub fn of(e: &Paths<impl Tables>) -> Frame<R> {
+    pub fn new(e: &Paths<impl Tables>) -> Frame<R> {
         let s = &e.series_compliance;
         Frame { stiffness: R::constant(s.stiffness), damping: R::constant(s.damping), mass: R::constant(s.mass) }
     }
 }
 
-/// The elastic force φ and its slope φ' at a deflection, and the share of the contact that is closed, from 0 to 1.
+/// The elastic force φ and its derivative φ' at a deflection, and the share of the contact that is closed, from 0 to 1.
 #[inline(always)]
 fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflection: R) -> (R, R, R) {
-    let (mut force, mut slope, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
+    let (mut force, mut derivative, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
     if acts::<ON>(e, FREE_PLAY) {
-        (force, slope) = e.free_play.0.force(stiffness, deflection);
-        closed = slope * stiffness.inverse();
+        (force, derivative) = e.free_play.0.force(stiffness, deflection);
+        closed = derivative * stiffness.inverse();
     }
     if acts::<ON>(e, BUSHING) {
-        (force, slope) = e.bushing.hardened(stiffness, force, slope);
+        (force, derivative) = e.bushing.hardened(stiffness, force, derivative);
     }
-    (force, slope, closed)
+    (force, derivative, closed)
 }
 
 /// F_s at a deflection, its rate, and the deflections of what gives way in a bushing.
@@ -51,9 +51,9 @@ pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, r
     force
 }
 
-/// F_s in a stage, with its slopes.
+/// F_s in a stage, with its derivatives.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sloped {
+pub(crate) struct Derivatived {
     /// F_s.
     pub force: f64,
     /// Over deflection, its rate, (k_1 z + k_2 y)/k_s, k_s and c_s.
@@ -64,17 +64,28 @@ pub(crate) struct Sloped {
     pub by_damping: f64,
 }
 
-impl Sloped {
+impl Derivatived {
     /// Where there is no series path.
-    pub const NONE: Sloped =
-        Sloped { force: 0.0, by_deflection: 0.0, by_rate: 0.0, by_relaxing: 0.0, by_stiffness: 0.0, by_damping: 0.0 };
+    pub const NONE: Derivatived = Derivatived {
+        force: 0.0,
+        by_deflection: 0.0,
+        by_rate: 0.0,
+        by_relaxing: 0.0,
+        by_stiffness: 0.0,
+        by_damping: 0.0,
+    };
 }
 
-/// As [`force`], in a stage.
+/// Force of the series path in a stage.
 #[inline(always)]
-pub(crate) fn sloped<const ON: u32>(e: &Paths<impl Tables>, deflection: f64, rate: f64, relaxing: f64) -> Sloped {
+pub(crate) fn derivatived<const ON: u32>(
+    e: &Paths<impl Tables>,
+    deflection: f64,
+    rate: f64,
+    relaxing: f64,
+) -> Derivatived {
     let (k, c) = (e.series_compliance.stiffness, e.series_compliance.damping);
-    let mut s = Sloped {
+    let mut s = Derivatived {
         force: k * deflection + c * rate,
         by_deflection: k,
         by_rate: c,
@@ -86,7 +97,7 @@ pub(crate) fn sloped<const ON: u32>(e: &Paths<impl Tables>, deflection: f64, rat
         let (force, _, closed) = elastic::<ON, _>(e, Dual::<2>::along(k, 1), Dual::along(deflection, 0));
         let force = force + closed * (c * rate);
         s.force = force.value;
-        [s.by_deflection, s.by_stiffness] = force.slopes;
+        [s.by_deflection, s.by_stiffness] = force.derivatives;
         s.by_rate = c * closed.value;
         s.by_damping = closed.value * rate;
     }
@@ -98,10 +109,10 @@ pub(crate) fn sloped<const ON: u32>(e: &Paths<impl Tables>, deflection: f64, rat
     s
 }
 
-/// The elastic force and its slope, for the static answer.
-pub fn held(e: &Paths<impl Tables>, deflection: f64) -> (f64, f64) {
-    let (force, slope, _) = elastic::<ANY, _>(e, e.series_compliance.stiffness, deflection);
-    (force, slope)
+/// The elastic force and its derivative, for the static answer.
+pub fn static_force(e: &Paths<impl Tables>, deflection: f64) -> (f64, f64) {
+    let (force, derivative, _) = elastic::<ANY, _>(e, e.series_compliance.stiffness, deflection);
+    (force, derivative)
 }
 
 /// Most that the path yields to a force.

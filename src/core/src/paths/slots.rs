@@ -1,7 +1,7 @@
 //! The states that act on each other: their places among themselves, and where they are kept.
 
 use crate::parameter::Params;
-use crate::state::{MAX_MEMORY, State};
+use crate::state::{MAX_INTERNAL, State};
 use crate::{element, number};
 
 /// Number of states that act on each other.
@@ -66,9 +66,9 @@ impl Slots {
 
     /// The slot of a place, if it has one.
     #[inline(always)]
-    pub fn of(&self, place: usize) -> Option<usize> {
+    pub fn slot(&self, place: usize) -> Option<usize> {
         match self.slots.get(place) {
-            Some(&slot) if slot != NOWHERE && usize::from(slot) < MAX_MEMORY => Some(usize::from(slot)),
+            Some(&slot) if slot != NOWHERE && usize::from(slot) < MAX_INTERNAL => Some(usize::from(slot)),
             _ => None,
         }
     }
@@ -80,7 +80,7 @@ impl Slots {
             *value = match place {
                 place::X => state.mass_displacement,
                 place::U => state.mass_velocity,
-                _ => self.of(place).and_then(|slot| state.memory.get(slot)).copied().unwrap_or(0.0),
+                _ => self.slot(place).and_then(|slot| state.internal.get(slot)).copied().unwrap_or(0.0),
             };
         }
         states
@@ -93,7 +93,7 @@ impl Slots {
                 place::X => state.mass_displacement = *value,
                 place::U => state.mass_velocity = *value,
                 _ => {
-                    if let Some(to) = self.of(place).and_then(|slot| state.memory.get_mut(slot)) {
+                    if let Some(to) = self.slot(place).and_then(|slot| state.internal.get_mut(slot)) {
                         *to = *value;
                     }
                 }
@@ -105,13 +105,13 @@ impl Slots {
     pub fn index(&self, place: usize) -> Option<usize> {
         match place {
             place::X | place::U => Some(place),
-            _ => self.of(place).map(|slot| slot + 2),
+            _ => self.slot(place).map(|slot| slot + 2),
         }
     }
 }
 
-/// Number of private states of the elements in both paths that are on in a parameter set: as [`slots`] counts those of the
-/// prepared elements, before they are prepared.
+/// Number of internal states of the elements in both force paths that are on in a parameter set, counted before they
+/// are prepared.
 pub(crate) fn states_of(params: &Params) -> usize {
     let on = |element| usize::from(params.is_on(element));
     let with = |element, number, of: fn(f64) -> bool| usize::from(params.is_on(element) && of(params.number(number)));

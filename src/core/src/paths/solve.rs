@@ -6,12 +6,13 @@ use crate::tables::{ForceLaw, Tables};
 
 /// Most rounds; two are common. Past [`PATIENCE`] every other one takes four tenths of what is left at least, so that the
 /// bracket has shrunk by nine orders when they end.
-pub const ROUNDS: usize = 96;
+pub const ITERATIONS: usize = 96;
 /// Householder steps inside a piece of the FV curve: the rounds mend what they leave.
 const STEPS: usize = 2;
 
-/// Relative distance within which Newton's step is taken, and in how many rounds at most: beyond them the steps go to
-/// and fro, and every other one halves the bracket.
+/// Relative distance within which Newton's step is used, and in how many iterations at most.
+///
+/// Beyond them the steps oscillate, and every other one halves the bracket.
 const NEAR: f64 = 1e-2;
 const PATIENCE: usize = 12;
 /// Rounds after which steps across standstill stop there.
@@ -27,10 +28,10 @@ const STRAIGHT: f64 = 1e-4;
 /// only where the curve rises by half the bracket within rounding.
 const HALVES: usize = 64;
 
-/// Share of the slope by which a step was found that has to be the equation's own for the straight step to be taken.
+/// Share of the derivative by which a step was found that has to be the equation's own for the straight step to be taken.
 const OWN: f64 = 0.5;
 
-/// R and its slopes over w and over F_d.
+/// R and its derivatives over w and over F_d.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {
     /// R.
@@ -46,13 +47,13 @@ pub trait Equation {
     /// What is found beside R.
     type Seen;
     /// R at a velocity and the force of the FV curve there; puts what is found beside it where that is kept.
-    fn look(&self, w: f64, curve: f64, seen: &mut Self::Seen) -> Residual;
+    fn evaluate(&self, w: f64, curve: f64, seen: &mut Self::Seen) -> Residual;
 }
 
 impl<F: Fn(f64, f64) -> Residual> Equation for F {
     type Seen = ();
     #[inline(always)]
-    fn look(&self, w: f64, curve: f64, _: &mut ()) -> Residual {
+    fn evaluate(&self, w: f64, curve: f64, _: &mut ()) -> Residual {
         self(w, curve)
     }
 }
@@ -69,7 +70,7 @@ pub struct Found {
 
 impl Found {
     /// w.
-    pub fn answer(&self) -> f64 {
+    pub fn root(&self) -> f64 {
         self.w + self.step
     }
 }
@@ -81,18 +82,20 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess in at most so many `rounds` ([`ROUNDS`]; in none the guess is the answer), and leaves in `seen` what was found where R was
-/// looked at last. `tolerance` is the relative step that is the last: what it leaves is of its square.
+/// Finds w from a guess in at most so many iterations ([`ITERATIONS`]; with none the guess is the root).
+///
+/// Leaves in `seen` the result of the last evaluation of R. `tolerance` is the relative size of the last step: its
+/// error is of its square.
 ///
 /// In each round R is linearised in w and f apart; the FV curve then answers a w + F_d(w) = r, knees and all. R rises
-/// with both (where rounding or a switching element has it otherwise the slopes `least` stand in), so the answer of each
+/// with both (where rounding or a switching element has it otherwise the derivatives `least` stand in), so the answer of each
 /// round lies on the right side of the last, and a bracket closes over those that do not settle.
 ///
 /// # Why it always ends at an answer
 /// R is continuous and changes its sign: it follows the velocity of the mass (or the piston), which without end follows w.
 /// Steps that do not settle are replaced by halves of the bracket, in the measure a w + F_d(w) in which neither a steep nor a
 /// level piece of the curve is long. No answer leaves the bracket: the straight step that is left at the end is held
-/// inside, so that a slope is never carried beyond the places where R was looked at.
+/// inside, so that a derivative is never carried beyond the places where R was looked at.
 #[inline(always)]
 pub fn oil_velocity<Q: Equation>(
     e: &Paths<impl Tables>,
@@ -109,20 +112,20 @@ pub fn oil_velocity<Q: Equation>(
     let mut last = 0.0;
     let mut round = 0;
     loop {
-        let curve = e.fv_curve.at(w);
-        let r = equation.look(w, curve.value, seen);
+        let curve = e.fv_curve.evaluate(w);
+        let r = equation.evaluate(w, curve.value, seen);
         let by_w = if r.by_w > least[0] { r.by_w } else { least[0] };
         let by_curve = if r.by_curve > least[1] { r.by_curve } else { least[1] };
-        let step = -r.value / (by_w + by_curve * curve.slope);
+        let step = -r.value / (by_w + by_curve * curve.derivative);
         let (size, scale) = (step.abs(), 1e-3 + w.abs());
         // Newton's steps shrink by their squares, so the next would be about step³/last².
         let short = r.value.abs() <= STRAIGHT * scale * by_w;
         let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
         if short && (size <= tolerance * scale || settled) || round == rounds {
             let inside = w + step > low.w && w + step < high.w;
-            // Only where the equation's own slopes lead: where it falls, as behind a friction that falls with speed, those that
+            // Only where the equation's own derivatives lead: where it falls, as behind a friction that falls with speed, those that
             // stand in for them have all else that goes straight on by that step thrown far off.
-            let own = r.by_w + r.by_curve * curve.slope > OWN * (by_w + by_curve * curve.slope);
+            let own = r.by_w + r.by_curve * curve.derivative > OWN * (by_w + by_curve * curve.derivative);
             let step = if inside && own && round < rounds { step } else { 0.0 };
             return Found { w, step, curve };
         }
@@ -187,7 +190,7 @@ fn middle(e: &Paths<impl Tables>, a: f64, low: End, high: End) -> f64 {
             }
         }
         at = 0.5 * (left + right);
-        value = e.fv_curve.at(at);
+        value = e.fv_curve.evaluate(at);
     }
     at
 }

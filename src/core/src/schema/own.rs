@@ -6,8 +6,9 @@ use crate::fault::{Fault, Reason};
 use crate::schema::kind::{Kind, Many, OTHER_KIND, One, same};
 use crate::schema::{Describe, Parameter};
 
-/// A row that the element `E` brings, looked up among its rows when the code is compiled: a row of another element, or a list
-/// where a number is meant, does not compile.
+/// A parameter of the element `E`, looked up at compile time.
+///
+/// A parameter of another element, or a list where a number is meant, does not compile.
 ///
 /// ```
 /// # use dashpot_core::schema::{Describe, Own, Parameter, kind::One};

@@ -2,14 +2,16 @@
 
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::assembly::Elements;
-use crate::element::{Memory, Motion, Reached, Response, VisitMemory};
+use crate::element::{EndState, Motion, Response, StateVisitor, StatefulForce};
 use crate::input::Path;
 use crate::math::pair;
-use crate::state::{MAX_MEMORY, Output};
+use crate::state::{MAX_INTERNAL, Output};
 use crate::tables::Tables;
 
-/// Advances all private states beside the damper along the path; returns the force of their elements and of the stops
-/// at its end, with its slopes, and counts their shares in `output`.
+/// Advances all internal states of parallel elements along the path.
+///
+/// Returns the force of their elements and of the stops at its end, with its derivatives, and adds their components
+/// to `output`.
 ///
 /// Apart, so that a damper without such elements does not pay for them.
 #[inline(never)]
@@ -18,14 +20,14 @@ pub(super) fn advance_extras(
     elements: &Elements<impl Tables>,
     path: &Path,
     end: &Motion,
-    memory: &mut [f64; MAX_MEMORY],
+    internal: &mut [f64; MAX_INTERNAL],
     output: &mut Output,
-    slopes: bool,
+    derivatives: bool,
 ) -> Response {
     let sum = elements.stops(end);
     output.stop_force = sum.force;
-    let mut extras = Extras { method, substeps, path, end, memory, output, slopes, sum };
-    elements.each_own_memory(&mut extras);
+    let mut extras = Extras { method, substeps, path, end, internal, output, derivatives, sum };
+    elements.visit_stateful(&mut extras);
     extras.sum
 }
 
@@ -35,40 +37,41 @@ struct Extras<'a> {
     substeps: u32,
     path: &'a Path,
     end: &'a Motion,
-    memory: &'a mut [f64; MAX_MEMORY],
+    internal: &'a mut [f64; MAX_INTERNAL],
     output: &'a mut Output,
-    slopes: bool,
+    derivatives: bool,
     sum: Response,
 }
 
-impl VisitMemory for Extras<'_> {
+impl StateVisitor for Extras<'_> {
     #[inline(always)]
-    fn visit<M: Memory>(&mut self, place: usize, element: &M) {
-        let Some(slot) = self.memory.get_mut(place) else {
+    fn visit<M: StatefulForce>(&mut self, place: usize, element: &M) {
+        let Some(slot) = self.internal.get_mut(place) else {
             return;
         };
-        let Reached { memory: z, answer } = element.carried(self.path, *slot, self.slopes).unwrap_or_else(|| {
+        let EndState { z, response } = element.propagate(self.path, *slot, self.derivatives).unwrap_or_else(|| {
             let side = (self.end.side_force, self.end.temperature);
-            let (z, by_end) = advance_memory(self.method, self.substeps, element, *slot, self.path, self.slopes, side);
-            Reached::new(z, by_end, &element.recall(self.end, z))
+            let (z, by_end) =
+                advance_state(self.method, self.substeps, element, *slot, self.path, self.derivatives, side);
+            EndState::new(z, by_end, &element.evaluate(self.end, z))
         });
         *slot = z;
-        self.output.count(element.share(), answer.force);
-        self.sum.add(answer);
+        self.output.count(element.component(), response.force);
+        self.sum.add(response);
     }
 }
 
 /// Advances one element's private state, driven by the known input motion.
 ///
-/// The rate is linearised in z once per stage: exact for a rate that is linear in its state. Without `slopes` those over
+/// The rate is linearised in z once per stage: exact for a rate that is linear in its state. Without `derivatives` those over
 /// the end of the step are 0.
-fn advance_memory(
+fn advance_state(
     method: &Tableau,
     substeps: u32,
-    element: &dyn Memory,
+    element: &dyn StatefulForce,
     z0: f64,
     path: &Path,
-    slopes: bool,
+    derivatives: bool,
     side: (f64, f64),
 ) -> (f64, [f64; 2]) {
     let n = substeps;
@@ -81,20 +84,20 @@ fn advance_memory(
         let (mut now, mut d_now) = (z, by_end);
         for (i, (weights, c)) in method.weights.iter().zip(&method.c).enumerate().take(method.stages) {
             let ends_step = i + 1 == method.stages && sub + 1 == n;
-            let point = if ends_step { path.last() } else { path.at(theta + c * part) };
+            let point = if ends_step { path.last() } else { path.point(theta + c * part) };
             let mut known = z;
             for (push, weight) in pushes.iter().zip(weights).take(i) {
                 known += weight * push;
             }
             let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
-            let recall = element.recall(&at, known);
+            let response = element.evaluate(&at, known);
             let g = method.gamma * h;
-            let divide = 1.0 / (1.0 - g * recall.rate_by_memory);
-            now = known + g * recall.rate * divide;
+            let divide = 1.0 / (1.0 - g * response.d_rate_d_z);
+            now = known + g * response.rate * divide;
             if let Some(push) = pushes.get_mut(i) {
                 *push = now - known;
             }
-            if !slopes {
+            if !derivatives {
                 continue;
             }
             let mut d_known = by_end;
@@ -102,9 +105,9 @@ fn advance_memory(
                 d_known = pair(|k| d_known[k] + weight * push[k]);
             }
             // Differentiated where the stage ends: there the rate depends on the input alone.
-            let recall = element.recall(&at, now);
+            let response = element.evaluate(&at, now);
             for k in 0..2 {
-                let drive = recall.rate_by_x * point.x_by_end[k] + recall.rate_by_v * point.v_by_end[k];
+                let drive = response.d_rate_d_x * point.x_by_end[k] + response.d_rate_d_v * point.v_by_end[k];
                 d_now[k] = (d_known[k] + g * drive) * divide;
             }
             if let Some(push) = d_pushes.get_mut(i) {
@@ -131,20 +134,20 @@ mod tests {
         cubic: f64,
     }
 
-    impl Memory for Follows {
-        fn recall(&self, at: &Motion, z: f64) -> crate::element::Recall {
-            crate::element::Recall {
+    impl StatefulForce for Follows {
+        fn evaluate(&self, at: &Motion, z: f64) -> crate::element::StateResponse {
+            crate::element::StateResponse {
                 force: 100.0 * z,
-                by_memory: 100.0,
+                d_force_d_z: 100.0,
                 rate: (at.displacement - z) * self.per_time + self.by_velocity * at.velocity - self.cubic * z * z * z,
-                rate_by_x: self.per_time,
-                rate_by_v: self.by_velocity,
-                rate_by_memory: -self.per_time - 3.0 * self.cubic * z * z,
-                ..crate::element::Recall::NONE
+                d_rate_d_x: self.per_time,
+                d_rate_d_v: self.by_velocity,
+                d_rate_d_z: -self.per_time - 3.0 * self.cubic * z * z,
+                ..crate::element::StateResponse::NONE
             }
         }
 
-        fn settled(&self, at: &Motion) -> f64 {
+        fn equilibrium(&self, at: &Motion) -> f64 {
             at.displacement
         }
     }
@@ -158,11 +161,11 @@ mod tests {
         (Method::Fourth, 4),
     ];
 
-    /// The state and its slopes after 4 ms from 3 mm, to a place and a velocity.
+    /// The state and its derivatives after 4 ms from 3 mm, to a place and a velocity.
     fn after(element: &Follows, method: Method, substeps: u32, [x, v]: [f64; 2]) -> (f64, [f64; 2]) {
         let to = Input { displacement: Some(x), ..Input::motion(x, v) };
         let path = Path::new(1e-3, 0.4, &to, 4e-3);
-        advance_memory(Tableau::of(method), substeps, element, 3e-3, &path, true, (0.0, 20.0))
+        advance_state(Tableau::for_method(method), substeps, element, 3e-3, &path, true, (0.0, 20.0))
     }
 
     const END: [f64; 2] = [2e-3, -0.7];
@@ -179,10 +182,10 @@ mod tests {
     }
 
     #[test]
-    fn the_slopes_of_a_state_over_the_end_of_the_step_are_its_differences() {
+    fn the_derivatives_of_a_state_over_the_end_of_the_step_are_its_differences() {
         for (method, _) in METHODS {
             for substeps in [1, 3] {
-                let (_, slopes) = after(&FOLLOWS, method, substeps, END);
+                let (_, derivatives) = after(&FOLLOWS, method, substeps, END);
                 for (k, size) in [1e-4, 1e-2].into_iter().enumerate() {
                     let moved = |by: f64| {
                         let mut end = END;
@@ -191,8 +194,8 @@ mod tests {
                     };
                     let difference = (moved(size) - moved(-size)) / (2.0 * size);
                     assert!(
-                        (slopes[k] - difference).abs() < 1e-9 * difference.abs(),
-                        "{method:?}: {slopes:?} {difference}"
+                        (derivatives[k] - difference).abs() < 1e-9 * difference.abs(),
+                        "{method:?}: {derivatives:?} {difference}"
                     );
                 }
             }

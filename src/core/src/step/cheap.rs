@@ -8,7 +8,7 @@
 //! ```
 //!
 //! F̃_p is the tangent of the springs where the mass would go at V. F̃_d is a straight line through the FV curve at
-//! v̂ = V + v − v_0, where the mass would be if it followed the driven end. Its slope is the greater of the tangent and
+//! v̂ = V + v − v_0, where the mass would be if it followed the driven end. Its derivative is the greater of the tangent and
 //! the secant to standstill:
 //!
 //! - by the secant F̃_d(u) = F_d(0) + s u with s ≥ 0: a dashpot, which takes energy whatever s and h are. A digressive
@@ -19,7 +19,7 @@
 //! Both agree with F_d to the first order in h, so the method has order 1, and every derivative is explicit.
 //!
 //! A line says nothing of what lies far beyond the place it was drawn at: where the driven end turns round, v̂ may lie beside
-//! standstill or inside a jump of the curve, and a spring of a table has another slope past its next point. There the step is
+//! standstill or inside a jump of the curve, and a spring of a table has another derivative past its next point. There the step is
 //! one that no element makes, and is taken again as backward Euler proper ([`After::holds`]).
 
 use super::reach::{springs, within_reach};
@@ -76,10 +76,10 @@ impl After {
         (self.primary - self.offset).abs() <= BEYOND * self.level
     }
 
-    /// The same of the springs, in a step to `end`.
+    /// Derivatives of the springs in a step to `end`.
     #[inline(always)]
     pub fn springs_hold(&self, elements: &Elements<impl Tables>, end: &PathPoint, side: (f64, f64)) -> bool {
-        if !elements.bends() {
+        if !elements.is_nonlinear() {
             return true;
         }
         let made = springs(elements, self.x, self.v, end.x, side).1;
@@ -111,14 +111,14 @@ pub(super) fn take(
 ) -> After {
     let e = &elements.paths.series_compliance;
     let h = before.h;
-    let mut held = springs.force + springs.by_x * (before.x - springs_at);
-    let mut spring_slope = h * springs.by_x;
+    let mut held = springs.force + springs.d_force_d_x * (before.x - springs_at);
+    let mut spring_derivative = h * springs.d_force_d_x;
     // Known to the compiler to be 0 while no element on the mass depends on velocity.
-    if springs.by_v != 0.0 {
-        held -= springs.by_v * before.v;
-        spring_slope += springs.by_v;
+    if springs.d_force_d_v != 0.0 {
+        held -= springs.d_force_d_v * before.v;
+        spring_derivative += springs.d_force_d_v;
     }
-    let inertia = e.mass + h * (e.damping + spring_slope + h * e.stiffness);
+    let inertia = e.mass + h * (e.damping + spring_derivative + h * e.stiffness);
     let drive = e.stiffness * (end.x - before.x) + e.damping * end.v;
     let offset = elements.paths.fv_curve.at_zero();
     let impulse = e.mass * before.v + h * (drive - held - offset);
@@ -127,19 +127,19 @@ pub(super) fn take(
     let curve = elements.paths.fv_curve.above_zero(guess);
     let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
     let (u, primary, by_impulse, by_guess);
-    if curve.slope * speed <= level {
+    if curve.derivative * speed <= level {
         // s = level/speed, with both sides of the balance times the speed: one division in all.
         let divide = 1.0 / (inertia * speed + h * level);
         let share = impulse * divide;
         u = share * speed;
         primary = level * share;
         by_impulse = speed * divide;
-        let lean = h * (level - curve.slope * speed) * (share * divide);
+        let lean = h * (level - curve.derivative * speed) * (share * divide);
         by_guess = lean * 1.0f64.copysign(guess);
     } else {
-        let divide = 1.0 / (inertia + h * curve.slope);
-        u = (impulse + h * (curve.slope * guess - curve.value)) * divide;
-        primary = curve.value + curve.slope * (u - guess);
+        let divide = 1.0 / (inertia + h * curve.derivative);
+        u = (impulse + h * (curve.derivative * guess - curve.value)) * divide;
+        primary = curve.value + curve.derivative * (u - guess);
         by_impulse = divide;
         by_guess = h * curve.curvature * (guess - u) * divide;
     }
@@ -147,7 +147,7 @@ pub(super) fn take(
         x: before.x + h * u,
         v: u,
         primary: offset + primary,
-        spring: held + spring_slope * u,
+        spring: held + spring_derivative * u,
         by_impulse,
         by_guess,
         level: curve.value.abs(),

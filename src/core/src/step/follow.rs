@@ -1,4 +1,4 @@
-//! The stages of a step as one sees them who follows, and the slopes of the answer found on the way.
+//! The stages of a step as one sees them who follows, and the derivatives of the answer found on the way.
 
 use super::tableau::MOST_STAGES;
 use crate::assembly::Elements;
@@ -28,7 +28,7 @@ pub struct Stage<'a> {
     pub u: f64,
     /// a + g F_d': what divides every derivative of u.
     pub denominator: f64,
-    /// The same over g, N s/m.
+    /// Resistance of the spring over g, N s/m.
     pub resistance: f64,
     /// Springs on the mass, linearised.
     pub inner: Response,
@@ -42,9 +42,9 @@ pub struct Stage<'a> {
 
 /// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
 pub trait Follow<T: Tables = Owned> {
-    /// Whether the answer's slopes are asked for.
+    /// Whether the answer's derivatives are asked for.
     #[inline(always)]
-    fn wants_slopes(&self) -> bool {
+    fn wants_derivatives(&self) -> bool {
         false
     }
 
@@ -52,7 +52,7 @@ pub trait Follow<T: Tables = Owned> {
     fn stage(&mut self, elements: &Elements<T>, stage: &Stage);
 
     /// Slopes of k_s x_m + c_s v_m over displacement and velocity at the end of the step: what the series force loses
-    /// because the mass yields. Zero where the slopes of the output are to hold the mass still.
+    /// because the mass yields. Zero where the derivatives of the output are to hold the mass still.
     #[inline(always)]
     fn yields(&self) -> [f64; 2] {
         [0.0; 2]
@@ -83,7 +83,7 @@ impl ByEnd {
 
 impl<T: Tables> Follow<T> for ByEnd {
     #[inline(always)]
-    fn wants_slopes(&self) -> bool {
+    fn wants_derivatives(&self) -> bool {
         self.wanted
     }
 
@@ -106,7 +106,7 @@ impl<T: Tables> Follow<T> for ByEnd {
                 x = pair(|k| x[k] + a * moved[k]);
                 v = pair(|k| v[k] + a * push[k]);
             }
-            let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.by_x);
+            let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.d_force_d_x);
             u = pair(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
         }
         if s.by_guess != 0.0 {

@@ -86,7 +86,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let resistance = mass_rate + e.damping + g * e.stiffness;
         let last = index + 1 == method.stages;
         let point =
-            if last && self.ends_step { self.path.last() } else { self.path.at(self.theta + place * self.part) };
+            if last && self.ends_step { self.path.last() } else { self.path.point(self.theta + place * self.part) };
         let mut known = [self.start.x, self.start.v];
         for (a, gain) in row.iter().zip(&self.gains).take(index) {
             known = pair(|k| known[k] + a * gain[k]);
@@ -95,25 +95,28 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let inner_at = within_reach(known_x + g * self.predicted, point.x);
         let (side_force, temperature) = self.side;
         let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
-        let inner = if MAY_BEND { self.elements.inner(&at) } else { self.elements.unbent(&at) };
+        let inner = if MAY_BEND { self.elements.inner(&at) } else { self.elements.linear_force(&at) };
         // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
-        let inner_known = inner.force + inner.by_x * (known_x - inner_at) - inner.by_v * self.predicted;
-        let inner_slope = inner.by_v + g * inner.by_x;
-        let a = resistance + inner_slope;
+        let inner_known = inner.force + inner.d_force_d_x * (known_x - inner_at) - inner.d_force_d_v * self.predicted;
+        let inner_derivative = inner.d_force_d_v + g * inner.d_force_d_x;
+        let a = resistance + inner_derivative;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = mass_rate * known_v + drive - inner_known;
         // Three iterations are below the method's own error.
         let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
-        let (mut inner_known, mut inner_slope) = (inner_known, inner_slope);
-        let missed = |made: f64| (made - inner_known - inner_slope * u).abs() > MISSED * (made.abs() + fd.value.abs());
-        if MAY_BEND && self.elements.bends() && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1)
+        let (mut inner_known, mut inner_derivative) = (inner_known, inner_derivative);
+        let missed =
+            |made: f64| (made - inner_known - inner_derivative * u).abs() > MISSED * (made.abs() + fd.value.abs());
+        if MAY_BEND
+            && self.elements.is_nonlinear()
+            && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1)
         {
-            let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_slope };
+            let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_derivative };
             let held = Held { g, resistance, known: known_x, driven: point.x, r: r + inner_known };
             self.settle(&held, &mut balance);
-            Balance { u, fd, inner, inner_at, inner_known, inner_slope } = balance;
-            a = resistance + inner_slope;
+            Balance { u, fd, inner, inner_at, inner_known, inner_derivative } = balance;
+            a = resistance + inner_derivative;
         }
         let moved = g * u;
         if let Some(gain) = self.gains.get_mut(index) {
@@ -132,15 +135,15 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
                 known_velocity: known_v,
                 x_m,
                 u,
-                denominator: g * (a + fd.slope),
-                resistance: a + fd.slope,
+                denominator: g * (a + fd.derivative),
+                resistance: a + fd.derivative,
                 inner,
                 inner_at,
                 by_guess: 0.0,
                 guess_by_end: [0.0; 2],
             },
         );
-        Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_slope * u }
+        Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_derivative * u }
     }
 }
 
@@ -152,7 +155,7 @@ struct Balance {
     inner_at: f64,
     /// The springs as `inner_known` + `inner_slope` u.
     inner_known: f64,
-    inner_slope: f64,
+    inner_derivative: f64,
 }
 
 /// What a stage holds still while its springs are sought.
@@ -173,12 +176,14 @@ const MISSED: f64 = 1e-3;
 /// What is left of a balance of large forces that cancel, as a part of them.
 const ROUNDING: f64 = 1e-12;
 /// Most rounds until it misses no more. Past [`PATIENCE`] every other one halves the bracket.
-const ROUNDS: usize = 60;
+const ITERATIONS: usize = 60;
 const PATIENCE: usize = 6;
 
 impl<T: Tables, P: Primary> Substep<'_, T, P> {
-    /// Solves a stage whose springs bend: the straight line that they were taken for at the predicted place holds neither beyond
-    /// the next point of a table nor far out on a power, and a mass that meets a force which no spring makes is thrown.
+    /// Solves a stage with nonlinear springs.
+    ///
+    /// Their line about the predicted position holds neither beyond the next point of a table nor far out on a power.
+    /// A mass that meets a force that no spring makes would be thrown.
     ///
     /// The springs rise with the place and the curve with the velocity, so what is left of the balance rises with u: each
     /// answer of the line about the last closes a bracket, and halves of it take over where the lines go to and fro.
@@ -186,11 +191,18 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
     fn settle(&self, held: &Held, balance: &mut Balance) {
         let Held { g, resistance, known, driven, r } = *held;
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        for round in 0..ROUNDS {
+        for round in 0..ITERATIONS {
             let Balance { u, fd, .. } = *balance;
             let (inner, held, at) = springs(self.elements, known + g * u, u, driven, self.side);
-            let slope = inner.by_v + g * inner.by_x;
-            *balance = Balance { u, fd, inner, inner_at: at, inner_known: held - slope * u, inner_slope: slope };
+            let derivative = inner.d_force_d_v + g * inner.d_force_d_x;
+            *balance = Balance {
+                u,
+                fd,
+                inner,
+                inner_at: at,
+                inner_known: held - derivative * u,
+                inner_derivative: derivative,
+            };
             let left = resistance * u + held + fd.value - r;
             if left.abs() <= MISSED * (held.abs() + fd.value.abs()) + ROUNDING * r.abs() {
                 break;
@@ -200,7 +212,8 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
             } else {
                 low = u;
             }
-            (balance.u, balance.fd) = self.primary.solve(self.elements, resistance + slope, r - balance.inner_known);
+            (balance.u, balance.fd) =
+                self.primary.solve(self.elements, resistance + derivative, r - balance.inner_known);
             let inside = balance.u > low && balance.u < high;
             let halved = round >= PATIENCE && round % 2 == 0 && low.is_finite() && high.is_finite();
             if !inside || halved {
@@ -266,7 +279,7 @@ pub(super) fn move_mass<T: Tables>(
     if method.along_lines {
         return move_mass_cheaply(drive, substeps, mass, follow);
     }
-    if elements.bends() || !primary.is_plain() {
+    if elements.is_nonlinear() || !primary.is_plain() {
         return move_mass_apart(method, drive, substeps, mass, follow);
     }
     let drive = Drive { elements, primary: Plain, path, side };
@@ -289,7 +302,7 @@ fn in_two_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, 
     })
 }
 
-/// As [`in_two_stages`].
+/// [`in_two_stages`], compiled once for a plain damper.
 #[inline(never)]
 fn in_three_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
@@ -297,7 +310,7 @@ fn in_three_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass
     })
 }
 
-/// As [`in_two_stages`].
+/// [`in_two_stages`], compiled once for other dampers.
 #[inline(never)]
 fn in_four_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
@@ -305,7 +318,7 @@ fn in_four_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass,
     })
 }
 
-/// As [`move_mass`] where springs bend or the curve fades; apart, so that others do not pay for it.
+/// [`move_mass`] for nonlinear springs or a fading curve; separate, so that others do not pay for it.
 #[inline(never)]
 fn move_mass_apart<T: Tables>(
     method: &Tableau,
@@ -331,7 +344,7 @@ fn in_substeps(substeps: u32, mut mass: Mass, mut take: impl FnMut(f64, f64, boo
     mass
 }
 
-/// As [`move_mass`] by cheap steps.
+/// [`move_mass`] by cheap steps.
 #[inline(never)]
 fn move_mass_cheaply<T: Tables>(
     drive: &Drive<T, impl Primary>,
@@ -342,10 +355,10 @@ fn move_mass_cheaply<T: Tables>(
     let (elements, path) = (drive.elements, drive.path);
     let part = 1.0 / substeps as f64;
     let h = path.length() * part;
-    let mut from = path.at(0.0);
+    let mut from = path.point(0.0);
     for sub in 1..=substeps {
         let last = sub == substeps;
-        let to = if last { path.last() } else { path.at(sub as f64 * part) };
+        let to = if last { path.last() } else { path.point(sub as f64 * part) };
         let before = cheap::Before { x: mass.x, v: mass.v, gain: to.v - from.v, h, side: drive.side };
         let at = before.springs_at(&to);
         let (inner, inner_at) = (elements.inner(&at), at.displacement);

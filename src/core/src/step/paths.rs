@@ -7,7 +7,7 @@
 //! m (u − V)/g = F_s(x − X − g u, v − u) − F_p(X + g u) − F_h        (or u = v)
 //! ```
 //!
-//! with the stage's known parts X, V, S, E. It is solved to rounding (see [`crate::paths::solve`]), so its slopes are
+//! with the stage's known parts X, V, S, E. It is solved to rounding (see [`crate::paths::solve`]), so its derivatives are
 //! those of the implicit function. The temperature is so slow that a stage damps with its known part.
 
 mod stage;
@@ -16,7 +16,7 @@ use super::reach::REACH;
 use super::tableau::{EULER, MOST_STAGES, SECOND, Tableau};
 use crate::assembly::Elements;
 use crate::input::{Path, PathPoint};
-use crate::math::{larger, smaller};
+use crate::math::{max, min};
 use crate::model::Model;
 use crate::paths::acting::{acts, is_for, moves};
 use crate::paths::bits::{
@@ -29,8 +29,10 @@ use crate::tables::Tables;
 use stage::PathsStage;
 pub use stage::Seed;
 
-/// Between these lengths of a step, s, the states move by more than their own rounding and the host's motion by less
-/// than any damper's stroke.
+/// Bounds of the length of a step, s.
+///
+/// Above the first the states move by more than their own rounding; below the second the host's motion is less than
+/// any damper's stroke.
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 100.0;
 
@@ -104,11 +106,11 @@ struct Balance {
 /// Follows the stages of a step through the paths; used for derivatives. The step itself does not depend on it.
 pub trait FollowPaths {
     /// Called after every stage.
-    fn paths_stage(&mut self, stage: &dyn StageSlopes);
+    fn paths_stage(&mut self, stage: &dyn StageDerivatives);
 }
 
 /// A stage as one sees it who follows, whatever it is compiled for.
-pub trait StageSlopes {
+pub trait StageDerivatives {
     /// Velocity at which the FV curve was read.
     fn oil_velocity(&self) -> f64;
     /// Velocities at which a late valve read it beside that; 0 where none did.
@@ -123,14 +125,16 @@ pub trait StageSlopes {
     fn carry(&self, derivatives: &mut Carried, seed: Seed);
 }
 
-/// As [`FollowPaths`] within the step, which is compiled for each: for [`PathsByEnd`] here, for others through [`Told`] in their crate.
+/// Follows each stage within the step; compiled for each follower.
+///
+/// It is [`PathsByEnd`] here, and others through [`Told`] in their crate.
 pub(super) trait EachStage {
-    /// Whether the answer's slopes are asked for.
-    fn wants_slopes(&self) -> bool;
+    /// Whether the answer's derivatives are asked for.
+    fn wants_derivatives(&self) -> bool;
     /// Called after every stage.
     fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>);
     /// Slopes of the force over displacement and velocity at the end of the step.
-    fn slopes(&self) -> [f64; 2];
+    fn derivatives(&self) -> [f64; 2];
 }
 
 /// Somebody who follows from outside.
@@ -138,7 +142,7 @@ pub(super) struct Told<'a, F>(pub &'a mut F);
 
 impl<F: FollowPaths> EachStage for Told<'_, F> {
     #[inline(always)]
-    fn wants_slopes(&self) -> bool {
+    fn wants_derivatives(&self) -> bool {
         false
     }
 
@@ -148,7 +152,7 @@ impl<F: FollowPaths> EachStage for Told<'_, F> {
     }
 
     #[inline(always)]
-    fn slopes(&self) -> [f64; 2] {
+    fn derivatives(&self) -> [f64; 2] {
         [0.0; 2]
     }
 }
@@ -168,7 +172,7 @@ impl Carried {
     /// Nothing depends on the direction yet.
     pub const NONE: Carried = Carried { states: [0.0; STATES], force: 0.0, gains: [[0.0; STATES]; MOST_STAGES] };
 
-    /// As [`StageSlopes::carry`].
+    /// Carries a direction through the stage: see [`StageDerivatives::carry`].
     #[inline(always)]
     fn over<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>, mut seed: Seed) {
         seed.known = known_part::<ON>(&self.states, stage.row, &self.gains, stage.index);
@@ -209,7 +213,7 @@ impl PathsByEnd {
 
 impl EachStage for PathsByEnd {
     #[inline(always)]
-    fn wants_slopes(&self) -> bool {
+    fn wants_derivatives(&self) -> bool {
         self.wanted
     }
 
@@ -227,7 +231,7 @@ impl EachStage for PathsByEnd {
     }
 
     #[inline(always)]
-    fn slopes(&self) -> [f64; 2] {
+    fn derivatives(&self) -> [f64; 2] {
         self.by_end.map(|carried| carried.force)
     }
 }
@@ -290,8 +294,8 @@ fn gain<const ON: u32>(after: &[f64; STATES], known: &[f64; STATES]) -> [f64; ST
 /// What the paths answer at the end of a step.
 pub(super) struct Through {
     pub force: f64,
-    pub by_x: f64,
-    pub by_v: f64,
+    pub d_force_d_x: f64,
+    pub d_force_d_v: f64,
 }
 
 /// A step length that the paths can take.
@@ -320,7 +324,7 @@ pub(super) fn advance<T: Tables>(
     let e = &drive.model.elements.paths;
     let slots = e.slots();
     let states = slots.read(state);
-    let driven = drive.path.at(0.0).v;
+    let driven = drive.path.point(0.0).v;
     let oil_velocity = if e.has_series() { states[place::U] } else { driven };
     let mut now = Now { states, oil_velocity, driven, ..Now::START };
     /// Elements that are on alone.
@@ -350,8 +354,8 @@ pub(super) fn advance<T: Tables>(
     output.spring_force = now.inner;
     output.oil_temperature = drive.side.1 + now.states[place::HEAT];
     output.series_deflection = drive.path.end().0 - now.states[place::X];
-    let [by_x, by_v] = follow.slopes();
-    Through { force: now.force, by_x, by_v }
+    let [by_x, by_v] = follow.derivatives();
+    Through { force: now.force, d_force_d_x: by_x, d_force_d_v: by_v }
 }
 
 #[inline(never)]
@@ -419,7 +423,7 @@ const CALM: u32 = 8;
 /// that starts level and bends with the square of time goes on 1.75 times as far. At 2.5 rubber that is let go in a step of 2 ms
 /// ended 1.8 times too high (search, seed 295465, case 53629), at 2 it does not; a spool that turned went 3.2 times as far.
 const THROWN: f64 = 2.0;
-/// The same beside the size of those forces: where they hardly spread, an end so near is no throw.
+/// Smallest spread relative to the size of those forces: below it, an end so near is no throw.
 const BESIDE: f64 = 0.02;
 
 /// Whether the `stages` before the last account for a force at the `end`. A force that is no number is not accounted for.
@@ -427,8 +431,8 @@ const BESIDE: f64 = 0.02;
 fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for force in stages {
-        least = smaller(*force, least);
-        most = larger(*force, most);
+        least = min(*force, least);
+        most = max(*force, most);
     }
     let near = THROWN * method.goes_on * (most - least) + BESIDE * (most.abs() + least.abs());
     let latest = stages.get(method.latest).copied().unwrap_or(end);
@@ -473,7 +477,7 @@ impl<T: Tables> Substep<'_, T> {
         }
     }
 
-    /// As [`Substep::run`], watched; where pieces are taken by the same elements, by the same code.
+    /// Runs a substep and checks its end; pieces of the same elements use the same code.
     #[inline(always)]
     fn run_watched<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) -> Ended {
         if const { ON & CAVITATION != 0 } {
@@ -483,7 +487,7 @@ impl<T: Tables> Substep<'_, T> {
         }
     }
 
-    /// As [`Substep::run`], once for all who call it.
+    /// [`Substep::run`], compiled once for all callers.
     #[inline(never)]
     fn run_apart<const ON: u32>(
         &self,
@@ -504,7 +508,7 @@ impl<T: Tables> Substep<'_, T> {
         let valve_jumps = acts::<ON>(e, VALVE) && e.valve_hysteresis.jumps(h);
         let mut gains = [[0.0; STATES]; MOST_STAGES];
         let counts_stroke = acts::<ON>(e, LENGTH) && e.counts_stroke();
-        let start = if counts_stroke { MovedFrom::at(&self.path.at(self.theta)) } else { MovedFrom::NOWHERE };
+        let start = if counts_stroke { MovedFrom::at(&self.path.point(self.theta)) } else { MovedFrom::NOWHERE };
         let mut strokes = [MovedFrom::NOWHERE; MOST_STAGES];
         let from = now.states;
         let Now { mut oil_velocity, mut driven, mut raised, .. } = *now;
@@ -514,7 +518,7 @@ impl<T: Tables> Substep<'_, T> {
         for (index, (row, place_of)) in method.weights.iter().zip(&method.c).enumerate().take(method.stages) {
             let last = index + 1 == method.stages;
             let ends = last && self.ends_step;
-            let point = if ends { self.path.last() } else { self.path.at(self.theta + place_of * self.part) };
+            let point = if ends { self.path.last() } else { self.path.point(self.theta + place_of * self.part) };
             let mut known = known_part::<ON>(&from, row, &gains, index);
             if valve_jumps {
                 known[place::VALVE] = from[place::VALVE];
@@ -558,7 +562,7 @@ impl<T: Tables> Substep<'_, T> {
                 }
             }
             stage.shuts = last && balance.states[place::VOID] < SHUT;
-            if follow.wants_slopes() {
+            if follow.wants_derivatives() {
                 stage.look_at_answer(self.elements, self.side);
             }
             follow.stage(&stage);
@@ -580,7 +584,7 @@ impl<T: Tables> Substep<'_, T> {
     #[inline(always)]
     fn driven_turns(&self, from: &Now) -> bool {
         let void = from.states[place::VOID];
-        void > 0.0 && self.path.at(self.theta).v * self.path.at(self.theta + self.part).v <= 0.0
+        void > 0.0 && self.path.point(self.theta).v * self.path.point(self.theta + self.part).v <= 0.0
     }
 
     /// In short pieces. Those of the first order keep a void from closing further than it is open.

@@ -12,10 +12,10 @@ pub(super) trait Primary: Copy {
     /// Whether it is the FV curve as it is.
     fn is_plain(&self) -> bool;
 
-    /// Force and slope at a velocity.
+    /// Force and derivative at a velocity.
     fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value;
 
-    /// The velocity u with a u + F(u) = r, and force and slope there.
+    /// The velocity u with a u + F(u) = r, and force and derivative there.
     fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value);
 }
 
@@ -39,7 +39,7 @@ impl Primary for Plain {
 
     #[inline(always)]
     fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
-        e.paths.fv_curve.at(v)
+        e.paths.fv_curve.evaluate(v)
     }
 
     #[inline(always)]
@@ -61,7 +61,10 @@ pub(super) struct Faded {
 impl Faded {
     #[inline(always)]
     fn of(&self, curve: Value) -> Value {
-        Value { value: self.standing + self.factor * (curve.value - self.standing), slope: self.factor * curve.slope }
+        Value {
+            value: self.standing + self.factor * (curve.value - self.standing),
+            derivative: self.factor * curve.derivative,
+        }
     }
 }
 
@@ -79,7 +82,7 @@ impl Primary for Faded {
 
     #[inline(always)]
     fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
-        self.of(e.paths.fv_curve.at(v))
+        self.of(e.paths.fv_curve.evaluate(v))
     }
 
     #[inline(always)]
@@ -107,7 +110,7 @@ impl Primary for Any {
 
     #[inline(always)]
     fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
-        let curve = e.paths.fv_curve.at(v);
+        let curve = e.paths.fv_curve.evaluate(v);
         self.0.map_or(curve, |faded| faded.of(curve))
     }
 

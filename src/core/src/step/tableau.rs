@@ -21,15 +21,14 @@ pub(super) struct Tableau {
     pub latest: usize,
     /// Whether the plain step takes it along straight lines, in closed form ([`super::cheap`]).
     pub along_lines: bool,
-    /// How far a straight line goes on from the latest stage to the end, in parts of the spread of the stages before; what it may end within at
-    /// least.
+    /// Minimum extrapolation from the latest stage to the end, in parts of the spread of the stages before.
     pub goes_on: f64,
 }
 
 impl Tableau {
     /// That of a method.
     #[inline(always)]
-    pub fn of(method: Method) -> &'static Tableau {
+    pub fn for_method(method: Method) -> &'static Tableau {
         match method {
             Method::Fourth => &FOURTH,
             Method::Third => &THIRD,

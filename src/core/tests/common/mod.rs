@@ -188,7 +188,7 @@ pub fn step_forces(
     velocity_only: bool,
 ) -> Vec<f64> {
     let (x, v) = motion(0.0);
-    let mut state = model.settled(&Input::motion(x, v));
+    let mut state = model.steady_state(&Input::motion(x, v));
     (1..=steps)
         .map(|i| {
             let (x, v) = motion(i as f64 * dt);
@@ -200,8 +200,10 @@ pub fn step_forces(
         .collect()
 }
 
-/// The same from the classical explicit Runge–Kutta method on the continuous equations with `parts` steps in each `dt`:
-/// shares nothing with the kernel's step but the right-hand side, and sees the exact motion.
+/// Reference forces from the classical explicit Runge–Kutta method on the continuous equations with `parts` steps in
+/// each `dt`.
+///
+/// It shares only the right-hand side with the kernel's step, and sees the exact motion.
 pub fn reference_forces(
     model: &Model,
     motion: &impl Fn(f64) -> (f64, f64),
@@ -213,13 +215,13 @@ pub fn reference_forces(
         let (x, v) = motion(t);
         Input::motion(x, v)
     };
-    let mut state = model.settled(&input(0.0));
+    let mut state = model.steady_state(&input(0.0));
     let h = dt / parts as f64;
     let moved = |state: &State, rate: &State, h: f64| {
         let mut to = *state;
         to.mass_displacement += h * rate.mass_displacement;
         to.mass_velocity += h * rate.mass_velocity;
-        for (z, r) in to.memory.iter_mut().zip(&rate.memory) {
+        for (z, r) in to.internal.iter_mut().zip(&rate.internal) {
             *z += h * r;
         }
         to
@@ -269,8 +271,10 @@ pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     Model::new(&p).unwrap()
 }
 
-/// Any parameter set that the table and the elements allow: each number anywhere between its bounds (evenly, or evenly
-/// by decade where the bounds span decades), any elements on, any integration.
+/// Any parameter set that the table and the elements allow.
+///
+/// Each number is anywhere between its bounds (evenly, or evenly by decade where the bounds span decades), with any
+/// elements on and any integration.
 pub fn any_params() -> impl Strategy<Value = Params> {
     let shares = prop::collection::vec(0.0..1.0f64, table().count());
     let points = prop::collection::vec((1e-4..1.0f64, 0.0..1.0f64), 2..20);

@@ -20,7 +20,7 @@ enum Span {
     Even(f64, f64),
     /// Evenly by decade.
     Decade(f64, f64),
-    /// The same, of either sign.
+    /// A size by decades, of either sign.
     Either(f64, f64),
     /// 0 in one case of four, or evenly by decade.
     Perhaps(f64, f64),
@@ -121,7 +121,7 @@ fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     (u, f)
 }
 
-/// The same curve with a point at 0, where it has no force.
+/// A curve with a further point at 0, where it has no force.
 fn through_zero((mut u, mut f): Points) -> Points {
     let middle = u.iter().filter(|u| **u < 0.0).count();
     let up = f[middle];
@@ -206,7 +206,7 @@ pub fn case(r: &mut Random, index: usize) -> Case {
         let input = Input { displacement: Some(x), velocity: v, side_force, temperature: r.between(-30.0, 120.0) };
         let drawn: Vec<f64> = (0..model.states()).map(|i| state(r, model.state_name(i).unwrap(), x)).collect();
         let mut state = State { mass_displacement: drawn[0], mass_velocity: drawn[1], ..State::ZERO };
-        state.memory[..drawn.len() - 2].copy_from_slice(&drawn[2..]);
+        state.internal[..drawn.len() - 2].copy_from_slice(&drawn[2..]);
         return Case { params, model, input, state };
     }
 }

@@ -5,7 +5,7 @@ use dashpot_core::{Model, State, evaluate};
 
 /// The states of a model with their names, in its order.
 pub fn states<'a>(model: &'a Model, state: &'a State) -> impl Iterator<Item = (&'static str, f64)> + 'a {
-    let values = [state.mass_displacement, state.mass_velocity].into_iter().chain(state.memory);
+    let values = [state.mass_displacement, state.mass_velocity].into_iter().chain(state.internal);
     (0..model.states()).zip(values).map(|(i, value)| (model.state_name(i).expect("a state").0, value))
 }
 
@@ -24,7 +24,7 @@ pub fn answers(case: &Case) -> Vec<(&'static str, &'static str, f64)> {
     ];
     let mut all: Vec<_> = parts.into_iter().map(|(name, value)| ("part", name, value)).collect();
     all.extend(states(&case.model, &rates).map(|(name, value)| ("rate", name, value)));
-    let settled = case.model.settled(&case.input);
+    let settled = case.model.steady_state(&case.input);
     all.extend(states(&case.model, &settled).map(|(name, value)| ("settled", name, value)));
     all
 }

@@ -19,8 +19,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// What two programs may differ by, as a share of a number and 1: both round.
 const SHARE: f64 = 1e-9;
-/// The same where the velocity of the oil is solved for: what Newton's method leaves in the kernel is mostly below 1e-13 m/s, but now and then, beside a
-/// bend, more. So few numbers in one may differ by so much.
+/// Tolerance where the velocity of the oil is the root of an equation.
+///
+/// The error of Newton's method in the kernel is mostly below 1e-13 m/s, but sometimes larger near a knee. So one
+/// number in this many may differ by so much.
 const SOLVED: f64 = 1e-6;
 const RARE: usize = 10_000;
 /// Beside 1: settled states may be small. tanh and exp are the kernel's own, exact to some 1e-16 of their largest value.

@@ -39,7 +39,7 @@ pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
 /// Forces of the FV curve of a parameter set at some velocities; `None` where it makes no model.
 fn curve_at(params: &Params, velocities: &[f64]) -> Option<Vec<f64>> {
     let curve = Model::new(params).ok()?.elements().paths.fv_curve;
-    Some(velocities.iter().map(|v| curve.at(*v).value).collect())
+    Some(velocities.iter().map(|v| curve.evaluate(*v).value).collect())
 }
 
 /// The hypothesis with its FV table at other velocities, from where it stands; `None` where it makes no model.

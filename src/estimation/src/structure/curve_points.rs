@@ -113,7 +113,7 @@ fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypot
     let mut velocity = params.list(list!("fv_velocity")).to_vec();
     velocity.extend_from_slice(points);
     velocity.sort_by(f64::total_cmp);
-    let force: Vec<f64> = velocity.iter().map(|v| curve.at(*v).value).collect();
+    let force: Vec<f64> = velocity.iter().map(|v| curve.evaluate(*v).value).collect();
     params.set_list(list!("fv_velocity"), &velocity).ok()?;
     params.set_list(list!("fv_force"), &force).ok()?;
     let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
@@ -141,10 +141,10 @@ mod tests {
         assert_eq!(to.base.list(list!("fv_velocity")).len(), 2 * base.list(list!("fv_velocity")).len() - 1);
         assert_eq!(to.numbers.len() - from.numbers.len(), base.list(list!("fv_velocity")).len() - 1);
         let [a, b] = [from.params(&theta), to.params(&to.start())].map(|p| Model::new(&p).unwrap());
-        let top = a.elements().paths.fv_curve.at(1.0).value;
+        let top = a.elements().paths.fv_curve.evaluate(1.0).value;
         for i in -100..=100 {
             let v = 0.01 * f64::from(i);
-            let (a, b) = (a.elements().paths.fv_curve.at(v).value, b.elements().paths.fv_curve.at(v).value);
+            let (a, b) = (a.elements().paths.fv_curve.evaluate(v).value, b.elements().paths.fv_curve.evaluate(v).value);
             assert!((a - b).abs() < 0.01 * top, "{v}: {a} {b}");
         }
     }

@@ -106,7 +106,7 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
     let per_force = 1.0 / model.number(number!("series_damping")).max(1e-9);
     let whole: Vec<f64> = velocity.iter().zip(&force).map(|(v, f)| v + f * per_force).collect();
     let Ok(curve) = Curve::new(&whole, &force, Interpolation::Linear) else { return start };
-    let straight: Vec<f64> = velocity.iter().map(|v| curve.at(*v).value).collect();
+    let straight: Vec<f64> = velocity.iter().map(|v| curve.evaluate(*v).value).collect();
     // Forces inside the table stay inside; a refused list would leave the curve as it was.
     let _ = model.set_list(list!("fv_force"), &straight);
     for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
@@ -194,7 +194,7 @@ mod tests {
         let valves =
             Curve::new(base.list(list!("fv_velocity")), base.list(list!("fv_force")), Interpolation::Linear).unwrap();
         for (v, force) in model.list(list!("fv_velocity")).iter().zip(model.list(list!("fv_force"))) {
-            let left = valves.at(v - force / 8e3).value;
+            let left = valves.evaluate(v - force / 8e3).value;
             assert!((force - left).abs() < 1e-6 * left.abs().max(1.0), "{v}: {force}, the valves {left}");
         }
         let yields = tests[0].segment.top / model.number(number!("series_stiffness"));

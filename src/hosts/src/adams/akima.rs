@@ -10,8 +10,9 @@ use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST};
 const SHARE: f64 = 0.005;
 /// N: where a side has hardly any force, less than a load cell shows.
 const LEAST: f64 = 1.0;
-/// Where points are added, they are until this part of the tolerance is left: a file that is read and written again then lies inside it, and comes
-/// back with the points that it had.
+/// Where points are added, they are until this part of the tolerance is left.
+///
+/// A file that is read and written again then lies inside it, and comes back with the points that it had.
 const ADDED: f64 = 0.5;
 /// Places between two points at which curves are compared.
 const PLACES: usize = 24;
@@ -33,7 +34,7 @@ impl Reading {
             Reading::Akima => Some(slopes(v, f)),
             Reading::Model(Interpolation::Linear) => None,
             Reading::Model(Interpolation::MonotoneCubic) => {
-                Some((0..v.len()).map(|i| dashpot_core::curve::monotone_slope(v, f, i)).collect())
+                Some((0..v.len()).map(|i| dashpot_core::curve::monotone_derivative(v, f, i)).collect())
             }
         }
     }
@@ -114,7 +115,7 @@ impl Difference {
     }
 
     /// In words.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         format!("at most {:.1} N (at {:.0} mm/s)", self.force, 1e3 * self.velocity)
     }
 }
@@ -185,7 +186,9 @@ pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) 
     (curve, left)
 }
 
-/// The points of a file, and as many between them as it takes until a model's curve follows Akima's; how the model is to read them, and what is left.
+/// The points of a file, and as many between them as it takes until a model's curve follows Akima's.
+///
+/// How the model is to read them, and what is left.
 pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let allowed = tolerance(&points);
     let akima = Read::new(&points, Reading::Akima);
@@ -213,9 +216,10 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     (curve, interpolation, left)
 }
 
-/// The points of a file whose curve runs straight between them; of more than a model can hold, as many as it takes until the model's curve follows
-/// it, with what is left.
-pub fn read_straight(points: Curve) -> (Curve, Difference) {
+/// The points of a file whose curve runs straight between them.
+///
+/// Of more than a model can hold, as many as it takes until the model's curve follows it, with what is left.
+pub fn read_linear(points: Curve) -> (Curve, Difference) {
     if points.velocities.len() <= MAX_POINTS {
         return (points, Difference::default());
     }
@@ -274,7 +278,7 @@ mod tests {
         for curve in [steep(), knees, smooth] {
             for interpolation in [Interpolation::Linear, Interpolation::MonotoneCubic] {
                 let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
-                let model = |v: f64| kernel.at(v).value;
+                let model = |v: f64| kernel.evaluate(v).value;
                 let before = worst(&curve, &[Reading::Akima], tolerance(&curve), &model);
                 let (points, left) = written(curve.clone(), interpolation, &model);
                 assert!(
@@ -284,7 +288,7 @@ mod tests {
                 let (back, read_as, _) = read(points.clone());
                 assert_eq!(back, points, "what is read is what was written");
                 let again = Kernel::new(&back.velocities, &back.forces, read_as).unwrap();
-                let (twice, _) = written(back.clone(), read_as, &|v| again.at(v).value);
+                let (twice, _) = written(back.clone(), read_as, &|v| again.evaluate(v).value);
                 assert_eq!(twice, points, "and is written again as it was");
             }
         }
@@ -310,7 +314,7 @@ mod tests {
             let (curve, interpolation, left) = read(points.clone());
             assert_eq!(left.is_small(), is_followed, "{left:?} {curve:?}");
             let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
-            let (again, _) = written(curve.clone(), interpolation, &|v| kernel.at(v).value);
+            let (again, _) = written(curve.clone(), interpolation, &|v| kernel.evaluate(v).value);
             assert!(!is_followed || again == curve);
             assert!(curve.velocities.len() > points.velocities.len());
         }
@@ -323,15 +327,19 @@ mod tests {
         let velocities: Vec<f64> = (-300..=300).map(|i| 5e-3 * f64::from(i)).collect();
         let points = Curve { forces: velocities.iter().map(|v| force(*v)).collect(), velocities };
         for (curve, interpolation, left) in [read(points.clone()), {
-            let (curve, left) = read_straight(points.clone());
+            let (curve, left) = read_linear(points.clone());
             (curve, Interpolation::Linear, left)
         }] {
             assert!(curve.velocities.len() <= MAX_POINTS && left.is_small(), "{interpolation:?} {left:?}");
             let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
             for (v, f) in points.velocities.iter().zip(&points.forces) {
-                assert!((kernel.at(*v).value - f).abs() < 0.006 * 1950.0, "{v}: {} for {f}", kernel.at(*v).value);
+                assert!(
+                    (kernel.evaluate(*v).value - f).abs() < 0.006 * 1950.0,
+                    "{v}: {} for {f}",
+                    kernel.evaluate(*v).value
+                );
             }
-            assert_eq!(kernel.at(0.0).value, 0.0);
+            assert_eq!(kernel.evaluate(0.0).value, 0.0);
         }
     }
 

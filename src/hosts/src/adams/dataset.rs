@@ -91,7 +91,7 @@ pub fn view_name(line: &[u8]) -> Option<String> {
 
 impl Statement {
     /// The statement that begins on line `begin`.
-    pub fn at(lines: &[(usize, &[u8])], begin: usize) -> Statement {
+    pub fn parse(lines: &[(usize, &[u8])], begin: usize) -> Statement {
         let mut statement = Statement { text: String::new(), places: Vec::new() };
         statement.push(lines[begin], 0);
         for &(place, line) in &lines[begin + 1..] {
@@ -232,7 +232,7 @@ impl Statement {
 
 impl Spline {
     /// The value of list `list` at `x`, straight between the points.
-    pub fn at(&self, list: usize, x: f64) -> f64 {
+    pub fn value(&self, list: usize, x: f64) -> f64 {
         let i = self.x.partition_point(|p| *p <= x).min(self.x.len() - 1).max(1);
         let (a, b, y) = (self.x[i - 1], self.x[i], &self.y[list]);
         let share = ((x - a) / (b - a)).clamp(0.0, 1.0);

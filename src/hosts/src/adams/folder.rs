@@ -62,14 +62,17 @@ const NATIVE: &str = "\
 native.adm        the same damper from Adams's own elements, without the library: paste it into a model, put in the model's two
                   markers, the length and free ids; the lines at its head say where";
 
-/// What must be known before anything else, above the text of README.txt: who opens the folder later has not seen what was said when it
-/// was written.
+/// What must be known before anything else, above the text of README.txt.
+///
+/// Who opens the folder later has not seen what was said when it was written.
 pub fn above(remarks: &[String], text: &str) -> String {
     remarks.iter().map(|remark| format!("{}\n\n", wrapped(remark))).collect::<String>() + text
 }
 
-/// What is said of chatter, below the text of README.txt, with whom it concerns: Adams solves for the force with the slopes that the routines
-/// hand over, in steps of its own choice, so it does not chatter; a program that takes the force once a step may.
+/// What is said of chatter, below the text of README.txt, with whom it concerns.
+///
+/// Adams solves for the force with the slopes that the routines hand over, in steps of its own choice, so it does not
+/// chatter; a program that takes the force once a step may.
 pub fn below(text: &str, chatters: &[String]) -> String {
     if chatters.is_empty() {
         return text.to_owned();
@@ -96,7 +99,9 @@ fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// The test matrix on the rig, one line a command: every test begins and ends at rest in the middle, so that one follows the other.
+/// The test matrix on the rig, one line a command.
+///
+/// Every test begins and ends at rest in the middle, so that one follows the other.
 fn acf(matrix: &Matrix) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");

@@ -35,7 +35,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let constant = constant_force(&mut read);
     // A linear rate, or a spline that says it is straight, is not read by Akima.
     let (curve, interpolation, remark) = if read.straight {
-        let (curve, left) = akima::read_straight(read.curve);
+        let (curve, left) = akima::read_linear(read.curve);
         let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));
         (curve, Interpolation::Linear, remark)
     } else {
@@ -88,8 +88,9 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
 /// Share of the largest force below which a force at rest is rounding.
 const AT_REST: f64 = 1e-6;
 
-/// Moves the force that the curve has at rest from the curve to the gas force, and says so: a damper at rest has none of its curve, and what pushes or
-/// pulls there does so at every speed.
+/// Moves the force that the curve has at rest from the curve to the gas force, and says so.
+///
+/// A damper at rest has none of its curve, and what pushes or pulls there does so at every speed.
 fn constant_force(read: &mut property::Properties) -> Option<String> {
     let rest = akima::at_rest(&read.curve, read.straight);
     let largest = read.curve.forces.iter().fold(0.0f64, |most, f| most.max(f.abs()));
@@ -111,7 +112,7 @@ fn constant_too_large(named: &str, force: f64, error: anyhow::Error) -> anyhow::
 
 /// How far the model's curve follows the one that Adams makes of the file.
 fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
-    let so = format!("The model's curve differs from that of Adams by {}.", left.told());
+    let so = format!("The model's curve differs from that of Adams by {}.", left.describe());
     let reads = "Adams Car joins the points of the file by Akima's method (AKISPL).";
     if rows > MAX_POINTS {
         return format!("{reads} {}", fewer(rows, points, left));
@@ -132,7 +133,7 @@ fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
 fn fewer(rows: usize, points: usize, left: &Difference) -> String {
     format!(
         "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
-        left.told()
+        left.describe()
     )
 }
 
@@ -163,14 +164,14 @@ mod tests {
             let model = dashpot_core::Model::new(&params).unwrap();
             let gas = if params.is_on(element!("gas_preload")) { params.number(number!("gas_force")) } else { 0.0 };
             let fv = model.elements().paths.fv_curve;
-            assert!(fv.at(0.0).value.abs() < 1.0, "{}", fv.at(0.0).value);
+            assert!(fv.evaluate(0.0).value.abs() < 1.0, "{}", fv.evaluate(0.0).value);
             if let Some(wanted) = forces {
                 assert!((gas - wanted).abs() < 1e-9, "{gas}");
             }
             assert_eq!(gas != 0.0, made.remarks[0].contains("at rest"), "{:?}", made.remarks);
             for row in rows.lines() {
                 let numbers: Vec<f64> = row.split(' ').map(|n| n.parse().unwrap()).collect();
-                let own = fv.at(1e-3 * numbers[0]).value - gas;
+                let own = fv.evaluate(1e-3 * numbers[0]).value - gas;
                 assert!((own - numbers[1]).abs() < 0.02 * 780.0, "{row}: {own}");
             }
         }

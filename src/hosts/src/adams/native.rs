@@ -1,5 +1,7 @@
-//! The damper from Adams's own elements, without a routine: splines for primary damper, parallel spring and friction, and two differential
-//! equations for the internal mass; a third one for friction that turns over within a short travel.
+//! The damper from Adams's own elements, without a routine.
+//!
+//! Splines for primary damper, parallel spring and friction, and two differential equations for the internal mass; a
+//! third one for friction that turns over within a short travel.
 //!
 //! The mass is no PART: a part has a place in the model, which a text that knows nothing of the model cannot give, and a joint to the tube that
 //! is violated wherever that place is wrong. By its equations it moves along the line between the damper's markers, as the kernel has it. Its
@@ -49,8 +51,11 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     }
     // Inner and outer end move alike: what each element gives at this motion.
     let at = |x: f64, v: f64| {
-        let state =
-            State { mass_displacement: 1e-3 * x, mass_velocity: 1e-3 * v, ..model.settled(&Input::motion(0.0, 0.0)) };
+        let state = State {
+            mass_displacement: 1e-3 * x,
+            mass_velocity: 1e-3 * v,
+            ..model.steady_state(&Input::motion(0.0, 0.0))
+        };
         force(model, &state, &Input::motion(1e-3 * x, 1e-3 * v))
     };
     let velocities = spaced(|s| FINE * libm::sinh(s * libm::asinh(FASTEST / FINE)));
@@ -62,7 +67,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     of_velocity.enable(element!("presliding_friction"), false);
     let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;
     let friction = spline(3, &velocities, |v| {
-        let state = sliding.settled(&Input::motion(0.0, 0.0));
+        let state = sliding.steady_state(&Input::motion(0.0, 0.0));
         force(&sliding, &State { mass_velocity: 1e-3 * v, ..state }, &Input::motion(0.0, 1e-3 * v)).friction_force
     });
     let (contact, bent) = presliding(params).unwrap_or_default();

@@ -35,7 +35,7 @@ pub fn length_unit(adm: &[u8]) -> anyhow::Result<Option<(String, f64)>> {
         text.strip_prefix("UNITS").is_some_and(|rest| rest.trim_start().starts_with('/'))
     };
     let Some(begin) = lines.iter().position(|line| begins(line.1)) else { return Ok(None) };
-    let statement = Statement::at(&lines, begin);
+    let statement = Statement::parse(&lines, begin);
     let words: Vec<&str> = statement
         .text()
         .split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
@@ -124,7 +124,7 @@ fn function_of(
     with_preload: bool,
     notes: &mut Vec<String>,
 ) -> anyhow::Result<Function> {
-    let sforce = Statement::at(lines, find(lines, name)?);
+    let sforce = Statement::parse(lines, find(lines, name)?);
     let function = sforce.function().context("its SFORCE has no \"FUNCTION = ...\"")?;
     if function.text.starts_with("USER(") {
         let ours = function.after.contains("DASHPOT_ADAMS::");
@@ -191,7 +191,7 @@ fn check_function(
     let id = third_argument(&function[at + 7..]).context("its spline has no plain number")?;
     let is = |line: &[u8]| dataset::head(line) == Some(("SPLINE".into(), id));
     let begin = lines.iter().position(|l| is(l.1)).with_context(|| format!("its SPLINE/{id} is not in the model"))?;
-    let spline: Spline = Statement::at(lines, begin).spline().with_context(|| format!("SPLINE/{id}"))?;
+    let spline: Spline = Statement::parse(lines, begin).spline().with_context(|| format!("SPLINE/{id}"))?;
     let markers = [sforce.id_of("I"), sforce.id_of("J")];
     let markers = if markers.contains(&None) { [None; 2] } else { markers };
     let mut notes = Vec::new();
@@ -200,7 +200,7 @@ fn check_function(
         let force = |speed: f64| {
             let value = |_: u64, x: f64| {
                 asked.set(Some(x));
-                Ok(spline.at(list, x))
+                Ok(spline.value(list, x))
             };
             expression::evaluate(function, &Meaning { markers, speed, spline: &value })
         };
@@ -209,7 +209,7 @@ fn check_function(
         let nothing = |_: u64, _: f64| Ok(0.0);
         let beside = |speed: f64| expression::evaluate(function, &Meaning { markers, speed, spline: &nothing });
         for speed in spline.x.iter().filter(|x| **x != 0.0) {
-            let (whole, from_spline) = (force(*speed)?, spline.at(list, *speed));
+            let (whole, from_spline) = (force(*speed)?, spline.value(list, *speed));
             power += speed * whole;
             largest = largest.max(whole.abs());
             if asked.get().is_none_or(|x: f64| (x - speed).abs() > 1e-9 * speed.abs()) {

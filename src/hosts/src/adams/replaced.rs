@@ -17,8 +17,10 @@ pub struct Named {
     pub model_file: String,
 }
 
-/// The model in `input` with these dampers replaced, and what is to be known of it; it goes to `output`, which decides whether a model file
-/// lies where the solver looks for it. `with_preload` replaces also a force at rest.
+/// The model in `input` with these dampers replaced, and what is to be known of it.
+///
+/// It goes to `output`, which decides whether a model file lies where the solver looks for it. `with_preload`
+/// replaces also a force at rest.
 ///
 /// # Errors
 /// What cannot be read, a length that no damper has, and what [`patch::patch`] refuses.
@@ -45,8 +47,9 @@ pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool
     Ok(patched)
 }
 
-/// What is to be said of a model file that does not lie where the solver, which runs beside its model as a rule, would find it, or that is none.
-/// It may be brought there later, so that is no error.
+/// The note on a model file that is missing, or not where the solver would find it.
+///
+/// The solver usually runs in the folder of its model. The file may be brought there later, so that is no error.
 fn not_there(path: &str, output: &Path) -> Option<String> {
     let beside = output.parent().map(|folder| folder.join(path));
     let Some(found) = beside.into_iter().chain([PathBuf::from(path)]).find(|p| p.is_file()) else {

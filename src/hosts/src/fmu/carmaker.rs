@@ -1,5 +1,7 @@
-//! The file beside an FMU by which IPG CarMaker takes it as the damper of a suspension (model class `Susp_Damper`): which quantity of
-//! CarMaker goes to which variable. Its form is that of the vendor's templates; see `vi-crt-bridge/FACTS.md`.
+//! The file beside an FMU by which IPG CarMaker takes it as the damper of a suspension (model class `Susp_Damper`).
+//!
+//! Which quantity of CarMaker goes to which variable. Its form is that of the vendor's templates; see
+//! `vi-crt-bridge/FACTS.md`.
 
 use super::scales::Scales;
 use crate::plain_curve::PlainCurve;
@@ -10,8 +12,10 @@ use std::fmt::Write as _;
 pub const LONGEST: f64 = 3.0;
 
 impl Scales {
-    /// Those of CarMaker, which hands over the length of the damper, its velocity positive in extension, and takes a force that is positive where
-    /// the damper pushes. `length` is that at which the displacement in the records was 0, m; there it begins.
+    /// The scales of CarMaker.
+    ///
+    /// CarMaker passes the length of the damper, its velocity positive in extension, and expects a force that is
+    /// positive where the damper pushes. `length` is the length at displacement 0 of the records, m; there it begins.
     ///
     /// # Errors
     /// A length that no damper has.
@@ -71,7 +75,7 @@ pub fn plug_info(name: &str, guid: &str, shown: Option<&PlainCurve>, written: &s
     );
     if let Some(plain) = shown {
         let curve = plain.curve()?;
-        let _ = writeln!(out, "# {}", plain.told());
+        let _ = writeln!(out, "# {}", plain.note());
         if let Some(left_out) = not_in_the_equilibrium(plain) {
             let _ = writeln!(out, "# {left_out}");
         }
@@ -92,7 +96,7 @@ mod tests {
         let with = |elements: &str| {
             let text = format!("format = 1\nelements = [{elements}]\n");
             let file = dashpot_identification::model_file::of_text(&text, std::path::Path::new("m.toml")).unwrap();
-            let curve = PlainCurve::of(&file, false).unwrap().unwrap();
+            let curve = PlainCurve::from_model_file(&file, false).unwrap().unwrap();
             plug_info("front", "{1}", Some(&curve), "x").unwrap()
         };
         assert!(with("\"fv_curve\", \"gas_preload\"").contains("looks for its equilibrium with: gas_preload."));

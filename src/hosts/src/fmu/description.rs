@@ -75,7 +75,7 @@ fn escaped(text: &str) -> String {
 
 fn units(out: &mut String, variables: &[Variable]) {
     let used: BTreeMap<&str, &Unit> =
-        variables.iter().map(|v| &v.unit).filter(|u| u.is_told()).map(|u| (u.name.as_str(), u)).collect();
+        variables.iter().map(|v| &v.unit).filter(|u| u.is_declared()).map(|u| (u.name.as_str(), u)).collect();
     out.push_str("  <UnitDefinitions>\n");
     for (name, unit) in used {
         let name = escaped(name);
@@ -146,7 +146,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
         Kind::Choice | Kind::BetweenPoints => "Enumeration",
         _ => "Real",
     };
-    if v.unit.is_told() && tag == "Real" {
+    if v.unit.is_declared() && tag == "Real" {
         let _ = write!(typed, " unit=\"{}\"", escaped(&v.unit.name));
     }
     if let Some(p) = v.parameter {

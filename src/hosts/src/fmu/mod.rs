@@ -25,7 +25,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// What to know where nobody said when the importer sets its inputs.
-pub const INPUTS_ARE_HELD: &str = "note: in co-simulation, inputs set before a step count at its end. An importer that sets what it knows at the \
+pub const INPUTS_HAVE_ZERO_ORDER_HOLD: &str = "note: in co-simulation, inputs set before a step count at its end. An importer that sets what it knows at the \
      beginning, as FMPy and most masters do, gets the force one step late: export with --inputs begin, and the FMU extrapolates. With --inputs end \
      nothing changes but this note";
 

@@ -95,7 +95,7 @@ pub fn model_data(contents: &str, texts: &[String]) -> String {
     };
     out.push_str("const char *const EMBEDDED_CONTENTS =\n");
     text(&mut out, contents);
-    out.push_str("    ;\n\nconst char *const EMBEDDED_MODEL[MOST_CORNERS] = {\n");
+    out.push_str("    ;\n\nconst char *const EMBEDDED_MODEL[MAX_CORNERS] = {\n");
     for model in texts {
         text(&mut out, model);
         out.push_str("    ,\n");

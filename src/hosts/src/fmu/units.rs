@@ -1,4 +1,6 @@
-//! The units that an FMU declares: of its parameters and states those of the table, and of motion and force those that its host counts in.
+//! The units that an FMU declares.
+//!
+//! Of its parameters and states those of the table, and of motion and force those that its host counts in.
 //!
 //! An importer that knows units converts by what is declared, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must say
 //! what the FMU takes after its scales; a metre declared where millimetres come in would be converted twice.
@@ -36,7 +38,7 @@ impl Unit {
     }
 
     /// Whether an importer is told of it.
-    pub fn is_told(&self) -> bool {
+    pub fn is_declared(&self) -> bool {
         self.name != "-"
     }
 
@@ -67,7 +69,9 @@ impl Unit {
     }
 }
 
-/// Units of length by what one is in m: the prefixes of SI that lengths are given in, and the two that vehicles are drawn in elsewhere.
+/// Units of length by what one is in m.
+///
+/// The prefixes of SI that lengths are given in, and the two that vehicles are drawn in elsewhere.
 const LENGTHS: [(&str, f64); 8] =
     [("m", 1.0), ("dm", 0.1), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("km", 1e3), ("in", 0.0254), ("ft", 0.3048)];
 
@@ -83,8 +87,10 @@ const FORCES: [(&str, f64); 8] = [
     ("kgf", 9.80665),
 ];
 
-/// How far a scale may be from a unit to be taken for it: somebody types 0.22481 for the reciprocal of the pound-force, which is 5e-6 off.
-/// A wider one would take a motion ratio near 1 for none.
+/// How far a scale may be from a unit to be taken for it.
+///
+/// Somebody types 0.22481 for the reciprocal of the pound-force, which is 5e-6 off. A wider one would take a motion
+/// ratio near 1 for none.
 const NEAR: f64 = 1e-5;
 
 fn named(units: &[(&'static str, f64)], size: f64) -> Option<(&'static str, f64)> {
@@ -99,7 +105,7 @@ pub struct HostUnits {
 
 impl HostUnits {
     /// Those that the scales stand for; a sign is no part of a unit. A scale with a motion ratio in it stands for none.
-    pub fn of(scales: Scales) -> HostUnits {
+    pub fn from_scales(scales: Scales) -> HostUnits {
         HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
     }
 
@@ -143,7 +149,7 @@ mod tests {
     use super::*;
 
     fn of(motion: f64, force: f64) -> HostUnits {
-        HostUnits::of(Scales { motion, force, position_offset: 0.0, start: 0.0 })
+        HostUnits::from_scales(Scales { motion, force, position_offset: 0.0, start: 0.0 })
     }
 
     #[test]
@@ -164,7 +170,7 @@ mod tests {
             let all = [units.displacement(), units.velocity(), units.force(), units.stiffness(), units.damping()];
             assert_eq!(all.clone().map(|u| u.name), names);
             assert_eq!(all.clone().map(|u| u.factor), factors, "{names:?}");
-            assert!(all.iter().all(|u| u.is_told() && u.dimensions().is_some()));
+            assert!(all.iter().all(|u| u.is_declared() && u.dimensions().is_some()));
         }
     }
 
@@ -178,7 +184,7 @@ mod tests {
         assert_eq!(units.force().name, "N");
         let units = of(0.001, 0.7);
         assert_eq!(
-            (units.displacement().name.as_str(), units.force().is_told(), units.damping().is_told()),
+            (units.displacement().name.as_str(), units.force().is_declared(), units.damping().is_declared()),
             ("mm", false, false)
         );
     }

@@ -10,7 +10,7 @@ use dashpot_core::{Input, Model, Output, Params, list, step};
 const TRAVEL: usize = 0;
 const DEFLECTION: usize = 1;
 const MASS_VELOCITY: usize = 2;
-const FIRST_MEMORY: usize = 3;
+const FIRST_INTERNAL: usize = 3;
 
 /// How inputs run between two instants at which the host sets them; the FMU's sources count them in this order.
 pub const BETWEEN_POINTS: [&str; 3] = ["automatic", "hold", "extrapolate"];
@@ -44,8 +44,8 @@ pub enum Kind {
     SideForce,
     Temperature,
     Force,
-    ForceByDisplacement,
-    ForceByVelocity,
+    DForceDDisplacement,
+    DForceDVelocity,
     Status,
     MotionScale,
     ForceScale,
@@ -76,7 +76,7 @@ impl Kind {
 
     /// Whether it is an output.
     pub fn is_output(self) -> bool {
-        matches!(self, Kind::Force | Kind::ForceByDisplacement | Kind::ForceByVelocity | Kind::Status)
+        matches!(self, Kind::Force | Kind::DForceDDisplacement | Kind::DForceDVelocity | Kind::Status)
     }
 
     /// Whether it is an input.
@@ -196,9 +196,9 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         |scale: f64, positive: &'static str, negative: &'static str| if scale > 0.0 { positive } else { negative };
     let motion = sign(scales.motion, "extension positive", "compression positive");
     let force = sign(scales.force, "tension positive", "push positive");
-    let units = HostUnits::of(scales);
+    let units = HostUnits::from_scales(scales);
     // Where no unit is declared, the factor stands in words.
-    let untold = |unit: &Unit, words: String| if unit.is_told() { String::new() } else { words };
+    let untold = |unit: &Unit, words: String| if unit.is_declared() { String::new() } else { words };
     let (m, n) = (scales.motion.abs(), scales.force.abs());
     let of_displacement = untold(&units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
     let of_velocity = untold(&units.velocity(), format!("; 1 stands for {m:?} m/s of the damper"));
@@ -232,15 +232,15 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         ),
         (Kind::Force, in_out("force", "Damper_Force"), None, units.force(), format!("damper force, {force}{of_force}")),
         (
-            Kind::ForceByDisplacement,
-            in_out("force_by_displacement", "Damper_Force_by_Jounce"),
+            Kind::DForceDDisplacement,
+            in_out("d_force_d_displacement", "Damper_Force_by_Jounce"),
             None,
             units.stiffness(),
             format!("change of force per change of displacement{}", of_slope("N/m")),
         ),
         (
-            Kind::ForceByVelocity,
-            in_out("force_by_velocity", "Damper_Force_by_Jounce_Rate"),
+            Kind::DForceDVelocity,
+            in_out("d_force_d_velocity", "Damper_Force_by_Jounce_Rate"),
             None,
             units.damping(),
             format!("change of force per change of velocity{}", of_slope("N s/m")),
@@ -327,7 +327,7 @@ fn usual_of_family(damper: &Definition) -> [f64; 11] {
         return [1e-4; 11];
     }
     let (low, high) = damper.axis.range();
-    let mut state = family.settled(&motion(0.0), None);
+    let mut state = family.steady_state(&motion(0.0), None);
     let (mut delay, mut largest) = (Delay::default(), [0.0_f64; 11]);
     for k in 1..=900 {
         let setting = if k / 100 % 2 == 0 { high } else { low };
@@ -342,7 +342,7 @@ fn usual_of_family(damper: &Definition) -> [f64; 11] {
             false,
         );
         let moved = [state.displacement, state.mass_displacement - state.displacement, state.mass_velocity];
-        for (most, now) in largest.iter_mut().zip(moved.iter().chain(&state.memory)) {
+        for (most, now) in largest.iter_mut().zip(moved.iter().chain(&state.internal)) {
             *most = most.max(now.abs());
         }
     }
@@ -369,11 +369,11 @@ fn decades(largest: [f64; 11]) -> [f64; 11] {
 fn usual_of(params: &Params) -> [f64; 11] {
     let mut largest = [0.0_f64; 11];
     if let Ok(model) = Model::new(params) {
-        let mut state = model.settled(&motion(0.0));
+        let mut state = model.steady_state(&motion(0.0));
         for k in 1..=900 {
             state = step(&model, &state, &motion(f64::from(k) * STEP), STEP).0;
             let moved = [state.displacement, state.mass_displacement - state.displacement, state.mass_velocity];
-            for (most, now) in largest.iter_mut().zip(moved.iter().chain(&state.memory)) {
+            for (most, now) in largest.iter_mut().zip(moved.iter().chain(&state.internal)) {
                 *most = most.max(now.abs());
             }
         }
@@ -392,13 +392,13 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
         TRAVEL => "travel".to_owned(),
         DEFLECTION => "deflection".to_owned(),
         MASS_VELOCITY => "mass_velocity".to_owned(),
-        _ => format!("memory[{}]", k - FIRST_MEMORY + 1),
+        _ => format!("internal[{}]", k - FIRST_INTERNAL + 1),
     };
     let meaning = |k: usize| match k {
         TRAVEL => "displacement integrated from the velocity; at rest where the displacement is given".to_owned(),
         DEFLECTION => "displacement of the internal mass relative to the driven end".to_owned(),
         MASS_VELOCITY => "velocity of the internal mass".to_owned(),
-        _ => format!("private state {} of the elements", k - FIRST_MEMORY + 1),
+        _ => format!("private state {} of the elements", k - FIRST_INTERNAL + 1),
     };
     let one = |k: usize, rate: bool| Variable {
         kind: if rate { Kind::Rate } else { Kind::State },
@@ -420,7 +420,7 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
         meaning: if rate { format!("rate of {}", name(k)) } else { meaning(k) },
         nominal: (!rate).then(|| usual[k]),
     };
-    let used = || (TRAVEL..FIRST_MEMORY + memories).filter(move |k| series || *k == TRAVEL || *k >= FIRST_MEMORY);
+    let used = || (TRAVEL..FIRST_INTERNAL + memories).filter(move |k| series || *k == TRAVEL || *k >= FIRST_INTERNAL);
     used().map(|k| one(k, false)).chain(used().map(|k| one(k, true))).collect()
 }
 

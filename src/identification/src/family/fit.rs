@@ -24,7 +24,7 @@ use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_records::Record;
 use dashpot_records::sentence::Sentence;
-use dashpot_records::taken_out::Off;
+use dashpot_records::taken_out::MeasurementError;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -197,7 +197,11 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
 }
 
 /// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual.
-fn with_open_measurement(best: &FamilyStructure, settings: &[SettingTests], given: &Off) -> Vec<FamilyEstimate> {
+fn with_open_measurement(
+    best: &FamilyStructure,
+    settings: &[SettingTests],
+    given: &MeasurementError,
+) -> Vec<FamilyEstimate> {
     let mut freed = best.hypothesis.clone();
     let Some(template) = with_free_measurement(&freed.template, given) else { return Vec::new() };
     for number in &template.numbers[freed.template.numbers.len()..] {
@@ -287,9 +291,10 @@ fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) 
         };
         notes.push(match setting {
             None => said,
-            Some(value) => {
-                Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_said("why", said)
-            }
+            Some(value) => Sentence::from(phrases::FAMILY_AT)
+                .with("name", &axis.name)
+                .with("value", value)
+                .with_sentence("why", said),
         });
     }
     notes

@@ -99,7 +99,7 @@ fn left_out_error(
     let refit = less.refit(&others, Effort::JUDGE)?;
     let grid: Vec<f64> = others.iter().map(|of| of.value).collect();
     let sets: Vec<Params> = (0..grid.len()).map(|setting| less.params_at(&refit.theta, setting)).collect();
-    let params = damper_through(axis, &grid, &sets).ok()?.at(left_out.value);
+    let params = damper_through(axis, &grid, &sets).ok()?.params_at(left_out.value);
     error_at(&params, &less.template, &less.theta_at(&refit.theta, place - 1), &left_out.tests)
 }
 

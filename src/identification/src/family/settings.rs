@@ -84,7 +84,7 @@ impl FamilyError {
             FamilyError::At { name, value, why } => Sentence::from(phrases::FAMILY_AT)
                 .with("name", name)
                 .with("value", value)
-                .with_said("why", why.sentence()),
+                .with_sentence("why", why.sentence()),
             FamilyError::Kernel { parameter, why } => {
                 Sentence::from(phrases::FAMILY_KERNEL).with("parameter", parameter).with("why", why)
             }

@@ -151,7 +151,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     let text = text.trim_start_matches('\u{feff}');
     // A spreadsheet that writes decimal commas separates by semicolons or tabs.
     let is_heading = |l: &&str| !l.trim().is_empty() && !l.trim_start().starts_with('#');
-    let delimiter = delimiter::of(text.lines().find(is_heading).unwrap_or_default());
+    let delimiter = delimiter::detect(text.lines().find(is_heading).unwrap_or_default());
     let decimal_comma = delimiter != b',';
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(delimiter)

@@ -170,7 +170,7 @@ impl Residuals for Problem<'_> {
     fn residuals(&self, _: usize, x: &Vec<f64>) -> Option<Vec<f64>> {
         let (force, gas) = self.curve(x);
         let curve = Curve::new(self.velocity, &force, Interpolation::MonotoneCubic).ok()?;
-        Some(self.bins.iter().map(|b| b.weight.sqrt() * (curve.at(b.velocity).value - gas - b.force)).collect())
+        Some(self.bins.iter().map(|b| b.weight.sqrt() * (curve.evaluate(b.velocity).value - gas - b.force)).collect())
     }
 }
 
@@ -206,7 +206,7 @@ impl FvCurve {
     /// Its force at every sample of a motion, N.
     pub fn forces(&self, motion: &Motion) -> Vec<f64> {
         match Curve::new(&self.velocity_m_s, &self.force_n, Interpolation::MonotoneCubic) {
-            Ok(curve) => motion.velocity.iter().map(|v| curve.at(*v).value - self.gas_force_n).collect(),
+            Ok(curve) => motion.velocity.iter().map(|v| curve.evaluate(*v).value - self.gas_force_n).collect(),
             Err(_) => vec![f64::NAN; motion.velocity.len()],
         }
     }

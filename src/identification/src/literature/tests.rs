@@ -174,7 +174,7 @@ fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
             };
             let own = found.forces(&test.motion);
             let top = own.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-            let mut state = model.settled(&input(0));
+            let mut state = model.steady_state(&input(0));
             // The motion over and over, until the lag has settled; the kernel integrates its ramp a little otherwise.
             const PASSES: usize = 60;
             for pass in 1..=PASSES {

@@ -6,8 +6,10 @@ use crate::plant::Scale;
 
 pub(super) const EFFECT: Effect = Effect { name: "aeration", laws: &[("henry", henry as Make), ("pocket", pocket)] };
 
-/// Bubbles that are pressed together and dissolve, as Henry's law has it and in their own time: fast to come out, slow to go
-/// back (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J. Fluid Power 13, 2012).
+/// Bubbles that are pressed together and dissolve, as Henry's law has it and in their own time.
+///
+/// Fast to come out, slow to go back (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J. Fluid Power
+/// 13, 2012).
 struct Henry {
     stroke: f64,
     force: f64,
@@ -43,8 +45,10 @@ fn henry(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
     })
 }
 
-/// A pocket of air that one chamber has and the other hardly; its bubbles are of all sizes, and the pocket closes
-/// exponentially with pressure (Hayward, Brit. Hydromech. Res. Ass. 1961).
+/// A pocket of air that one chamber has and the other hardly.
+///
+/// Its bubbles are of all sizes, and the pocket closes exponentially with pressure (Hayward, Brit. Hydromech. Res.
+/// Ass. 1961).
 struct Pocket {
     stroke: f64,
     force: f64,

@@ -48,9 +48,10 @@ fn fractional(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
 
 const SLIDERS: usize = 4;
 
-/// Filled rubber: force by friction in the filler grows with the root of the deflection since the last turn, so small motion
-/// meets a stiffer mount (Coveney & Johnson, triboelastic model, 1995; Fletcher & Gent 1953); the rest hardens as the
-/// hyperbolic sine does.
+/// Filled rubber with friction in the filler, so small motion meets a stiffer mount.
+///
+/// The friction force grows with the root of the deflection since the last reversal (Coveney & Johnson, triboelastic
+/// model, 1995; Fletcher & Gent 1953). The rest hardens as the hyperbolic sine does.
 struct Triboelastic {
     compliance: f64,
     hardens: f64,

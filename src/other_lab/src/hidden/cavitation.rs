@@ -7,8 +7,10 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "cavitation", laws: &[("gas_release", gas_release as Make), ("starved_intake", starved_intake)] };
 
-/// Below a pressure gas comes out of the oil with a rate, and goes back more slowly; what is out takes up room in proportion
-/// (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013, after Singhal's full cavitation model, 2002).
+/// Below a pressure gas comes out of the oil with a rate, and goes back more slowly.
+///
+/// What is out takes up room in proportion (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013, after Singhal's
+/// full cavitation model, 2002).
 struct GasRelease {
     /// Hydraulic force of compression at which release sets in, N, and width, N.
     onset: f64,
@@ -54,9 +56,10 @@ fn gas_release(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
     Box::new(GasRelease { onset, width: 0.04 * onset, rate: strength * d.between(0.3, 0.8), back: d.scale(0.05, 0.3) })
 }
 
-/// The intake valve passes no more than the pressure of the reserve drives through it: in a fast rebound stroke the chamber
-/// below stays unfilled, the intake fills it on while it is, and compression begins in the void (Dixon 2007, ch. 6; Duym,
-/// Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
+/// The intake valve passes no more than the pressure of the reserve drives through it.
+///
+/// In a fast rebound stroke the chamber below stays unfilled, the intake fills it on while it is, and compression
+/// begins in the void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
 struct StarvedIntake {
     /// Piston velocity that the intake can follow, m/s, and velocity over which it falls behind.
     follows: f64,

@@ -25,8 +25,10 @@ fn worn_eye(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
     Box::new(WornEye { gap: strength * d.between(1.5e-4, 3.5e-4), force: d.scale(15.0, 50.0) })
 }
 
-/// A gap that weight or clamping has shifted: it opens round a force that is not zero, and its contact is an asperity
-/// distribution (Greenwood & Williamson, Proc. R. Soc. A 295, 1966).
+/// A gap that weight or clamping has shifted.
+///
+/// It opens round a force that is not zero, and its contact is an asperity distribution (Greenwood & Williamson,
+/// Proc. R. Soc. A 295, 1966).
 struct OffsetGap {
     gap: f64,
     at: f64,

@@ -9,8 +9,10 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("travelling_piston", travelling_piston as Make), ("pilot_chamber", pilot_chamber)],
 };
 
-/// A small piston in a passage through the rod: short strokes move it freely, long ones bring it to its end, where the passage
-/// is shut (amplitude-selective damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
+/// A small piston in a passage through the rod.
+///
+/// Short strokes move it freely, long ones bring it to its end, where the passage is shut (amplitude-selective
+/// damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
 struct TravellingPiston {
     /// Damper's stroke that brings it to its end, m.
     travel: f64,
@@ -51,8 +53,9 @@ fn travelling_piston(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidd
     })
 }
 
-/// A pilot chamber behind the valve follows the pressure through a small hole: while it is behind, the valve is held open more
-/// (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
+/// A pilot chamber behind the valve follows the pressure through a small hole.
+///
+/// While it is behind, the valve is held open more (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
 struct PilotChamber {
     opens: f64,
     force: f64,

@@ -26,8 +26,9 @@ fn leaking(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
     Box::new(Leaking { force, share: d.between(0.3, 0.6), per_campaign: d.between(1.0, 3.0) })
 }
 
-/// The floating piston's O-ring holds a pressure difference that turns over with the stroke (Karaszewski, Hydraulic seals;
-/// friction of 0.1 to 0.3 of the gas force).
+/// The floating piston's O-ring holds a pressure difference that reverses with the stroke.
+///
+/// Karaszewski, Hydraulic seals; friction of 0.1 to 0.3 of the gas force.
 struct StickingPiston {
     force: f64,
     stick: f64,

@@ -7,8 +7,9 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "gas_spring", laws: &[("two_columns", two_columns as Make), ("redlich_kwong", redlich_kwong)] };
 
-/// Two gas spaces that the rod loads together, one thin-walled (slow, isothermal) and one well insulated (adiabatic), as with
-/// a bag beside a free surface (Dixon, The Shock Absorber Handbook, 2007, ch. 5).
+/// Two gas spaces that the rod loads together, one thin-walled (slow, isothermal) and one well insulated (adiabatic).
+///
+/// As with a bag next to a free surface (Dixon, The Shock Absorber Handbook, 2007, ch. 5).
 struct TwoColumns {
     force: f64,
     share: f64,

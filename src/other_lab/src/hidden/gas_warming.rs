@@ -15,8 +15,10 @@ const KELVIN: f64 = 273.15;
 /// Expansion of mineral oil, 1/K.
 const EXPANSION: f64 = 8e-4;
 
-/// An ideal gas behind a floating piston: its pressure grows with its absolute temperature and as the oil beside it expands into its
-/// room (Dixon, The Shock Absorber Handbook, 2007, ch. 5). The more the rod is in, the less room there is.
+/// An ideal gas behind a floating piston.
+///
+/// Its pressure grows with its absolute temperature and as the oil beside it expands into its room (Dixon, The Shock
+/// Absorber Handbook, 2007, ch. 5). The more the rod is in, the less room there is.
 struct RoomTakenByOil {
     force: f64,
     /// Oil for one volume of gas.
@@ -41,8 +43,9 @@ fn room_taken_by_oil(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidd
     })
 }
 
-/// Low-pressure gas that lies over the oil of a twin tube: what is dissolved leaves as the oil warms, by van 't Hoff's exponential, up to all
-/// there is.
+/// Low-pressure gas that lies over the oil of a twin tube.
+///
+/// What is dissolved leaves as the oil warms, by van 't Hoff's exponential, up to all there is.
 struct GasLeavesTheOil {
     force: f64,
     kelvin: f64,

@@ -7,8 +7,10 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "moving_mass", laws: &[("fluid_inerter", fluid_inerter as Make), ("sprung_clamp", sprung_clamp)] };
 
-/// Oil that a long passage makes heavy; the passage in use grows with extension, so the force is that of Lagrange's equation
-/// with M(x) (Swift et al., Proc. R. Soc. A 469, 2013).
+/// Oil that a long passage makes heavy.
+///
+/// The passage in use grows with extension, so the force is that of Lagrange's equation with M(x) (Swift et al.,
+/// Proc. R. Soc. A 469, 2013).
 struct FluidInerter {
     mass: f64,
     per_length: f64,
@@ -26,8 +28,9 @@ fn fluid_inerter(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
     Box::new(FluidInerter { mass: strength * d.between(3.0, 8.0), per_length: d.sign() * d.between(2.0, 6.0) })
 }
 
-/// A clamp that hangs on the end by a joint of its own (Ewins, Modal Testing, 2000): a mass at low frequency, more than itself
-/// towards its resonance.
+/// A clamp that hangs on the end by a joint of its own (Ewins, Modal Testing, 2000).
+///
+/// A mass at low frequency, more than itself towards its resonance.
 struct SprungClamp {
     mass: f64,
     omega: f64,

@@ -42,8 +42,8 @@ fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden>
     })
 }
 
-/// A metering needle: what the valves pass grows or falls over the whole stroke as a straight line and a parabola
-/// (Konieczny, Shock and Vibration 2016).
+/// A metering needle: the flow of the valves varies over the whole stroke as a line and a parabola (Konieczny, Shock
+/// and Vibration 2016).
 struct Needle {
     slope: f64,
     curve: f64,

@@ -28,7 +28,9 @@ fn andrade(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn Hidden> {
 }
 
 /// The piston's clearance grows with the cube of a gap that widens as the aluminium does, while the oil in it thins
-/// (Poiseuille; Merritt 1967): a leak that is nothing when cold.
+/// (Poiseuille; Merritt 1967).
+///
+/// A leak that is nothing when cold.
 struct GrowingClearance {
     per_force: f64,
     widens: f64,

@@ -57,8 +57,10 @@ fn popping_poppet(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Hidden>
     })
 }
 
-/// A film of oil between shim and seat has to be sucked in before the shim lifts, and is squeezed out again in its own time
-/// (Resch & Scheidl, Proc. IMechE I 228, 2014, fluid stiction of separating plates): the valves pass less until they are free.
+/// A film of oil between shim and seat fills before the shim lifts, and is squeezed out again in its own time.
+///
+/// The valves pass less until they are free (Resch & Scheidl, Proc. IMechE I 228, 2014, fluid stiction of separating
+/// plates).
 struct StictionFilm {
     holds: f64,
     force: f64,

@@ -33,8 +33,10 @@ pub enum Valves {
         /// Forces over a grid in the square root of the velocity, up to the fastest.
         table: Vec<[f64; 2]>,
     },
-    /// Bleed orifice, laminar and turbulent, and a shim that a spring holds: its opening grows with pressure beyond its
-    /// preload up to a stop, and passes as an orifice (Talbott & Starkey, SAE 2002-01-3337).
+    /// Bleed orifice, laminar and turbulent, and a shim that a spring holds.
+    ///
+    /// Its opening grows with pressure beyond its preload up to a stop, and passes as an orifice (Talbott & Starkey,
+    /// SAE 2002-01-3337).
     OrificeAndShim {
         /// a and b of the bleed.
         bleed: [f64; 2],

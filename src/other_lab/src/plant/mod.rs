@@ -74,7 +74,7 @@ pub trait Oil: Send + Sync {
 pub struct Scale {
     /// Hydraulic force at 0.5 m/s in rebound, N.
     pub rebound_n: f64,
-    /// The same in compression, as a positive number.
+    /// Force in compression, as a positive number.
     pub compression_n: f64,
     /// Stiffness of what is in line with the damper, N/m.
     pub series_n_m: f64,
@@ -115,8 +115,10 @@ pub struct Plant {
     pub slight: Slight,
     /// What it is like.
     pub scale: Scale,
-    /// Effects, by the names under which they can be hidden, that are large in it though nobody has hidden anything: a model without them
-    /// lacks them, and who names them without knowing a good damper of the kind is right. What is in [`Slight`] is too little for that.
+    /// Effects, by the names under which they can be hidden, that are large in it though nobody has hidden anything.
+    ///
+    /// A model without them lacks them, and who names them without knowing a good damper of the kind is right. What
+    /// is in [`Slight`] is too little for that.
     pub own: Vec<&'static str>,
 }
 

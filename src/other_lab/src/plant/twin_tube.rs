@@ -11,8 +11,9 @@ struct TwinTube {
     rebound: Valves,
     /// Base valve in compression: velocity over the force on the rod's area.
     base: Valves,
-    /// Force that lifts it, a and b (N, N s/m, N s²/m²) of the piston's check valve on the annulus, and of the intake valve on
-    /// the rod's area.
+    /// Opening force, a and b (N, N s/m, N s²/m²) of two valves.
+    ///
+    /// They are the piston's check valve on the annulus, and the intake valve on the rod's area.
     check: [f64; 3],
     intake: [f64; 3],
     fluid: Fluid,

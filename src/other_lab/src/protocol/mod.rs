@@ -72,8 +72,10 @@ impl Default for Protocol {
 }
 
 impl Protocol {
-    /// Some laboratory's way: sampling from 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or coloured noise, hum,
-    /// with or without channels for velocity and temperature. Neither delay nor offset: those are asked for.
+    /// A random laboratory protocol.
+    ///
+    /// Sampling from 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or colored noise, hum, with or without
+    /// channels for velocity and temperature. Delay and offset are separate options.
     pub fn of_laboratory(plan: Plan, seed: u64) -> Protocol {
         let mut d = Draw::new(seed, "laboratory");
         let sample_rate_hz = [100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 2000.0, 2048.0, 5000.0][d.choice(9)];

@@ -50,12 +50,12 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     if options.rig_mass_kg != 0.0 {
         note(Sentence::from(phrases::MASS_TAKEN_OFF).with("mass", options.rig_mass_kg));
         // It takes the acceleration of the whole record, cut and turned the right way.
-        motion.given.mass_kg = options.rig_mass_kg;
+        motion.stated_error.mass_kg = options.rig_mass_kg;
     }
     if options.delay_s == 0.0 {
         return 0..motion.time.len();
     }
-    motion.given.delay_s = options.delay_s;
+    motion.stated_error.delay_s = options.delay_s;
     let given = if options.delay_s < 0.0 { phrases::EARLY_AS_GIVEN } else { phrases::LATE_AS_GIVEN };
     note(Sentence::from(given).with("delay", format!("{:.3}", 1e3 * options.delay_s.abs())));
     delay_motion(motion, options.delay_s)

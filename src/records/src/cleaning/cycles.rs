@@ -14,7 +14,7 @@ use crate::numbers::restrict;
 
 /// Allowed deviation of stroke and period from their medians: what the bulk scatters, but at least and at most this.
 const TOLERANCE: (f64, f64) = (0.03, 0.15);
-/// The same for the first and the last cycle once the crossings are exact: the tail of a run-up is small.
+/// Tolerance of the first and the last cycle once the crossings are exact: the tail of a run-up is small.
 const END_TOLERANCE: f64 = 0.003;
 
 /// Phases at which the courses of cycles are compared, and the correlation of neighbours that makes a test periodic.
@@ -287,7 +287,9 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
 }
 
 /// Time at which the displacement crosses `level` near sample `near`, from a straight line through the samples of the
-/// flank within `band` of it: one sample's noise would shift the crossing.
+/// flank within `band` of it.
+///
+/// One sample's noise would shift the crossing.
 fn crossing_time(
     time: &[f64],
     x: &[f64],
@@ -346,8 +348,9 @@ fn fundamental_share(time: &[f64], x: &[f64], cycle: &Cycle) -> f64 {
     2.0 * (c * c + s * s) / (span.len() as f64 * total)
 }
 
-/// Peak of |values| that a single noisy sample does not set: the value that one in a hundred exceeds, per cycle, and
-/// the median over the cycles. A sine loses 0.01 % by it.
+/// Peak of |values| that a single noisy sample does not set.
+///
+/// The value that one in a hundred exceeds, per cycle, and the median over the cycles. A sine loses 0.01 % by it.
 pub(crate) fn robust_peak(values: &[f64], cycles: &[Cycle]) -> f64 {
     let peak = |span: &[f64]| quantile(&mut span.iter().map(|v| v.abs()).collect::<Vec<_>>(), 0.99);
     if cycles.is_empty() {

@@ -68,10 +68,14 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         .collect()
 }
 
-/// Takes out pieces without a whole cycle beside pieces that have some, and says so: on its own such a stump would be a motion whose ends
-/// are where the gap is. A longer piece is a motion of another kind.
+/// Takes out pieces without a whole cycle beside pieces that have some, and says so.
+///
+/// On its own such a stump would be a motion whose ends are where the gap is. A longer piece is a motion of another
+/// kind.
 fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<Sentence> {
-    /// By how much a stump may go beyond the strokes of the cycles, and the turns that it has at most: a motion of another kind has more.
+    /// By how much a stump may go beyond the strokes of the cycles, and the turns that it has at most.
+    ///
+    /// A motion of another kind has more.
     const BEYOND: f64 = 1.1;
     const TURNS: usize = 5;
     let x = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite()))?;

@@ -11,8 +11,9 @@ const SHARE: f64 = 0.02;
 /// Longest run of rows that may be dropped; a longer hole is no stray cell.
 const RUN: usize = 10;
 
-/// Drops rows in which time, force or motion is missing; bridges holes of side force and temperature, which are
-/// slow and often logged at a lower rate.
+/// Drops rows in which time, force or motion is missing.
+///
+/// Bridges holes of side force and temperature, which are slow and often logged at a lower rate.
 pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     forget_empty_columns(samples);
     let rows = samples.len();

@@ -24,7 +24,7 @@ use super::derive;
 use super::error::RecordError;
 use super::noise;
 use super::numbers::{range, sample_time};
-use super::off::Off;
+use super::off::MeasurementError;
 use super::options::Options;
 use super::phrases;
 use super::record::Record;
@@ -53,8 +53,10 @@ const WINDOW_NO_CYCLE: f64 = 0.017;
 /// Share of samples with a shorter window up to which nothing is said: of a smooth motion some thousandths get one by chance.
 const BY_CHANCE: f64 = 0.01;
 
-/// First of all, rows: missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where the
-/// setting of a motion that goes on changes.
+/// Sorts the rows and splits the record into tests.
+///
+/// Missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where
+/// the setting of a motion that goes on changes.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
     swapped::refuse(&samples, options)?;
@@ -103,7 +105,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         temperature: samples.temperature,
         setting,
         cycles,
-        given: Off::NONE,
+        stated_error: MeasurementError::NONE,
         notes: samples.notes,
     };
     let partnered = corrections::apply(&mut motion, options);
@@ -168,7 +170,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                         Sentence::from(phrases::VELOCITY_LATE)
                             .with("column", samples.heading(Channel::Velocity))
                             .with("lag", format!("{:.2}", 1e3 * agreement.lag.abs()))
-                            .with_said("side", if agreement.lag > 0.0 { phrases::BEHIND } else { phrases::AHEAD }),
+                            .with_sentence("side", if agreement.lag > 0.0 { phrases::BEHIND } else { phrases::AHEAD }),
                     );
                     return Ok(differentiated(samples, displacement));
                 }
@@ -240,7 +242,7 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
             .with("start", format!("{:.2}", 1e3 * initial))
             .with("offset", format!("{:.4}", 1e3 * removed))
             .with("drift", format!("{:.2}", 1e3 * removed * seconds))
-            .with_said("basis", basis),
+            .with_sentence("basis", basis),
     );
     (displacement, velocity, cycles)
 }
@@ -273,7 +275,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         temperature,
         setting,
         cycles,
-        given,
+        stated_error: given,
         mut notes,
     } = motion;
     if time.len() < FEWEST {
@@ -309,9 +311,9 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         side_force,
         temperature,
         notes,
-        as_read: None,
+        original_fingerprint: None,
         apparent_delay_s: 0.0,
-        given,
+        stated_error: given,
         counted: None,
     };
     take_mass(&mut record, given.mass_kg);

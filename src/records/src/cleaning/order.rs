@@ -9,11 +9,15 @@ use super::super::sentence::Sentence;
 /// How far, in samples, a row may be out of its place to be put back; further is another block of data.
 const REACH: usize = 10;
 
-/// Most rows of an earlier run that a logger's buffer may still hold, as a share of all: more may be a test of its own.
+/// Most rows of an earlier run that a logger's buffer may still hold, as a share of all.
+///
+/// More may be a test of its own.
 const STALE: f64 = 0.1;
 
-/// Takes out rows at the beginning that belong to an earlier run: a logger that writes its buffer before it is filled anew begins with them,
-/// on a clock that the rows behind them do not go on with.
+/// Takes out rows at the beginning that belong to an earlier run.
+///
+/// A logger that writes its buffer before it is filled anew begins with them, on a clock that the rows behind them do
+/// not go on with.
 pub(crate) fn drop_stale(samples: &mut Samples) {
     let time = &samples.time;
     let mut back = (1..time.len()).filter(|&i| time[i] < time[i - 1]);

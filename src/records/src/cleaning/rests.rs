@@ -18,17 +18,21 @@ const REST: f64 = 1.0;
 const PIECES: usize = 4;
 /// Range of a channel at rest in standard deviations of its noise: ten thousand samples stay within eight.
 const STILL: f64 = 10.0;
-/// The same as a fraction of all that the channel moves: sensors are good to a few ten thousandths of their range.
+/// Stillness as a fraction of the range of the channel: sensors are good to a few ten thousandths of their range.
 const STILL_OF_RANGE: f64 = 3e-4;
 /// Share of a piece's samples on either side that may be spikes.
 const SPIKES: f64 = 0.02;
-/// Share of the stroke by which the ends of two motions may differ, and of the mean speed, to be the same motion again: amplitudes and
-/// frequencies of a list differ by more, what a drive makes of one setting by less.
+/// Share of the stroke by which the ends of two motions may differ, and of the mean speed, to be the same motion
+/// again.
+///
+/// Amplitudes and frequencies of a list differ by more, what a drive makes of one setting by less.
 const SAME_ENDS: f64 = 0.1;
 const SAME_SPEED: f64 = 0.15;
 /// Samples of the rest on either side that stay with a motion: a cycle that begins out of rest is found so.
 const MARGIN: usize = 2;
-/// How many times as long as a turn a pause must be to be a rest: it is found in pieces, and noise keeps it still for longer.
+/// How many times as long as a turn a pause must be to be a rest.
+///
+/// It is found in pieces, and noise keeps it still for longer.
 const TURN: f64 = 3.0;
 /// Share of its range that a motion goes to count as a stroke.
 const STROKE: f64 = 0.3;
@@ -80,7 +84,9 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         .collect()
 }
 
-/// The samples of a test as a record of its own: the `place`-th of so many, named by its cycles, or by its `stroke` where it has none.
+/// The samples of a test as a record of its own.
+///
+/// The `place`-th of so many, named by its cycles, or by its `stroke` where it has none.
 pub(super) fn part(
     samples: &Samples,
     span: Range<usize>,
@@ -181,8 +187,9 @@ impl Moves {
         same_ends && (self.in_strokes && other.in_strokes || self.is_as_fast_as(other))
     }
 
-    /// Whether a rest is no longer than this motion takes to turn within what counts as still: a sine of amplitude a and frequency f stays
-    /// within d of its end for sqrt(2 d / a) / (pi f).
+    /// Whether a rest is no longer than this motion takes to turn within what counts as still.
+    ///
+    /// A sine of amplitude a and frequency f stays within d of its end for sqrt(2 d / a) / (pi f).
     fn only_turns(&self, rest: f64, still: f64) -> bool {
         let amplitude = 0.5 * (self.high - self.low);
         let frequency = self.speed / (4.0 * amplitude);

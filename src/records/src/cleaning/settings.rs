@@ -1,5 +1,8 @@
-//! Several tests one after the other without a rest between them, as a drive writes that steps through amplitudes or frequencies: they are
-//! told apart where stroke or period jumps and then stays. A sweep, whose cycles change little by little, is one test.
+//! Several tests one after the other without a rest between them, as a drive writes that steps through amplitudes or
+//! frequencies.
+//!
+//! They are told apart where stroke or period jumps and then stays. A sweep, whose cycles change little by little, is
+//! one test.
 
 use super::super::cycle::Cycle;
 use super::super::noise::difference_noise;
@@ -15,7 +18,9 @@ use std::ops::Range;
 
 /// Share of the whole range below which a swing is no cycle of a test: small tests beside large ones are found down to it.
 const SMALLEST: f64 = 0.01;
-/// By how much, as a logarithm, stroke and period of the cycles of one setting may lie off their median: drives keep both to a few percent.
+/// By how much, as a logarithm, stroke and period of the cycles of one setting may lie off their median.
+///
+/// Drives keep both to a few percent.
 const SAME: f64 = 0.05;
 /// Fewest cycles of a setting: a drive that makes four of each goes on to the next within the first and the last. On a road two alike are rare, and
 /// nearly all would have to be.
@@ -93,8 +98,9 @@ fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     if runs.len() < 2 || (covered as f64) < COVERED * all.len() as f64 { Vec::new() } else { runs }
 }
 
-/// Whether the cycles that follow are of another setting: by the last of the one and the first of the other, which a sweep or a wandering drive has
-/// alike.
+/// Whether the cycles that follow are of another setting.
+///
+/// By the last of the one and the first of the other, which a sweep or a wandering drive has alike.
 fn jumps(before: &[Cycle], after: &[Cycle], noise: f64) -> bool {
     let scatter = |cycles: &[Cycle], k: usize| {
         let mut steps: Vec<f64> =

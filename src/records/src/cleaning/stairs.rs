@@ -15,15 +15,21 @@ use std::ops::Range;
 
 /// Fraction of the whole range that a stroke has at least: the slowest speeds may have short ones.
 const STROKE: f64 = 0.1;
-/// Root mean square by which a stroke may be off a straight line, as a fraction of its length: half a sine is off by 0.043.
+/// Root mean square by which a stroke may be off a straight line, as a fraction of its length.
+///
+/// Half a sine is off by 0.043.
 const STRAIGHT: f64 = 0.015;
 /// Fraction of all strokes that must be straight.
 const MOST: f64 = 0.9;
-/// By how much speeds of one test may differ, as a ratio: drives keep them to a few percent, time stamps of slow loggers are rounded.
+/// By how much speeds of one test may differ, as a ratio.
+///
+/// Drives keep them to a few percent, time stamps of slow loggers are rounded.
 const SAME: f64 = 1.15;
 /// Strokes of a test: one to and one fro.
 const FEWEST_STROKES: usize = 2;
-/// Samples of a stroke up to which its speed is that of the whole stroke: a window of a few samples would reach around both its turns.
+/// Samples of a stroke up to which its speed is that of the whole stroke.
+///
+/// A window of a few samples would reach around both its turns.
 const COARSE: usize = 40;
 
 /// A stroke between two turns.

@@ -6,9 +6,10 @@ use super::super::noise::difference_noise;
 use super::super::numbers::range;
 use super::super::samples::Samples;
 
-/// Standard deviation and range, in standard deviations of the noise, up to which a channel shows noise alone: the smallest
-/// sine that stands out has an amplitude of two thirds of the noise, and white noise of a hundred thousand samples stays
-/// inside the range.
+/// Standard deviation and range, in standard deviations of the noise, up to which a channel shows noise alone.
+///
+/// The smallest sine that stands out has an amplitude of two thirds of the noise, and white noise of a hundred
+/// thousand samples stays inside the range.
 const SPREAD: f64 = 1.1;
 const RANGE: f64 = 10.0;
 /// A resting sensor flickers between two or three values of its last digit.

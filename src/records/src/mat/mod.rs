@@ -185,8 +185,9 @@ fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     Ok(out)
 }
 
-/// Damage that the parser would pass over in silence or stumble over: a last variable that runs past the end of the
-/// file, or dimensions that no file could fill.
+/// Damage that the parser would pass over in silence or stumble over.
+///
+/// A last variable that runs past the end of the file, or dimensions that no file could fill.
 fn damage(bytes: &[u8]) -> Option<&'static str> {
     const MATRIX: u32 = 14;
     let little = bytes.get(126..128) == Some(b"IM");

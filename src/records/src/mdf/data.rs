@@ -33,7 +33,7 @@ pub(super) struct Record {
 
 /// All bytes of a data group. What is not borrowed is charged to the budget.
 pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String> {
-    let limit = UNPACKED.max(RATIO * mdf.len()).min(mdf.budget.memory_left() as usize);
+    let limit = UNPACKED.max(RATIO * mdf.len()).min(mdf.budget.bytes_remaining() as usize);
     let first = mdf.any(at)?;
     if first.id == b"DT" {
         return Ok(Cow::Borrowed(first.data));

@@ -375,8 +375,10 @@ fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
 /// Times that two groups were joined at, and the names of the channels that were put onto them.
 type JoinedAt = (Vec<f64>, Vec<String>);
 
-/// Joins groups that hold the force alone with those that hold the motion alone over the same time: loggers write channels of different rates
-/// into groups of their own. The slower one's times are kept, for between its samples nothing is known.
+/// Joins groups that hold the force alone with those that hold the motion alone over the same time.
+///
+/// Loggers write channels of different rates into groups of their own. The slower one's times are kept, for between
+/// its samples nothing is known.
 fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Result<Vec<JoinedAt>, Exhausted> {
     /// Fraction of the shorter time that both must cover.
     const TOGETHER: f64 = 0.5;

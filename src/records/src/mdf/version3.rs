@@ -1,4 +1,6 @@
-//! MDF 2 and 3: blocks of two letters and a length of 16 bits, links of 32 bits at fixed places, numbers in the byte order that
+//! MDF 2 and 3.
+//!
+//! Blocks of two letters and a length of 16 bits, links of 32 bits at fixed places, numbers in the byte order that
 //! the file states. What is found goes the same way as of MDF 4.
 
 use super::super::clock;

@@ -132,7 +132,7 @@ fn meta(
                 if code == 0x20 {
                     return Err(format!("{} holds texts, which are not read beside numbers", objects[place].path));
                 }
-                let number = Number::of(code).ok_or_else(|| {
+                let number = Number::from_code(code).ok_or_else(|| {
                     format!("{} holds values of the type {code:#x}, which are not read", objects[place].path)
                 })?;
                 let count = usize::try_from(count).ok().filter(|_| dimension == 1);

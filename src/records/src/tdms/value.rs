@@ -19,7 +19,7 @@ pub(super) enum Number {
 
 impl Number {
     /// By the number that the format gives it.
-    pub fn of(code: u32) -> Option<Self> {
+    pub fn from_code(code: u32) -> Option<Self> {
         Some(match code {
             1 => Self::I8,
             2 => Self::I16,
@@ -104,7 +104,7 @@ impl<'a> Cursor<'a> {
     /// The value of a property: a number, a text, or nothing that matters here.
     pub fn property(&mut self) -> Result<Property, String> {
         let code = self.u32()?;
-        if let Some(number) = Number::of(code) {
+        if let Some(number) = Number::from_code(code) {
             return Ok(Property::Number(number.value(self.take(number.width())?, self.big_endian)));
         }
         match code {

@@ -4,8 +4,9 @@ use std::io::{Cursor, Error, Read, Result, Seek, SeekFrom};
 
 use super::super::source::{Budget, Exhausted};
 
-/// Largest part of a workbook when unpacked, bytes, whatever the size of the file; the strings need several times their
-/// size in memory, so they get less.
+/// Largest part of a workbook when unpacked, bytes, whatever the size of the file.
+///
+/// The strings need several times their size in memory, so they get less.
 const LARGEST_PART: u64 = 256 << 20;
 const LARGEST_STRINGS: u64 = 48 << 20;
 /// Larger workbooks may unpack to this many times their size; sheets of numbers do to less than twelve.

@@ -2,7 +2,7 @@
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
-use crate::numbers::{digits, percent, share};
+use crate::numbers::{digits, fraction, percent};
 use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
 use crate::words::Words;
@@ -44,7 +44,7 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     let error = words.fill(text, &[("tests", &tests), ("before", &before), ("after", &after)]);
     Some(match found.verdict {
         Verdict::Named => match found.gap_closed {
-            Some(gap) => words.fill(words.gap_is_closed, &[("error", &error), ("gap", &share(gap))]),
+            Some(gap) => words.fill(words.gap_is_closed, &[("error", &error), ("gap", &fraction(gap))]),
             None => words.fill(words.sentence_end, &[("sentence", &error)]),
         },
         Verdict::NothingMissing => words.nothing_stays.to_owned(),
@@ -103,7 +103,7 @@ pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
         errors.split(&format!(" {name}=\"")).nth(1).and_then(|t| t.split('"').next()?.parse().ok()).unwrap_or(0.0)
     };
     let name = |f: &dashpot_diagnosis::Finding| {
-        words.fill(words.name_and_sure, &[("name", f.effect), ("sure", &share(f.confidence))])
+        words.fill(words.name_and_sure, &[("name", f.effect), ("sure", &fraction(f.confidence))])
     };
     let named: Vec<String> = found.findings.iter().map(name).collect();
     let title = match found.verdict {

@@ -4,7 +4,7 @@ use super::{both_curves, capital};
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::inventory::probability;
-use crate::numbers::{error, share, with_unit};
+use crate::numbers::{error, fraction, with_unit};
 use crate::words::Words;
 use dashpot_diagnosis::{Change, Diagnosis, Finding, Rival, Verdict};
 
@@ -65,18 +65,18 @@ fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
         "" => String::new(),
         form => words.fill(words.finding_form, &[("form", words.word(form))]),
     };
-    let gap = |gap| words.fill(words.finding_gap, &[("gap", &share(gap))]);
+    let gap = |gap| words.fill(words.finding_gap, &[("gap", &fraction(gap))]);
     let gap = finding.gap_closed.map_or_else(String::new, gap);
     let added = if finding.of_the_rig { words.finding_of_rig } else { words.finding_added };
-    let (number, sure) = (place.to_string(), share(finding.confidence));
+    let (number, sure) = (place.to_string(), fraction(finding.confidence));
     let heading = [("place", number.as_str()), ("effect", finding.effect), ("form", &form), ("sure", &sure)];
     let meaning = capital(words.word(finding.meaning));
     let why = [
         ("path", words.word(finding.path)),
         ("family", words.word(finding.family)),
-        ("family_sure", &share(finding.family_confidence)),
-        ("share", &share(finding.share)),
-        ("tests", &share(finding.evidence.tests_better)),
+        ("family_sure", &fraction(finding.family_confidence)),
+        ("share", &fraction(finding.share)),
+        ("tests", &fraction(finding.evidence.tests_better)),
     ];
     let mut blocks = vec![
         Block::Heading(words.fill(words.finding_heading, &heading)),
@@ -117,8 +117,8 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
         .map(|r| {
             vec![
                 words.named(r.effect).into(),
-                Cell::share(r.confidence),
-                Cell::share(r.share),
+                Cell::fraction(r.confidence),
+                Cell::fraction(r.share),
                 words.say(&r.why).into(),
             ]
         })
@@ -145,7 +145,7 @@ fn changed(found: &Diagnosis, words: &Words) -> Table {
     let row = |c: &Change| {
         let [value, interval] = Cell::with_interval(c.value, c.low, c.high, c.unit, words);
         let reference = Cell::measured(c.reference, c.unit);
-        let probability = Cell { text: probability(c.probability), ..Cell::share(c.probability) };
+        let probability = Cell { text: probability(c.probability), ..Cell::fraction(c.probability) };
         vec![changed_name(c, words).into(), reference, value, interval, Cell::number(c.force_n_rms, error), probability]
     };
     let columns = vec![
@@ -165,7 +165,7 @@ fn shifts(found: &Diagnosis, words: &Words) -> Table {
         .shifts
         .iter()
         .map(|s| {
-            let change = if s.before == 0.0 { Cell::none() } else { Cell::share(s.after / s.before - 1.0) };
+            let change = if s.before == 0.0 { Cell::none() } else { Cell::fraction(s.after / s.before - 1.0) };
             vec![
                 words.named(s.parameter).into(),
                 Cell::measured(s.before, s.unit),

@@ -1,7 +1,7 @@
 //! Loops of the tests with the largest disagreement, fitted and left out.
 
 use crate::blocks::{Block, Figure, Section};
-use crate::numbers::{digits, share};
+use crate::numbers::{digits, fraction};
 use crate::plot::before_after;
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
@@ -9,7 +9,9 @@ use dashpot_diagnosis::{Diagnosis, TestOutcome};
 /// Tests shown of each kind.
 const SHOWN: usize = 3;
 
-/// The loops: those of the worst left-out test (of the worst, where none was left out), which the short print has, and those of the others.
+/// The loops of the worst left-out test, which the short print has, and those of the others.
+///
+/// Where no test was left out, it is the worst of all.
 pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let names = before_after::names(&found.tests, words);
     let of = |held_out: bool| worst(&found.tests, held_out).into_iter().take(SHOWN);
@@ -42,8 +44,10 @@ pub fn largest(tests: &[TestOutcome], held_out: bool) -> Option<&TestOutcome> {
     worst(tests, held_out).first().map(|place| &tests[*place])
 }
 
-/// Places of the tests of one kind, largest gap between error and noise first, as a share of the test's largest force; tests
-/// without cycles, whose loops nobody can read, last.
+/// Places of the tests of one kind, largest gap between error and noise first, as a share of the test's largest
+/// force.
+///
+/// Tests without cycles, whose loops nobody can read, last.
 fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
     let gap = |test: &TestOutcome| {
         let top = test.curves.measured.iter().fold(0.0_f64, |top, f| top.max(f.abs()));
@@ -62,7 +66,7 @@ fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
 fn in_words(test: &TestOutcome, words: &Words) -> String {
     let gap = test.before_rmse_n - test.noise_n;
     let closed = if gap > 0.0 {
-        words.fill(words.loop_closed, &[("gap", &share((test.before_rmse_n - test.after_rmse_n) / gap))])
+        words.fill(words.loop_closed, &[("gap", &fraction((test.before_rmse_n - test.after_rmse_n) / gap))])
     } else {
         String::new()
     };

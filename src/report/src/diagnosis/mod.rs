@@ -99,7 +99,7 @@ impl DiagnosisReport<'_> {
     fn sections(&self) -> Vec<Section> {
         let (found, words) = (self.found, self.words);
         let mut sections = vec![answer::section(found, words)];
-        sections[0].blocks.push(Block::Paragraph(whole_records::told(&self.over_whole_records, words)));
+        sections[0].blocks.push(Block::Paragraph(whole_records::format_errors(&self.over_whole_records, words)));
         sections.extend(inventory::section(&found.inventory, &found.tests, words));
         sections.extend(findings::section(found, words));
         sections.extend(loops::sections(found, words));

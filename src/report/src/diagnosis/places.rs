@@ -2,7 +2,7 @@
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
-use crate::numbers::beside;
+use crate::numbers::comparable;
 use crate::plot::{residual, residual_map};
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, Region};
@@ -43,7 +43,7 @@ fn table(regions: &[Region], words: &Words) -> Table {
     let span = |ends: [f64; 2]| match ends[0].is_finite() && ends[1].is_finite() {
         true => {
             let widest = 1e3 * ends[0].abs().max(ends[1].abs());
-            Cell::span(ends.map(|end| 1e3 * end), |end| beside(end, widest))
+            Cell::span(ends.map(|end| 1e3 * end), |end| comparable(end, widest))
         }
         false => Cell::none(),
     };

@@ -20,12 +20,12 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
                 vec![
                     words.named(t.effect).into(),
                     words.word(t.form).into(),
-                    Cell::share(t.confidence),
-                    Cell::share(e.share),
+                    Cell::fraction(t.confidence),
+                    Cell::fraction(e.share),
                     Cell::digits(e.mean_square_after.sqrt(), 3),
                     Cell::digits(e.log_odds, 3),
                     Cell::digits(e.implausibility, 2),
-                    Cell::share(e.tests_better),
+                    Cell::fraction(e.tests_better),
                 ]
             })
             .collect();

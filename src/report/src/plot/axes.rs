@@ -53,7 +53,7 @@ impl Scale {
     }
 
     /// A value on the evenly spread scale.
-    pub fn of(self, value: f64) -> f64 {
+    pub fn position(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
             Self::Logarithmic => libm::log(value),
@@ -98,7 +98,7 @@ impl Axis {
 
     /// Place of a value between 0 (low end) and 1 (high end).
     pub fn place(&self, value: f64) -> f64 {
-        let [low, value, high] = [self.low, value, self.high].map(|v| self.scale.of(v));
+        let [low, value, high] = [self.low, value, self.high].map(|v| self.scale.position(v));
         (value - low) / (high - low)
     }
 
@@ -109,7 +109,7 @@ impl Axis {
             Scale::Logarithmic => Ticks::logarithmic(self.low, self.high),
             Scale::Root => Ticks::root(self.low, self.high, wanted),
         };
-        ticks.said(words)
+        ticks.localized(words)
     }
 }
 
@@ -135,7 +135,7 @@ pub enum Marks {
     Both,
     /// Marked alone: each is a result by itself.
     Dots,
-    /// The same, larger, so that dots on top leave them visible.
+    /// A larger dot, which stays visible under dots on top.
     LargeDots,
 }
 

@@ -57,7 +57,7 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let (low, high) = known.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
     let (low, high) = if low > high { (0.1, 10.0) } else { (low / 1.25, high * 1.25) };
     let at_y = |value: f64| bottom - libm::log(value.max(FLOOR) / low) / libm::log(high / low) * tall;
-    let ticks = Ticks::logarithmic(low, high).said(words);
+    let ticks = Ticks::logarithmic(low, high).localized(words);
     svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
     svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
     for (value, label) in &ticks.at {

@@ -38,8 +38,9 @@ pub fn error(compared: &Compared<'_>, words: &Words) -> String {
     draw([words.plot_error_space, words.axis_error], compared, &series, words)
 }
 
-/// Place in the figure of a place in the box, each coordinate from 0 to 1: velocity runs right and towards the reader,
-/// displacement right and away, force up.
+/// Place in the figure of a place in the box, each coordinate from 0 to 1.
+///
+/// Velocity runs right and towards the reader, displacement right and away, force up.
 fn project(at: [f64; 3]) -> Point {
     let (turn, elevation) = (TURN.to_radians(), ELEVATION.to_radians());
     let [u, w, z] = [0, 1, 2].map(|i| (at[i] - 0.5) * BOX[i]);

@@ -29,7 +29,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let (low, high) = percents.map(|p| p.max(FLOOR)).fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
     let (low, high) = (low / 1.3, high * 1.3);
     let at_y = |percent: f64| bottom - libm::log(percent.max(FLOOR) / low) / libm::log(high / low) * tall;
-    let ticks = Ticks::logarithmic(low, high).said(words);
+    let ticks = Ticks::logarithmic(low, high).localized(words);
     svg.grid(&ticks.at.iter().map(|(value, _)| [[left, at_y(*value)], [right, at_y(*value)]]).collect::<Vec<_>>());
     svg.frame(&[[[left, bottom], [right, bottom]], [[left, top], [left, bottom]]], 1.0);
     for (value, label) in &ticks.at {
@@ -59,7 +59,7 @@ pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
     map(validation, [words.plot_error_map, &note], words, both)
 }
 
-/// The same of one of the two forces: the model's, or the one beside it.
+/// The overview of one of the two forces: the model's, or the one compared with it.
 pub fn error_map_of(
     validation: &Validation,
     title: &str,

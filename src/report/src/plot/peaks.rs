@@ -20,7 +20,7 @@ pub fn force_at_peak(validation: &Validation, curve: &[[f64; 2]], words: &Words)
     draw(measured, model, curve, validation.limits.as_ref(), words)
 }
 
-/// The same from a certificate alone.
+/// The peaks of a certificate.
 pub fn against_limits(certificate: &Certificate, curve: &[[f64; 2]], words: &Words) -> Option<String> {
     let peaks = &certificate.peaks;
     let measured = peaks.iter().map(|p| [1e3 * p.velocity_m_s, p.force_n]).collect();

@@ -22,7 +22,7 @@ pub struct Sample {
     pub velocity: f64,
     /// Measured less computed force before, N.
     pub before: f64,
-    /// The same after, N.
+    /// Residual after the improvement, N.
     pub after: f64,
     /// Noise of the sample, N.
     pub noise: f64,
@@ -110,7 +110,7 @@ fn binned(
         bin.after += after;
         bin.noise += noise;
     }
-    let (low, high) = (axis.scale.of(axis.low), axis.scale.of(axis.high));
+    let (low, high) = (axis.scale.position(axis.low), axis.scale.position(axis.high));
     let middle = |k: usize| axis.scale.back(low + (k as f64 + 0.5) / bins as f64 * (high - low));
     sums.iter()
         .enumerate()
@@ -159,8 +159,9 @@ pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) 
     draw([title, words.axis_residual], axis, &means, false, words)
 }
 
-/// Mean of what is left, counted positive where the damper resists more than computed, over the time since the velocity
-/// last changed its sign; `None` without cycles.
+/// Mean residual over the time since the velocity last changed its sign; `None` without cycles.
+///
+/// It is positive where the damper resists more than computed.
 pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> {
     let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
     let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));

@@ -18,9 +18,11 @@ pub struct Thinned {
     pub rough: bool,
 }
 
-/// Thins a path (Douglas & Peucker 1973) to what a reader can see: points closer together than a fraction of a pixel
-/// merge, and points within 0.2 px of the line between kept ones go. Where more than `limit` points remain, as in a
-/// noisy measurement, the distance grows until the path fits; the answer says so by `rough`.
+/// Thins a path (Douglas & Peucker 1973) to what a reader can see.
+///
+/// Points closer together than a fraction of a pixel merge, and points within 0.2 px of the line between kept ones
+/// go. Where more than `limit` points remain, as in a noisy measurement, the distance grows until the path fits; the
+/// answer says so by `rough`.
 pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     let mut near = INVISIBLE;
     let mut merged = merge(path, near);
@@ -50,8 +52,10 @@ fn merge(path: &[Point], near: f64) -> Vec<Point> {
     kept
 }
 
-/// The tolerance up to which each point is kept, px: the ends whatever it is, a point between kept ones while it is further than the
-/// tolerance from their connection. Which point is furthest does not depend on the tolerance, so one pass is right for all.
+/// The tolerance up to which each point is kept, px.
+///
+/// The ends whatever it is, a point between kept ones while it is further than the tolerance from their connection.
+/// Which point is furthest does not depend on the tolerance, so one pass is right for all.
 fn strays(path: &[Point]) -> Vec<f64> {
     let mut strays = vec![0.0; path.len()];
     let mut open = Vec::new();

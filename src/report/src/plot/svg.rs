@@ -148,8 +148,10 @@ impl Svg {
         let _ = write!(self.body, " d=\"{}\"/>", path_data(&points));
     }
 
-    /// All places that a line of a role passes, as small squares: a line that crosses itself hundreds of times needs no more
-    /// room than the area that it fills, and nothing of it is thinned away.
+    /// All places that a line of a role passes, as small squares.
+    ///
+    /// A line that crosses itself hundreds of times needs no more room than the area that it fills, and nothing of it
+    /// is thinned away.
     pub fn trace(&mut self, role: Role, lines: &[Vec<Point>], square: f64) {
         let bars = bars(lines, square);
         if bars.is_empty() {

@@ -43,8 +43,9 @@ impl Ticks {
         Self { at }
     }
 
-    /// Marks of an axis spread by the root of the magnitude, about `wanted` of them: zero, and round values on both sides
-    /// with room for their labels.
+    /// Marks of an axis spread by the root of the magnitude, about `wanted` of them.
+    ///
+    /// Zero, and round values on both sides with room for their labels.
     pub fn root(low: f64, high: f64, wanted: usize) -> Self {
         let place = |value: f64| value.signum() * value.abs().sqrt();
         let room = (place(high) - place(low)) / wanted.max(1) as f64;
@@ -75,8 +76,8 @@ impl Ticks {
         Self { at }
     }
 
-    /// The same with the labels as a language writes numbers.
-    pub fn said(self, words: &Words) -> Self {
+    /// The ticks with labels in the format of a language.
+    pub fn localized(self, words: &Words) -> Self {
         Self { at: self.at.into_iter().map(|(value, label)| (value, words.number(&label))).collect() }
     }
 }

@@ -11,8 +11,9 @@ type Named = [&'static str; 5];
 static BY_IDENTIFIER: LazyLock<HashMap<&'static str, &'static Named>> =
     LazyLock::new(|| NAMES.iter().map(|named| (named[0], named)).collect());
 
-/// Places of sentences where an identifier is no effect and no parameter: tests and files may be called like one, and what a command takes is
-/// listed as it is written.
+/// Places of sentences where an identifier is no effect and no parameter.
+///
+/// Tests and files may be called like one, and what a command takes is listed as it is written.
 const OTHER: &[&str] =
     &["at", "column", "file", "folder", "found", "known", "option", "record", "test", "tests", "text", "twin", "unit"];
 
@@ -23,7 +24,7 @@ impl Words {
         BY_IDENTIFIER.get(identifier).map(|named| named[language + 1])
     }
 
-    /// The same with the identifier behind it, as a heading or a table has it.
+    /// The name with its identifier in brackets, for headings and tables.
     pub fn named(&self, identifier: &str) -> String {
         match self.name_of(identifier) {
             Some(name) => self.bracketed(name, identifier),

@@ -46,10 +46,12 @@ struct Test {
 }
 
 impl Campaign {
-    /// Writes the campaign into a folder, which is made if need be: `<test>.csv` for every test (header
-    /// `time_s,displacement_m,velocity_m_s,force_N`, and `side_force_N` when any test has side force) and `campaign.toml`,
-    /// which says how it was run. An earlier campaign in the folder is replaced. Records are completed aside and only then
-    /// take their place, so a failure leaves no half-written record.
+    /// Writes the campaign into a folder, which is made if need be.
+    ///
+    /// `<test>.csv` for every test (header `time_s,displacement_m,velocity_m_s,force_N`, and `side_force_N` when any
+    /// test has side force) and `campaign.toml`, which says how it was run. An earlier campaign in the folder is
+    /// replaced. Records are completed aside and only then take their place, so a failure leaves no half-written
+    /// record.
     ///
     /// # Errors
     /// [`RigError::Folder`] when the folder holds something else than an earlier campaign (nothing is changed then);

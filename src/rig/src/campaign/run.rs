@@ -38,8 +38,10 @@ const BITS: std::ops::RangeInclusive<u32> = 8..=24;
 /// Temperatures at which a damper is tested, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
-/// The sample rate for a test when none is asked for: 400 samples per cycle, rounded up to a usual rate, within 20 to
-/// 1000 Hz. A slow test is thus sampled finely enough for its break-away, and a fast one as a usual logger does.
+/// The sample rate for a test when none is asked for.
+///
+/// 400 samples per cycle, rounded up to a usual rate, within 20 to 1000 Hz. A slow test is thus sampled finely enough
+/// for its break-away, and a fast one as a usual logger does.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
     RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)

@@ -67,8 +67,9 @@ impl Default for Damper {
 }
 
 impl Damper {
-    /// A damper that differs from the default as one make differs from another; the same seed gives the same damper, and
-    /// seed 0 the default itself.
+    /// A damper that differs from the default as one make differs from another.
+    ///
+    /// The same seed gives the same damper, and seed 0 the default itself.
     pub fn seeded(seed: u64) -> Self {
         draw::damper(seed)
     }

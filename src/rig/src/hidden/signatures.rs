@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::{HiddenCase, Matrix, Options, Record, TestPoint};
+use crate::{InjectedCase, Matrix, Options, Record, TestPoint};
 
 /// Other states make the solver take other steps: less than this is no force, N.
 const SOLVER_N: f64 = 0.02;
@@ -12,10 +12,10 @@ fn sine(name: &str, amplitude_m: f64, frequency_hz: f64) -> TestPoint {
 }
 
 fn measured(points: &[TestPoint], effects: &[(&str, f64)]) -> Vec<Record> {
-    let case = HiddenCase {
+    let case = InjectedCase {
         effects: effects.iter().map(|(name, strength)| ((*name).into(), *strength)).collect(),
         options: Options { seed: 11, noise_percent: 0.0, ..Options::default() },
-        ..HiddenCase::default()
+        ..InjectedCase::default()
     };
     case.run_matrix(&Matrix::new(points.to_vec()).unwrap(), |_, _| {}).unwrap().campaign.records
 }

@@ -12,7 +12,7 @@ use crate::{Campaign, Options, Plan};
 
 /// What is hidden, where, and how it is measured.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct HiddenCase {
+pub struct InjectedCase {
     /// Names from [`crate::EFFECTS`] or [`crate::UNKNOWN_EFFECTS`] and their strengths. `name:form` asks for one of the
     /// effect's physical forms; otherwise the seed chooses. Strength 1 is a typical strong case; 0 leaves the neutral
     /// damper exactly as it is; in between and beyond, the trace in the force grows steadily.
@@ -26,7 +26,7 @@ pub struct HiddenCase {
 
 /// A measured case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HiddenCampaign {
+pub struct InjectedCampaign {
     /// Records on the campaign clock, in the order in which they were measured.
     pub campaign: Campaign,
     /// What a diagnosis should find.
@@ -40,14 +40,14 @@ pub struct Truth {
     pub seed: u64,
     /// What is hidden; empty for the neutral damper.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub effects: Vec<HiddenEffect>,
+    pub effects: Vec<InjectedEffect>,
     /// The neutral damper's own figures; names end with their unit.
     pub damper: BTreeMap<String, f64>,
 }
 
 /// One hidden effect.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct HiddenEffect {
+pub struct InjectedEffect {
     /// Name, as in [`crate::EFFECTS`] or [`crate::UNKNOWN_EFFECTS`].
     pub name: String,
     /// Physical form.

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use super::{HiddenCampaign, HiddenCase, HiddenEffect, Truth};
+use super::{InjectedCampaign, InjectedCase, InjectedEffect, Truth};
 use crate::campaign::check;
 use crate::draw::Draw;
 use crate::drive::Drive;
@@ -28,7 +28,7 @@ const PAUSE_S: (f64, f64) = (3.0, 12.0);
 /// Samples fall beside the reversals, where the velocity would be exactly zero: by this share of a sample.
 const SAMPLE_OFFSET: f64 = 0.37;
 
-impl HiddenCase {
+impl InjectedCase {
     /// A case without hidden effects: the neutral damper of a seed.
     pub fn nothing(seed: u64) -> Self {
         Self { options: Options { seed, ..Options::default() }, ..Self::default() }
@@ -46,7 +46,7 @@ impl HiddenCase {
     /// # Errors
     /// [`RigError::Option`] for unknown effects, strengths below zero and options out of range; [`RigError::Motion`] when a
     /// test cannot be simulated.
-    pub fn run(&self) -> Result<HiddenCampaign, RigError> {
+    pub fn run(&self) -> Result<InjectedCampaign, RigError> {
         let order = self.options.order.unwrap_or(self.options.seed);
         self.run_matrix(&self.plan.matrix(order), |_, _| {})
     }
@@ -55,8 +55,8 @@ impl HiddenCase {
     /// done and their total.
     ///
     /// # Errors
-    /// As [`HiddenCase::run`].
-    pub fn run_matrix(&self, matrix: &Matrix, progress: impl Fn(usize, usize)) -> Result<HiddenCampaign, RigError> {
+    /// As [`InjectedCase::run`].
+    pub fn run_matrix(&self, matrix: &Matrix, progress: impl Fn(usize, usize)) -> Result<InjectedCampaign, RigError> {
         let seed = self.options.seed;
         check(matrix, &self.options)?;
         let mut draw = Draw::new(seed, "neutral damper");
@@ -90,7 +90,7 @@ impl HiddenCase {
                 peak,
             );
         }
-        Ok(HiddenCampaign { campaign: Campaign { options: self.options.clone(), records, sealed: true }, truth })
+        Ok(InjectedCampaign { campaign: Campaign { options: self.options.clone(), records, sealed: true }, truth })
     }
 }
 
@@ -120,7 +120,7 @@ fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
         seed,
         effects: drawn
             .iter()
-            .map(|effect| HiddenEffect {
+            .map(|effect| InjectedEffect {
                 name: effect.name.into(),
                 form: effect.form.into(),
                 strength: effect.strength,
@@ -302,11 +302,11 @@ mod tests {
             .unwrap()
     }
 
-    fn ideal(seed: u64, effects: &[(&str, f64)]) -> HiddenCase {
-        HiddenCase {
+    fn ideal(seed: u64, effects: &[(&str, f64)]) -> InjectedCase {
+        InjectedCase {
             effects: effects.iter().map(|(name, strength)| ((*name).into(), *strength)).collect(),
             options: Options { seed, noise_percent: 0.0, ..Options::default() },
-            ..HiddenCase::default()
+            ..InjectedCase::default()
         }
     }
 
@@ -372,7 +372,7 @@ mod tests {
     fn cases_are_the_same_whatever_runs_beside_them() {
         let case = ideal(5, &[("temperature_fade", 1.0), ("free_play", 1.0), ("aeration", 1.0)]);
         let alone = case.run_matrix(&matrix(), |_, _| {}).unwrap();
-        let both: Vec<HiddenCampaign> = std::thread::scope(|scope| {
+        let both: Vec<InjectedCampaign> = std::thread::scope(|scope| {
             let runs: Vec<_> = (0..2).map(|_| scope.spawn(|| case.run_matrix(&matrix(), |_, _| {}).unwrap())).collect();
             runs.into_iter().map(|run| run.join().unwrap()).collect()
         });
@@ -465,7 +465,7 @@ mod tests {
     #[test]
     fn every_plan_can_be_run() {
         for plan in [Plan::OneAmplitude, Plan::OneFrequency, Plan::Centred] {
-            let case = HiddenCase { plan, ..ideal(9, &[("presliding_friction", 1.0)]) };
+            let case = InjectedCase { plan, ..ideal(9, &[("presliding_friction", 1.0)]) };
             assert!(case.run().unwrap().campaign.records.len() >= 8);
         }
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use super::{HiddenCampaign, Truth};
+use super::{InjectedCampaign, Truth};
 use crate::RigError;
 use crate::files::replace_file;
 
@@ -15,9 +15,11 @@ pub const TRUTH_FILE: &str = "truth.toml";
 /// Forces without noise: one line per sample, records one after the other in the order of their names.
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";
 
-impl HiddenCampaign {
-    /// Writes the campaign as [`crate::Campaign::write`] does, and beside the records a folder [`SEALED_FOLDER`] with
-    /// `truth.toml` and `clean_force.csv` (header `test,force_N`; the test's name stands in its first line only).
+impl InjectedCampaign {
+    /// Writes the campaign and a sealed folder with the truth.
+    ///
+    /// The records are those of [`crate::Campaign::write`]. The folder [`SEALED_FOLDER`] has `truth.toml` and
+    /// `clean_force.csv` (header `test,force_N`; the test's name stands in its first line only).
     ///
     /// # Errors
     /// As [`crate::Campaign::write`].

@@ -39,8 +39,10 @@ pub struct TestPoint {
     pub side_force_n: f64,
     /// Whole cycles at full amplitude.
     pub cycles: u32,
-    /// Chooses a road-like random motion in place of the sine; `amplitude_m` and `peak_velocity_m_s` are then limits of
-    /// which one is reached, and the motion lasts as long as the sine would.
+    /// Chooses a road-like random motion in place of the sine.
+    ///
+    /// `amplitude_m` and `peak_velocity_m_s` are then limits of which one is reached, and the motion lasts as long as
+    /// the sine would.
     pub road_seed: Option<u64>,
 }
 

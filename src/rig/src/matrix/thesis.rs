@@ -1,5 +1,6 @@
-//! The test matrix of the thesis (Jonnalagadda & Vyas 2020, chapter 4): sines at eight amplitudes with the same peak
-//! velocities in each, and slow cycles for friction and gas force.
+//! The test matrix of the thesis (Jonnalagadda & Vyas 2020, chapter 4).
+//!
+//! Sines at eight amplitudes with the same peak velocities in each, and slow cycles for friction and gas force.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
@@ -118,7 +119,9 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
     })
 }
 
-/// Amplitudes, m, and peak velocities, m/s, that a rig may be asked for: below a micrometre is noise of its sensors, above 20 m/s no rig goes.
+/// Amplitudes, m, and peak velocities, m/s, that a rig may be asked for.
+///
+/// Below a micrometre is noise of its sensors, above 20 m/s no rig goes.
 const VALUES: (f64, f64) = (1e-6, 20.0);
 
 fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), RigError> {

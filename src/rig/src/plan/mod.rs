@@ -15,8 +15,10 @@ pub const CHECK_PREFIX: &str = "check_";
 /// Which tests a campaign consists of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Plan {
-    /// 34 tests over strokes, frequencies, mean positions and side force, three of them the same reference at start, middle
-    /// and end; 14 more to check on. In shuffled order.
+    /// 34 tests over strokes, frequencies, mean positions and side force, three of them the same reference at start,
+    /// middle and end.
+    ///
+    /// 14 more to check on. In shuffled order.
     #[default]
     Diagnosis,
     /// The thesis's matrix, in its own order.

@@ -25,7 +25,7 @@ impl Sine {
 
 /// What the host tells the damper at each step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Given {
+pub enum HostInput {
     /// Displacement and velocity.
     Motion,
     /// Velocity alone.
@@ -42,16 +42,16 @@ pub struct Errors {
 }
 
 /// Forces of the fixed step at each multiple of `dt`.
-pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: Given) -> Vec<f64> {
+pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: HostInput) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.at(t);
         match given {
-            Given::Motion => Input::motion(x, v),
-            Given::Velocity => Input::velocity(v),
+            HostInput::Motion => Input::motion(x, v),
+            HostInput::Velocity => Input::velocity(v),
         }
     };
     let (x, v) = motion.at(0.0);
-    let mut state = model.settled(&Input::motion(x, v));
+    let mut state = model.steady_state(&Input::motion(x, v));
     let mut forces = vec![dashpot_core::evaluate(model, &state, &Input::motion(x, v)).0.force];
     for i in 1..=steps {
         let (next, output) = step(model, &state, &input(i as f64 * dt), dt);
@@ -106,7 +106,7 @@ impl References {
     }
 
     /// Errors of the model's own step at `dt` for each test; `dt` is a multiple of the reference's.
-    pub fn compare(&self, model: &Model, dt: f64, given: Given) -> Vec<(Sine, Errors)> {
+    pub fn compare(&self, model: &Model, dt: f64, given: HostInput) -> Vec<(Sine, Errors)> {
         let every = (dt / self.dt).round() as usize;
         self.tests
             .par_iter()

@@ -19,14 +19,15 @@ impl<F: Fn(f64) -> (f64, f64)> Motion for F {
     }
 }
 
-/// Runs the model from the settled state and returns the force at each multiple of `dt`, `steps + 1` values; every
-/// interval is divided into `parts` Radau steps.
+/// Runs the model from the settled state and returns the force at each multiple of `dt`, `steps + 1` values.
+///
+/// Every interval is divided into `parts` Radau steps.
 pub fn reference_forces(model: &Model, motion: &impl Motion, dt: f64, steps: usize, parts: usize) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.at(t);
         Input::motion(x, v)
     };
-    let mut state = model.settled(&input(0.0));
+    let mut state = model.steady_state(&input(0.0));
     let mut forces = vec![evaluate(model, &state, &input(0.0)).0.force];
     let h = dt / parts as f64;
     for i in 0..steps {
@@ -40,13 +41,13 @@ pub fn reference_forces(model: &Model, motion: &impl Motion, dt: f64, steps: usi
 
 fn pack(state: &State, memory: usize) -> Vec<f64> {
     let mut y = vec![state.mass_displacement, state.mass_velocity];
-    y.extend(&state.memory[..memory]);
+    y.extend(&state.internal[..memory]);
     y
 }
 
 fn unpack(y: &[f64], memory: usize) -> State {
     let mut state = State { mass_displacement: y[0], mass_velocity: y[1], ..State::ZERO };
-    state.memory[..memory].copy_from_slice(&y[2..2 + memory]);
+    state.internal[..memory].copy_from_slice(&y[2..2 + memory]);
     state
 }
 
@@ -76,7 +77,7 @@ fn radau_step(model: &Model, from: &State, input: &impl Fn(f64) -> Input, t: f64
             stages.iter().zip(c).map(|(y, c)| partials(model, &unpack(y, memory), &input(t + c * h))).collect();
         let jacobian = DMatrix::from_fn(3 * n, 3 * n, |row, column| {
             let (i, k, j, l) = (row / n, row % n, column / n, column % n);
-            f64::from(u8::from(row == column)) - h * a[i][j] * jacobians[j].rate_by_state[k][l]
+            f64::from(u8::from(row == column)) - h * a[i][j] * jacobians[j].d_rate_d_state[k][l]
         });
         let Some(step) = jacobian.lu().solve(&residual) else { break };
         for row in 0..3 * n {

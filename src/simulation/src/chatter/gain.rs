@@ -58,13 +58,13 @@ pub(super) struct Largest {
 
 /// The largest gain over all motions in a situation.
 pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Largest {
-    let gain = |o: &Output| host.step / host.mass * (o.force_by_velocity + host.step * o.force_by_displacement);
+    let gain = |o: &Output| host.step / host.mass * (o.d_force_d_velocity + host.step * o.d_force_d_displacement);
     let rest = situation.input();
-    let at_rest = step(model, &model.settled(&rest), &rest, host.step).1;
+    let at_rest = step(model, &model.steady_state(&rest), &rest, host.step).1;
     let mut most = Largest { gain: gain(&at_rest), velocity: 0.0, output: at_rest, situation };
     for sine in motions(situation, host) {
         let input = |k: usize| sine.at(host.step * k as f64);
-        let mut state = model.settled(&rest);
+        let mut state = model.steady_state(&rest);
         let steps = (1.25 * std::f64::consts::TAU / (sine.omega * host.step)) as usize;
         for k in 1..=steps.min(STEPS) {
             let to = input(k);
@@ -102,8 +102,8 @@ pub(super) fn on_the_curve(params: &Params, model: &Model, host: Host) -> Larges
     let velocities = pieces.flat_map(|piece| ON_A_PIECE.map(|share| piece[0] + share * (piece[1] - piece[0])));
     let at = |velocity: f64| {
         let to = Input::motion(0.0, velocity);
-        let output = step(model, &model.settled(&to), &to, host.step).1;
-        let gain = host.step / host.mass * (output.force_by_velocity + host.step * output.force_by_displacement);
+        let output = step(model, &model.steady_state(&to), &to, host.step).1;
+        let gain = host.step / host.mass * (output.d_force_d_velocity + host.step * output.d_force_d_displacement);
         Largest { gain, velocity, output, situation: Situation::USUAL }
     };
     velocities.map(at).fold(at(0.0), |most, other| if other.gain > most.gain { other } else { most })

@@ -10,6 +10,8 @@ pub struct Host {
 }
 
 impl Host {
-    /// A real-time host with the lightest mass that a damper of a car moves: wheel, hub and half the links of a small car's front corner.
+    /// A real-time host with the lightest mass that a damper of a car moves.
+    ///
+    /// Wheel, hub and half the links of a small car's front corner.
     pub const USUAL: Host = Host { step: 1e-3, mass: 40.0 };
 }

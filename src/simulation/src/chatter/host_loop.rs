@@ -7,16 +7,19 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use dashpot_core::{element, number};
 
-/// Stiffness of the tyre that the host's mass stands on in the loop, N/m (a car's); softer where the step could not follow the mass on it: by a step it
-/// moves on by no more than this angle, rad.
+/// Stiffness of the tyre that the host's mass stands on in the loop, N/m (a car's).
+///
+/// Softer where the step could not follow the mass on it: by a step it moves on by no more than this angle, rad.
 const TYRE: f64 = 2e5;
 const FOLLOWS: f64 = 0.3;
 /// Velocity, m/s, beyond which no damper moves: the loop has left all bounds.
 const BEYOND: f64 = 100.0;
 /// Velocity, m/s, with which the loop begins: a knock of 10 m/s² in a millisecond.
 const KNOCK: f64 = 0.01;
-/// Alternating part of the force, N, from which it is seen in a vehicle's signals, and how often the force must turn among the last 24 steps: what
-/// strikes once (a gap, a stop, dry friction at a reversal) turns it three or four times. A mass whose ringing is no multiple of the step turns it in
+/// Alternating part of the force, N, that is visible in a vehicle's signals.
+///
+/// The second number is how often the force must turn among the last 24 steps. A single impact (a gap, a stop, dry
+/// friction at a reversal) turns it three or four times. A mass whose ringing is no multiple of the step turns it in
 /// most steps, not in all.
 const SEEN: f64 = 5.0;
 const TURNS: u32 = 9;
@@ -32,7 +35,9 @@ const BODY: f64 = 10.0;
 pub(super) const HALVINGS: i32 = 6;
 /// Shares of the critical damping of the inner mass that are tried.
 const DAMPED: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
-/// What a loop like that of the host does where its force turns at every step: the host's mass on a tyre, moved by a road.
+/// What a loop like that of the host does where its force turns at every step.
+///
+/// The host's mass on a tyre, moved by a road.
 ///
 /// The slopes at an instant do not see what a moving mass, an inner mass or a void make of the next steps. The loop does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,7 +95,7 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     let mass = mass * BODY / (1.0 + BODY);
     let tyre = TYRE.min(mass * (FOLLOWS / h).powi(2));
     let rest = situation.input();
-    let mut state = model.settled(&rest);
+    let mut state = model.steady_state(&rest);
     let at_rest = step(model, &state, &rest, 0.0).1.force;
     let (mut x, mut v) = (0.0, KNOCK);
     let mut force = [at_rest; 3];
@@ -130,7 +135,9 @@ pub(super) fn quiet_loop(model: &Model, situation: Situation, host: Host) -> Opt
     shorter.into_iter().find(|shorter| turning(model, situation, *shorter).is_none()).map(|shorter| shorter.step)
 }
 
-/// Damping of the path in series, N s/m, with which the loop is quiet, where the path has none: a mass rings on a spring that nothing damps.
+/// Damping of the path in series, N s/m, with which the loop is quiet, where the path has none.
+///
+/// A mass rings on a spring that nothing damps.
 pub(super) fn calming(params: &Params, turning: &Turning, host: Host) -> Option<f64> {
     let [stiffness, mass, damping] =
         [number!("series_stiffness"), number!("internal_mass"), number!("series_damping")].map(|n| params.number(n));

@@ -80,14 +80,14 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
             on.filter(is_quiet).find_map(without)
         });
     // g = (h c + h² k)/m = 1, solved for h.
-    let (c, k) = (output.force_by_velocity.max(0.0), output.force_by_displacement.max(0.0));
+    let (c, k) = (output.d_force_d_velocity.max(0.0), output.d_force_d_displacement.max(0.0));
     let quiet_step =
         if k > 0.0 { 2.0 * host.mass / (c + (c * c + 4.0 * k * host.mass).sqrt()) } else { host.mass / c.max(1e-9) };
     Ok(Chatter {
         gain,
         velocity,
-        by_velocity: output.force_by_velocity,
-        by_displacement: output.force_by_displacement,
+        by_velocity: output.d_force_d_velocity,
+        by_displacement: output.d_force_d_displacement,
         situation,
         quiet_step: match turning.filter(|_| gain < RINGS) {
             Some(turning) => quiet_loop(&model, turning.situation, host),

@@ -41,7 +41,9 @@ pub use softened::{Softened, Softer, softened};
 
 use dashpot_core::Params;
 
-/// What must be known beside an export of a damper: how it chatters, where it does in that host, and whether its step follows the mass inside.
+/// What must be known beside an export of a damper.
+///
+/// How it chatters, where it does in that host, and whether its step follows the mass inside.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
-    Ready::of(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
+    Ready::prepare(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }

@@ -78,7 +78,12 @@ impl Ready {
     ///
     /// # Errors
     /// [`HostError`].
-    pub fn of(params: &Params, host_step: f64, wheel_mass: f64, for_step: Option<f64>) -> Result<Ready, HostError> {
+    pub fn prepare(
+        params: &Params,
+        host_step: f64,
+        wheel_mass: f64,
+        for_step: Option<f64>,
+    ) -> Result<Ready, HostError> {
         let (name, step) = for_step.map_or(("--host-step", host_step), |step| ("--for-step", step));
         if !(1e-6..=0.1).contains(&step) {
             return Err(HostError::Step { name, step });
@@ -96,28 +101,28 @@ impl Ready {
     }
 
     /// In sentences.
-    pub fn told(&self) -> Vec<String> {
+    pub fn messages(&self) -> Vec<String> {
         let mut lines = self.replaced();
-        lines.push(self.chatter.told(self.host, self.asked));
+        lines.push(self.chatter.describe(self.host, self.asked));
         lines.extend(self.unfollowed());
         lines
     }
 
     /// What was replaced, in sentences.
     pub fn replaced(&self) -> Vec<String> {
-        self.softened.iter().map(Softened::told).collect()
+        self.softened.iter().map(Softened::describe).collect()
     }
 
     /// Chatter, where there is some, and a mass that the step does not follow.
     pub fn remarks(&self) -> Vec<String> {
-        let chatters = self.chatter.rings().then(|| self.chatter.told(self.host, self.asked));
+        let chatters = self.chatter.rings().then(|| self.chatter.describe(self.host, self.asked));
         chatters.into_iter().chain(self.unfollowed()).collect()
     }
 
     /// What must be known beside an export: what was replaced, and what is to be remarked where there is something.
     pub fn notes(&self) -> Vec<String> {
         match self.softened {
-            Some(_) => self.told(),
+            Some(_) => self.messages(),
             None => self.remarks(),
         }
     }

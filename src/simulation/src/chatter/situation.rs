@@ -3,7 +3,9 @@
 use dashpot_core::element;
 use dashpot_core::{Input, Model, Params};
 
-/// Side force, N, that a damper with friction in proportion to it is looked at under: a strut of a car in a bend or under the brake.
+/// Side force, N, that a damper with friction in proportion to it is looked at under.
+///
+/// A strut of a car in a bend or under the brake.
 pub(super) const SIDE_FORCE: f64 = 2000.0;
 /// Force, N, up to which a stop is looked at: a front corner that goes through a pothole.
 pub(super) const STOP_FORCE: f64 = 1e4;

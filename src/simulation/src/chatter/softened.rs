@@ -83,8 +83,10 @@ const FINE: f64 = 1e-4;
 /// Elements that turn at once: no damper has more.
 const MOST: usize = FRICTION.len() + 1;
 
-/// The damper with its steep friction as presliding friction, which acts like a stiff spring where the other jumps, and with side-force friction that
-/// turns less steeply; `None` where no steep friction is what chatters, or that would not help.
+/// Replaces steep friction by presliding friction and flattens side-force friction; `None` if that would not help.
+///
+/// Presliding friction acts like a stiff spring where the other jumps. The result is `None`, too, where no steep
+/// friction chatters.
 ///
 /// # Errors
 /// Parameters that make no model.
@@ -112,7 +114,7 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
         let omega = sine.omega;
         let dt = FINE.min(0.01 / omega).max(0.25 * std::f64::consts::TAU / (omega * STEPS as f64));
         let input = |k: usize| sine.at(dt * k as f64);
-        let (mut a, mut b) = (before.settled(&input(0)), after.settled(&input(0)));
+        let (mut a, mut b) = (before.steady_state(&input(0)), after.steady_state(&input(0)));
         for k in 1..=(1.5 * std::f64::consts::TAU / (omega * dt)) as usize {
             let ((next_a, from), (next_b, to)) = (step(&before, &a, &input(k), dt), step(&after, &b, &input(k), dt));
             (a, b) = (next_a, next_b);

@@ -26,7 +26,7 @@ fn swings(params: &Params, host: Host) -> f64 {
 
 fn swings_under(params: &Params, host: Host, side_force: f64) -> f64 {
     let model = Model::new(params).unwrap();
-    let mut state = model.settled(&Input::motion(0.0, 0.0));
+    let mut state = model.steady_state(&Input::motion(0.0, 0.0));
     let (mut x, mut v, mut force) = (0.0, 1e-3, 0.0);
     let mut last = 0.0f64;
     for k in 0..6000 {
@@ -71,10 +71,10 @@ fn what_chatters_under_side_force_in_a_stop_or_off_the_middle_alone_is_found() {
         chatter(&params, HOST).unwrap()
     };
     let plain = of(element!("gas_preload"), &[]);
-    assert!(!plain.rings() && plain.told(HOST, false).contains("side force"), "{}", plain.told(HOST, false));
+    assert!(!plain.rings() && plain.describe(HOST, false).contains("side force"), "{}", plain.describe(HOST, false));
     let pushed = of(element!("side_force_friction"), &[]);
     assert!(pushed.rings() && pushed.situation.side_force == SIDE_FORCE, "{pushed:?}");
-    assert!(pushed.told(HOST, false).contains("under 2000 N of side force"), "{}", pushed.told(HOST, false));
+    assert!(pushed.describe(HOST, false).contains("under 2000 N of side force"), "{}", pushed.describe(HOST, false));
     let stopped = of(element!("bump_stop"), &[(number!("bump_stop_damping"), 1e5)]);
     assert!(stopped.rings() && stopped.situation.place < -0.05, "{stopped:?}");
     assert!(stopped.element.is_some_and(|(element, _)| element == element!("bump_stop")), "{stopped:?}");
@@ -118,7 +118,7 @@ fn the_error_of_the_replacement_is_that_of_reversals() {
     let soft = softened(&steep(), HOST).unwrap().unwrap();
     let [Softer::Replaced { force, .. }] = soft.softer[..] else { panic!("{soft:?}") };
     assert!(soft.largest_error <= 2.2 * force && soft.rms_error < 0.6 * force, "{soft:?}");
-    assert!(soft.told().contains("presliding"));
+    assert!(soft.describe().contains("presliding"));
 }
 
 fn with(elements: &[Element], numbers: &[(Number, f64)]) -> Params {
@@ -140,7 +140,7 @@ fn a_moving_mass_above_the_wheels_is_no_quiet_damper() {
         let params = with(&elements, &[UNDAMPED.as_slice(), &[(number!("moving_mass"), mass)]].concat());
         let found = chatter(&params, HOST).unwrap();
         assert_eq!(found.rings(), rings, "{mass} {found:?}");
-        let told = found.told(HOST, false);
+        let told = found.describe(HOST, false);
         assert!(!rings || told.contains("moving_mass makes it") && !told.contains("does not chatter"), "{told}");
         assert!(found.gain > 0.0 || told.contains("says nothing by itself"), "{told}");
         assert!(told.contains("advanced with the new velocity"), "{told}");
@@ -181,7 +181,7 @@ fn friction_is_replaced_whatever_else_rings() {
         assert_eq!(soft.softer[0].element(), element!("coulomb_friction"), "{soft:?}");
         assert!(!soft.params.is_on(element!("coulomb_friction")) && soft.params.is_on(beside));
         let left = chatter(&soft.params, HOST).unwrap();
-        let told = left.told(HOST, true);
+        let told = left.describe(HOST, true);
         assert!(
             !told.contains("--for-step") && !left.element.is_some_and(|e| e.0 == element!("coulomb_friction")),
             "{told}"

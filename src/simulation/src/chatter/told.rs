@@ -20,7 +20,7 @@ impl Chatter {
     }
 
     /// What to know of it, in sentences; `softened` where `--for-step` was asked for already.
-    pub fn told(&self, host: Host, softened: bool) -> String {
+    pub fn describe(&self, host: Host, softened: bool) -> String {
         let Host { step, mass } = host;
         let head = format!(
             "At a host step of {} ms and {mass} kg the damper's gain c·h/m is {:.2} at most (c {:.0} N s/m, k {:.0} N/m, at {:.1} mm/s{})",
@@ -87,7 +87,7 @@ impl Chatter {
 
 impl Softened {
     /// What was done and what it costs, in a sentence.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         let done = self.softer.iter().map(|one| match one {
             Softer::Replaced { element, force, length } => format!(
                 "{element} was replaced by presliding friction of {force:.1} N that turns over {:.4} mm",

@@ -214,8 +214,10 @@ impl Car {
         [above(&body.position) - body.wheel[corner], above(&body.velocity) - body.wheel_velocity[corner]]
     }
 
-    /// One step of `dt` on the road heights under the wheels, at a forward speed and a steering angle, with these damper
-    /// forces above the static ones, at the wheel, tension positive. Semi-implicit: velocities first, then positions.
+    /// One step of `dt` on the road heights under the wheels, at a forward speed and a steering angle.
+    ///
+    /// The damper forces are above the static ones, at the wheel, tension positive. Semi-implicit: velocities first,
+    /// then positions.
     pub fn step(&self, body: &mut Body, dt: f64, speed: f64, steer: f64, road: [f64; 4], damper: [f64; 4]) {
         let stroke: [f64; 4] = std::array::from_fn(|i| self.stroke(body, i)[0]);
         let (mut heave, mut roll, mut pitch, mut side, mut yaw) = (0.0, 0.0, 0.0, 0.0, 0.0);

@@ -24,7 +24,7 @@ pub struct Road {
 const UNEVENNESS: f64 = 100e-6;
 
 impl Road {
-    /// The same road for the same seed.
+    /// Random road; a seed always yields one road.
     pub fn new(seed: u64) -> Road {
         let mut state = seed;
         let mut uniform = || {

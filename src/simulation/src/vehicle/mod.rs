@@ -1,5 +1,6 @@
-//! A vehicle on four dampers, stepped as a real-time simulator steps: the damper forces of one step are held through the
-//! next, and the dampers answer the motion that results.
+//! A vehicle on four dampers, stepped as a real-time simulator steps.
+//!
+//! The damper forces of one step are held through the next, and the dampers answer the motion that results.
 //!
 //! Small on purpose: it shows what a damper model changes in a vehicle, it does not predict one.
 

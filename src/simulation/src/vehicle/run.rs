@@ -40,8 +40,10 @@ pub struct Run {
     /// Largest c h / m: slope of the damper at the wheel times step over unsprung mass. Above 2 an explicit host is
     /// unstable; with one more step of delay above 1.
     pub coupling: f64,
-    /// The same where the damper moves faster than [`SLOW`]. Below, the slope is that of friction: its force is bounded, so
-    /// that the exchange chatters there but does not swing up.
+    /// Ratio of the exchange where the damper moves faster than [`SLOW`].
+    ///
+    /// Below, the derivative is that of friction. Its force is bounded, so that the exchange chatters there but does
+    /// not grow.
     pub coupling_moving: f64,
 }
 
@@ -83,7 +85,7 @@ impl<'a> Kernels<'a> {
 impl Dampers for Kernels<'_> {
     fn rest(&mut self) -> [f64; 4] {
         let still = Input::motion(0.0, 0.0);
-        self.states = self.models.map(|model| model.settled(&still));
+        self.states = self.models.map(|model| model.steady_state(&still));
         // dt = 0 is the static answer.
         std::array::from_fn(|i| step(self.models[i], &self.states[i], &still, 0.0).1.force)
     }
@@ -93,7 +95,7 @@ impl Dampers for Kernels<'_> {
             let [displacement, velocity] = motion[i];
             let (next, answer) = step(self.models[i], &self.states[i], &Input::motion(displacement, velocity), dt);
             self.states[i] = next;
-            [answer.force, answer.force_by_velocity + dt * answer.force_by_displacement]
+            [answer.force, answer.d_force_d_velocity + dt * answer.d_force_d_displacement]
         })
     }
 }
@@ -106,7 +108,7 @@ pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Res
     run_with(car, manoeuvre, &mut Kernels::new(models), dt)
 }
 
-/// The same with dampers of any kind, such as those behind the simulator bridge.
+/// Runs the vehicle with dampers of any kind, such as those behind the simulator bridge.
 ///
 /// # Errors
 /// Where the step is out of range, or the run unstable.
@@ -178,8 +180,9 @@ const QUIET: f64 = 0.5;
 /// Most parts of a host step: a curve so steep that it chatters in them is a jump, which no step is short enough for.
 const MOST_PARTS: f64 = 64.0;
 
-/// The same sets of dampers in shorter steps, where one of the `runs` of `dt` chatters; what they differ by is then that of the dampers and
-/// not of the exchange.
+/// Runs the sets of dampers in shorter steps, if one of the `runs` of `dt` chatters.
+///
+/// What they differ by is then that of the dampers and not of the exchange.
 ///
 /// # Errors
 /// Where a run is unstable.
@@ -270,7 +273,9 @@ mod tests {
         }
     }
 
-    /// A curve that holds friction as a jump chatters in steps of a millisecond; in short ones it does not, and both tell the same instants.
+    /// A curve that holds friction as a jump chatters in steps of a millisecond.
+    ///
+    /// In short ones it does not, and both tell the same instants.
     #[test]
     fn a_steep_curve_is_driven_without_its_chatter() {
         let mut steep = Params::new();

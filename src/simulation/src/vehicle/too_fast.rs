@@ -1,4 +1,8 @@
-//! What is to blame where a vehicle leaves the road: the part of it that swings too fast for the step, or the damper that is too steep for it.
+//! The cause of a vehicle leaving the road in steps of this length.
+//!
+//! The steepest derivative of its dampers at the wheel is in N s/m.
+//!
+//! The part of it that swings too fast for the step, or the damper that is too steep for it.
 //!
 //! A mass m on a stiffness k, moved by semi-implicit steps h against a damper of slope c whose force is that of the step before,
 //!
@@ -67,7 +71,9 @@ impl Way {
 }
 
 impl Car {
-    /// Whether a disturbance swings up in steps of this length, with dampers of this slope at the wheel, N s/m, whose force is held over a step.
+    /// Whether a disturbance grows in steps of this length.
+    ///
+    /// The dampers have this derivative at the wheel, N s/m, and their force has a zero-order hold over a step.
     fn swings_up(&self, slope: f64, step: f64) -> bool {
         // Small enough to keep every tyre on the road, and uneven enough to move the vehicle in every way.
         let mut body = Body { position: [1e-9, 2e-9, 3e-9], wheel: [1e-9, -2e-9, 3e-9, -5e-9], ..Body::default() };
@@ -129,7 +135,9 @@ impl Car {
     }
 }
 
-/// What is to blame where a vehicle with dampers of this steepest slope at the wheel, N s/m, left the road in steps of this length.
+/// The cause of a vehicle leaving the road in steps of this length.
+///
+/// The steepest derivative of its dampers at the wheel is in N s/m.
 pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     if !car.swings_up(slope, step) {
         return TooFast { blame: Blame::Neither, step, longest: step };
@@ -218,7 +226,9 @@ mod tests {
         }
     }
 
-    /// What is named is what was made too fast; in the step that is named the vehicle stays on the road, and not far above a disturbance swings up.
+    /// What is named is what was made too fast.
+    ///
+    /// In the step that is named the vehicle stays on the road, and not far above a disturbance swings up.
     #[test]
     fn the_part_that_is_too_fast_is_named_with_the_longest_step() {
         let usual = Car::default();

@@ -71,7 +71,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     };
     dashpot_report::write_atomic(&input, &report_path)?;
     say(&format!("   report: {}\n", report_path.display()))?;
-    let diagnosis_path = riddle::tell(&args.output, args.seed)?;
+    let diagnosis_path = riddle::write(&args.output, args.seed)?;
     say(&format!("\nOpen the reports in a browser:\n  {}\n  {}", absolute(&report_path), absolute(&diagnosis_path)))
 }
 

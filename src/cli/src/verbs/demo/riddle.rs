@@ -12,21 +12,21 @@ use dashpot_records::hold_out;
 use dashpot_report::diagnosis::picture;
 use dashpot_report::words::EN;
 use dashpot_report::{Print, replace_file};
-use dashpot_rig::{CHECK_PREFIX, HiddenCase, Options, Plan};
+use dashpot_rig::{CHECK_PREFIX, InjectedCase, Options, Plan};
 use std::path::{Path, PathBuf};
 
 /// What is hidden, and how strongly.
 const HIDDEN: (&str, f64) = ("free_play", 1.0);
 
 /// Tells the story and leaves everything in a folder; returns the path of the report.
-pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
+pub fn write(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     let say = |text: &str| dashpot_output::say(None, text);
     let folder = folder.join("riddle");
     let in_folder = |name: &str| folder.join(name);
     let records = in_folder("records");
     std::fs::create_dir_all(&folder).with_context(|| format!("making the folder {}", folder.display()))?;
     say("4. Another damper hides something that its model will lack. What it is lies sealed beside the records.")?;
-    let case = HiddenCase {
+    let case = InjectedCase {
         effects: vec![(HIDDEN.0.to_owned(), HIDDEN.1)],
         plan: Plan::default(),
         options: Options { seed, ..Options::default() },
@@ -52,7 +52,7 @@ pub fn tell(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     say("6. Where do model and records disagree, and what is missing? (dashpot diagnose)\n")?;
     let left_out = diagnose::held_out(&campaign, &kept_back, seed)?;
     let diagnosed = diagnose::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
-    say(&diagnosed.told().join("\n"))?;
+    say(&diagnosed.lines().join("\n"))?;
     dashpot_output::write(&in_folder("improved.toml"), diagnosed.model(&model, &campaign))?;
     dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.json())?;
     let report_path = in_folder("diagnosis.html");

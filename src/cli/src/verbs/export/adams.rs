@@ -36,7 +36,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let model = model_file::prepared(&params)?;
     let libraries = handed_out::adams_libraries(args.library.as_deref())?;
     let text = match ready.softened {
-        Some(_) => model_file::plain(&params, &ready.told()).into_bytes(),
+        Some(_) => model_file::plain(&params, &ready.messages()).into_bytes(),
         None => std::fs::read(&args.model).with_context(|| format!("cannot read {}", args.model.display()))?,
     };
     dashpot_output::make_folder(&args.output)?;

@@ -106,7 +106,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             );
         }
         if args.carmaker.is_some() && !args.hide_parameters {
-            curve = PlainCurve::of(&file, args.model_curve).with_context(|| path.display().to_string())?;
+            curve = PlainCurve::from_model_file(&file, args.model_curve).with_context(|| path.display().to_string())?;
         }
         model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
         let ready = args.host.ready(&file.params)?;
@@ -126,7 +126,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         None => Inputs::Unspecified,
     };
     if inputs == Inputs::Unspecified {
-        notes.push(fmu::INPUTS_ARE_HELD.to_owned());
+        notes.push(fmu::INPUTS_HAVE_ZERO_ORDER_HOLD.to_owned());
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
@@ -178,7 +178,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             &format!("{}: how CarMaker takes it; both go to its Plugins folder", path.display()),
         )?;
         if let Some(curve) = &curve {
-            dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.told()))?;
+            dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.note()))?;
             if let Some(left_out) = fmu::not_in_the_equilibrium(curve) {
                 dashpot_output::say(None, &format!("  {left_out}"))?;
             }

@@ -28,25 +28,27 @@ pub struct Conductance {
 #[inline(always)]
 fn velocity(curve: &impl ForceLaw, h: f64, stroke: f64) -> (f64, f64) {
     let (w, read) = curve.solve::<STEPS>(LEVEL, h * stroke + curve.at_zero());
-    (w, read.slope)
+    (w, read.derivative)
 }
 
-/// g and its slope from the FV curve itself.
+/// g and its derivative from the FV curve itself.
 pub(crate) fn exact(curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
-    let (w, slope) = velocity(curve, h, stroke);
+    let (w, derivative) = velocity(curve, h, stroke);
     let g = (w * w + LEAST) / h;
-    At { g, by_h: (2.0 * w * stroke / (LEVEL + slope) - g) / h }
+    At { g, by_h: (2.0 * w * stroke / (LEVEL + derivative) - g) / h }
 }
 
-/// Derivative of a node, limited to what lets a cubic stay between its ends: three times the slope of the chords beside it (Fritsch &
-/// Carlson, SIAM J. Numer. Anal. 17, 1980). `None` beside the first and the last node.
+/// Limits the derivative of a node, so that the cubic stays between its ends.
+///
+/// The limit is three times the derivative of the adjacent chords (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980).
+/// `None` stands for the missing chord of the first and the last node.
 fn limited(derivative: f64, limits: [Option<f64>; 2]) -> f64 {
     limits.into_iter().flatten().fold(derivative, |derivative, limit| {
         if derivative * limit <= 0.0 { 0.0 } else { derivative.abs().min(limit.abs()).copysign(derivative) }
     })
 }
 
-/// Three times the slope of the chord from a node to the next.
+/// Three times the derivative of the chord from a node to the next.
 fn limit(first: u64, node: usize, from: &At, to: &At) -> f64 {
     3.0 * (to.g - from.g) / (force_of(first, node + 1) - force_of(first, node))
 }
@@ -117,7 +119,7 @@ impl Conductance {
         }
     }
 
-    /// As [`Conductance::set`], by value.
+    /// Builds the conductance by value.
     #[cfg(test)]
     fn new(curve: &impl ForceLaw, opens: f64) -> Conductance {
         let mut table = Conductance::UNSET;
@@ -138,12 +140,12 @@ impl Conduction for Conductance {
     }
 }
 
-/// The velocity W where g was `g` at a force, and the slope of g over the height of the FV curve there.
+/// The velocity W where g was `g` at a force, and the derivative of g over the height of the FV curve there.
 #[inline(always)]
 pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
     let square = g * h - LEAST;
     let w = libm::sqrt(if square > 0.0 { square } else { 0.0 }) * stroke;
-    (w, -2.0 * w / (h * (LEVEL + curve.at(w).slope)))
+    (w, -2.0 * w / (h * (LEVEL + curve.evaluate(w).derivative)))
 }
 
 #[cfg(test)]
@@ -165,10 +167,10 @@ mod tests {
         for stroke in [-1.0, 1.0] {
             for k in 0..2000 {
                 let h = 130.0 * 1.004_f64.powi(k);
-                let (w, slope) = velocity(&curve, h, stroke);
+                let (w, derivative) = velocity(&curve, h, stroke);
                 let g = table.conducted(&curve, h, stroke).g;
                 // Beside a level part the table rounds the corner.
-                let close = if slope > 1500.0 { 3e-3 } else { 0.4 };
+                let close = if derivative > 1500.0 { 3e-3 } else { 0.4 };
                 assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
             }
         }
@@ -190,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn it_rises_where_its_places_do_with_the_slope_that_it_says() {
+    fn it_rises_where_its_places_do_with_the_derivative_that_it_says() {
         for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
             let curve = curve(interpolation);
             let table = Conductance::new(&curve, 7.0);

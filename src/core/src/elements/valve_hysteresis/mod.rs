@@ -71,11 +71,11 @@ struct Passage {
     /// h.
     h: f64,
     /// Slope of g over x.
-    by_x: f64,
+    d_force_d_x: f64,
 }
 
 /// Most rounds in which opening and what it feeds back on itself are brought together.
-const ROUNDS: usize = 4;
+const ITERATIONS: usize = 4;
 /// P_0, N.
 const SOFT: f64 = 10.0;
 /// Substep over τ from which play is taken at once.
@@ -252,7 +252,7 @@ impl<T: Tables> ValveHysteresis<T> {
         // The characteristic is nowhere steeper than ½.
         let shrinks = self.half_width * self.per_width * per * divide;
         let spared = SHRINKS.iter().filter(|enough| shrinks < **enough).count();
-        let rounds = if shrinks > 0.0 { ROUNDS - spared } else { 1 };
+        let rounds = if shrinks > 0.0 { ITERATIONS - spared } else { 1 };
         let mut y = known;
         for _ in 0..rounds {
             y = (known + self.target(force, y) * per) * divide;
@@ -267,8 +267,9 @@ impl<T: Tables> ValveHysteresis<T> {
         force * ((steady - y) * self.share).plus(1.0)
     }
 
-    /// Play form: ⟨y⟩ sgn(F − p) at the end of a stage that p begins at, y = |F − p| − P |F|/(|F| + P); `per` is g/τ, and
-    /// ⟨y⟩ = y²/(y + P_0) sets in softly.
+    /// Play form: ⟨y⟩ sgn(F − p) at the end of a stage that p begins at.
+    ///
+    /// y = |F − p| − P |F|/(|F| + P), `per` is g/τ, and ⟨y⟩ = y²/(y + P_0) begins smoothly.
     #[inline(always)]
     fn beyond<R: Real>(&self, force: R, p: R, per: f64) -> R {
         let behind = force - p;
@@ -286,8 +287,9 @@ impl<T: Tables> ValveHysteresis<T> {
         if behind.value() < 0.0 { -moved } else { moved }
     }
 
-    /// Whether a substep of length `h` takes the valve from its start to each stage at once: play remembers where the stages
-    /// of a long step, which go to and fro, have been.
+    /// Whether a substep of length `h` moves the valve from its start to each stage directly.
+    ///
+    /// Otherwise play would store the stages of a long step, which go to and fro.
     #[inline(always)]
     pub(crate) fn jumps(&self, h: f64) -> bool {
         self.form == Form::Play && h * self.per_time > LONG
@@ -322,11 +324,13 @@ impl<T: Tables> ValveHysteresis<T> {
         let root = libm::sqrt(beyond * beyond + width * width);
         let h = self.middle + 0.5 * (beyond + root);
         let at = self.conductance.conducted(curve, h, stroke);
-        Passage { g: at.g, h, by_x: 0.5 * (1.0 + beyond / root) * at.by_h }
+        Passage { g: at.g, h, d_force_d_x: 0.5 * (1.0 + beyond / root) * at.by_h }
     }
 
-    /// By how much a valve that stands at p raises F, with its slope over the ratio of what the passage conducts at F to what
-    /// it conducts at p; `widens` is the slope of that over the force along the stroke, at p.
+    /// Increase of F by a valve at p, with its derivative over the ratio of the conductances of the passage at F and
+    /// at p.
+    ///
+    /// `widens` is the derivative of that ratio over the force along the stroke, at p.
     #[inline(always)]
     fn raises(&self, force: f64, p: f64, ratio: f64, widens: f64) -> (f64, f64) {
         let ahead = (force - p) * force;
@@ -361,7 +365,7 @@ impl<T: Tables> ValveHysteresis<T> {
         late
     }
 
-    /// As [`ValveHysteresis::stage`], of a valve that stands where a force had it; apart, so that the more common one does not pay for it.
+    /// Stage of a valve at the position of a given force; separate, so that the more common case does not pay for it.
     #[cold]
     #[inline(never)]
     fn stage_by_force(
@@ -387,12 +391,12 @@ impl<T: Tables> ValveHysteresis<T> {
             let p = self.follows(Dual::<2>::along(found, 0), Dual::along(known, 1), g);
             let now = self.conducts(curve, p.value * stroke, stroke);
             let ratio = steady.g / now.g;
-            let (by, slope) = self.raises(force, p.value, ratio, now.by_x);
+            let (by, derivative) = self.raises(force, p.value, ratio, now.d_force_d_x);
             let late = force * by;
             // ∂F_h over what the passage conducts at F, and at p.
-            let (by_steady, by_now) = (force * slope / now.g, -force * slope * ratio / now.g);
-            let by_p = by_now * now.by_x * stroke;
-            let steep = 1.0 - found * by_p * p.slope(0) / late;
+            let (by_steady, by_now) = (force * derivative / now.g, -force * derivative * ratio / now.g);
+            let by_p = by_now * now.d_force_d_x * stroke;
+            let steep = 1.0 - found * by_p * p.derivative(0) / late;
             let off = late / found;
             let step = 2.0 * (off - 1.0) / ((off + 1.0) * if steep > 0.5 { steep } else { 0.5 });
             left -= 1;
@@ -402,7 +406,7 @@ impl<T: Tables> ValveHysteresis<T> {
                 let held = step.clamp(-1.0, 1.0);
                 let mut next = size * (2.0 + held) / (2.0 - held);
                 if next <= low || next >= high {
-                    // Beside the end of the play the slope is that of the other side.
+                    // Beside the end of the play the derivative is that of the other side.
                     next = 0.5 * (low + high);
                 }
                 found = next * stroke;
@@ -410,18 +414,21 @@ impl<T: Tables> ValveHysteresis<T> {
             }
             // So close that the last step goes straight.
             let on = found * step;
-            let per = 1.0 / (1.0 - by_p * p.slope(0));
+            let per = 1.0 / (1.0 - by_p * p.derivative(0));
             let [(first, steady_by), (second, now_by)] = [steady, now].map(|at| by_raised(curve, at.g, at.h, stroke));
-            let slopes = [
-                (by + by_steady * steady.by_x * stroke) * per,
-                by_p * p.slope(1) * per,
+            let derivatives = [
+                (by + by_steady * steady.d_force_d_x * stroke) * per,
+                by_p * p.derivative(1) * per,
                 by_steady * steady_by * per,
                 by_now * now_by * per,
             ];
-            let stands = slopes.map(|s| p.slope(0) * s);
+            let stands = derivatives.map(|s| p.derivative(0) * s);
             let late = Late {
-                force: Dual::new(found + on, slopes),
-                stands: Dual::new(p.value + p.slope(0) * on, [stands[0], stands[1] + p.slope(1), stands[2], stands[3]]),
+                force: Dual::new(found + on, derivatives),
+                stands: Dual::new(
+                    p.value + p.derivative(0) * on,
+                    [stands[0], stands[1] + p.derivative(1), stands[2], stands[3]],
+                ),
                 read: [first, second],
             };
             return (late, (found / force).clamp(0.1, 10.0));
@@ -439,9 +446,10 @@ impl<T: Tables> ValveHysteresis<T> {
         let (f, p) = (force.value(), stands.value());
         let stroke = if f < 0.0 { -1.0 } else { 1.0 };
         let [steady, now] = [f, p].map(|x| self.conducts(curve, x * stroke, stroke));
-        let ratio = force.chain(steady.g, steady.by_x * stroke) * stands.chain(now.g, now.by_x * stroke).inverse();
-        let (by, slope) = self.raises(f, p, ratio.value(), now.by_x);
-        let late = force * ratio.chain(by, slope);
+        let ratio = force.chain(steady.g, steady.d_force_d_x * stroke)
+            * stands.chain(now.g, now.d_force_d_x * stroke).inverse();
+        let (by, derivative) = self.raises(f, p, ratio.value(), now.d_force_d_x);
+        let late = force * ratio.chain(by, derivative);
         if self.is_spool() {
             let pushed = late - stands - rate * (2.0 * self.damping);
             return (late, [rate * self.per_time, pushed * self.per_time]);
@@ -497,13 +505,13 @@ mod tests {
     #[test]
     fn oil_through_a_valve_that_stands_still_is_that_through_an_orifice() {
         let (valve, curve) = (valve(Form::Spool), curve());
-        let at = |w: f64| valve.now(&curve, curve.at(w).value, [900.0, 0.0]).0;
+        let at = |w: f64| valve.now(&curve, curve.evaluate(w).value, [900.0, 0.0]).0;
         let ratio = at(0.5) / at(0.25);
         assert!((ratio - 4.0).abs() < 0.2, "four times the force for twice the flow: {ratio}");
     }
 
     #[test]
-    fn a_stage_answers_its_equations_with_their_slopes() {
+    fn a_stage_answers_its_equations_with_their_derivatives() {
         let curve = curve();
         for form in [Form::Play, Form::Spool] {
             let valve = valve(form);
@@ -521,7 +529,7 @@ mod tests {
                 };
                 let ways = [(of(force + h, known), of(force - h, known)), (of(force, known + h), of(force, known - h))];
                 for (k, (plus, minus)) in ways.into_iter().enumerate() {
-                    for (exact, i) in [(late.force.slope(k), 0), (late.stands.slope(k), 1)] {
+                    for (exact, i) in [(late.force.derivative(k), 0), (late.stands.derivative(k), 1)] {
                         let seen = (plus[i] - minus[i]) / (2.0 * h);
                         assert!((exact - seen).abs() < 1e-5 * (1.0 + seen.abs()), "{form:?} {force}: {exact} {seen}");
                     }

@@ -1,18 +1,18 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
-use super::{Balance, Carried, Known, MovedFrom, REACH, StageSlopes};
+use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
 use crate::assembly::Elements;
 use crate::dual::Dual;
 use crate::element::{Motion, Response};
 use crate::elements::bushing::Relaxed;
 use crate::input::PathPoint;
-use crate::math::smaller;
+use crate::math::min;
 use crate::paths::acting::acts;
 use crate::paths::bits::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL};
 use crate::paths::bypass::Past;
 use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
-use crate::paths::solve::{Equation, Found, ROUNDS, Residual, oil_velocity};
+use crate::paths::solve::{Equation, Found, ITERATIONS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, place};
 use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
@@ -53,7 +53,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     /// Whether the void is closed after it, whatever is left of it by a hair or beyond.
     pub(super) shuts: bool,
     /// Slope of the FV curve.
-    slope: f64,
+    derivative: f64,
     at: Look,
     /// 1/(dR/dw).
     per: f64,
@@ -106,7 +106,7 @@ pub struct Derivative {
     pub force: f64,
 }
 
-/// What follows from a velocity of the oil, with its slopes.
+/// What follows from a velocity of the oil, with its derivatives.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     residual: Residual,
@@ -114,7 +114,7 @@ struct Look {
     column: Column,
     /// What flows past the valves.
     past: Past,
-    /// e, its slopes over F_h, velocity of the driven end and E, and those of what the oil makes of it.
+    /// e, its derivatives over F_h, velocity of the driven end and E, and those of what the oil makes of it.
     void: f64,
     void_by: [f64; 3],
     oil_void_by: [f64; 3],
@@ -126,7 +126,7 @@ struct Look {
     relaxed: Relaxed,
     /// (k_1 z + k_2 y)/k_s over the rate of the deflection.
     relaxing_by_rate: f64,
-    law: series::Sloped,
+    law: series::Derivatived,
     inner: Response,
     /// d(force on the mass)/du, held back.
     resists: f64,
@@ -144,7 +144,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     ) -> PathsStage<'a, T, ON> {
         let e = &elements.paths;
         let (g, states) = (known.g, known.states);
-        let factors = Factors::of::<ON>(e, path.x, side.1, states[place::HEAT]);
+        let factors = Factors::new::<ON>(e, path.x, side.1, states[place::HEAT]);
         let standing = e.fv_curve.at_zero();
         let per_g = 1.0 / g;
         let given = Given {
@@ -163,15 +163,15 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         let least = if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
         // So short that the mass has not moved by more than a picometre.
         let short = 1e-9 / (g * (1e-3 + guess.abs()));
-        let tolerance = smaller(short, TOLERANCE);
+        let tolerance = min(short, TOLERANCE);
         // Where nothing lies between the driven end and the valves, the oil goes with it.
         let is_sought = acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE);
-        let (from, rounds) = if is_sought { (guess, ROUNDS) } else { (path.v, 0) };
+        let (from, rounds) = if is_sought { (guess, ITERATIONS) } else { (path.v, 0) };
         let mut at = Look::NONE;
         let Found { w, step, curve } =
             oil_velocity(e, from, rounds, least, tolerance, &Stage::<T, ON>(e, &given), &mut at);
-        at.go::<ON>(e, g, step, curve.slope);
-        let by_w = at.residual.by_w + at.residual.by_curve * curve.slope;
+        at.go::<ON>(e, g, step, curve.derivative);
+        let by_w = at.residual.by_w + at.residual.by_curve * curve.derivative;
         PathsStage {
             paths: e,
             index: known.index,
@@ -189,22 +189,25 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             known: states,
             kept: known.kept,
             shuts: false,
-            slope: curve.slope,
+            derivative: curve.derivative,
             at,
             per: if by_w != 0.0 { 1.0 / by_w } else { 0.0 },
         }
     }
 
-    /// Looks at the answer itself, for slopes: those of the last look belong to a place one straight step beside it, and where a force
-    /// bends, as behind rubber or in a void whose gas expands, the weights of a method turn what they miss into a hundredth of the
-    /// slope of the step. Nothing else bends so within a straight step. States and forces are those found without.
+    /// Evaluates the root itself, for derivatives.
+    ///
+    /// Those of the last evaluation belong to a point one Newton step away. Where a force is nonlinear, as behind
+    /// rubber or in a void whose gas expands, the weights of a method turn that error into a hundredth of the
+    /// derivative of the step. No other element is so nonlinear within a Newton step. States and forces do not
+    /// change.
     #[inline(always)]
     pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
         if !acts::<ON>(e, BUSHING | CAVITATION) {
             return;
         }
-        let curve = e.fv_curve.at(self.oil_velocity);
+        let curve = e.fv_curve.evaluate(self.oil_velocity);
         let given = Given {
             elements,
             path: self.path,
@@ -216,11 +219,11 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             raised: Cell::new(self.raised),
             per_g: 1.0 / g,
             standing: e.fv_curve.at_zero(),
-            factors: Factors::of::<ON>(e, self.path.x, side.1, self.known[place::HEAT]),
+            factors: Factors::new::<ON>(e, self.path.x, side.1, self.known[place::HEAT]),
         };
         self.at = Look::at::<ON>(e, &given, self.oil_velocity, curve.value);
-        self.slope = curve.slope;
-        let by_w = self.at.residual.by_w + self.at.residual.by_curve * curve.slope;
+        self.derivative = curve.derivative;
+        let by_w = self.at.residual.by_w + self.at.residual.by_curve * curve.derivative;
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
     }
 
@@ -301,11 +304,12 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         let Relaxed { by_rate: relaxed_by_rate, by_known, .. } = at.relaxed;
         let relaxing = [by_known[0] * known[place::BUSHING], by_known[1] * known[place::SLOW_BUSHING]];
         let residual = if has_series {
-            let mut residual = at.resists * u_held + held + (at.inner.by_x + law.by_deflection) * known[place::X]
-                - (e.series_compliance.mass * per_g) * known[place::U]
-                - law.by_deflection * seed.x
-                - by_rate * seed.v
-                + (seed.drag - seed.series);
+            let mut residual =
+                at.resists * u_held + held + (at.inner.d_force_d_x + law.by_deflection) * known[place::X]
+                    - (e.series_compliance.mass * per_g) * known[place::U]
+                    - law.by_deflection * seed.x
+                    - by_rate * seed.v
+                    + (seed.drag - seed.series);
             if acts::<ON>(e, BUSHING) {
                 residual -= law.by_relaxing * e.bushing.relaxing(relaxing);
             }
@@ -314,7 +318,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             u_held - seed.v
         };
         moves.w = -residual * self.per;
-        moves.curve += self.slope * moves.w;
+        moves.curve += self.derivative * moves.w;
         let [primary, valve, selective] = at.valves.along::<ON>(e, &moves, leaks);
         let u = u_held + moves.w + at.u_by_force * (primary - held);
         let mut states = [0.0; STATES];
@@ -322,7 +326,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             states[place::COLUMN] = at.column.by_force * primary;
         }
         if acts::<ON>(e, LENGTH) {
-            states[place::COLUMN] += at.column.by_x * seed.x;
+            states[place::COLUMN] += at.column.d_state_d_x * seed.x;
         }
         if acts::<ON>(e, CAVITATION) {
             states[place::VOID] = void_held + void_by_force * primary;
@@ -346,7 +350,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         if !has_series {
             states[place::X] = seed.x;
             states[place::U] = seed.v;
-            let inner = at.inner.by_x * seed.x + at.inner.by_v * seed.v;
+            let inner = at.inner.d_force_d_x * seed.x + at.inner.d_force_d_v * seed.v;
             return Derivative { states, force: inner + primary + seed.drag };
         }
         let x = known[place::X] + g * u;
@@ -362,7 +366,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     }
 }
 
-impl<T: Tables, const ON: u32> StageSlopes for PathsStage<'_, T, ON> {
+impl<T: Tables, const ON: u32> StageDerivatives for PathsStage<'_, T, ON> {
     fn oil_velocity(&self) -> f64 {
         self.oil_velocity
     }
@@ -407,20 +411,22 @@ struct Stage<'a, T: Tables, const ON: u32>(&'a Paths<T>, &'a Given<'a, T>);
 impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
     type Seen = Look;
     #[inline(always)]
-    fn look(&self, w: f64, curve: f64, seen: &mut Look) -> Residual {
+    fn evaluate(&self, w: f64, curve: f64, seen: &mut Look) -> Residual {
         *seen = Look::at::<ON>(self.0, self.1, w, curve);
         seen.residual
     }
 }
 
-/// What acts on the mass beside the oil; straight where it is further from the driven end than a series spring reaches, as
-/// in the plain step: from a hardening spring at a far guess Newton's method would come back by a part of the way only.
+/// Force on the mass parallel to the oil, linear beyond the reach of the series spring about the moving end.
+///
+/// The plain step does the same: from a hardening spring at a far guess Newton's method would return only part of the
+/// way.
 #[inline(always)]
 fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };
     let at = if at > driven + REACH { driven + REACH } else { at };
     let near = e.on_the_mass(&Motion { displacement: at, velocity: u, side_force, temperature });
-    Response { force: near.force + near.by_x * (x - at), ..near }
+    Response { force: near.force + near.d_force_d_x * (x - at), ..near }
 }
 
 impl Look {
@@ -438,15 +444,15 @@ impl Look {
         u: 0.0,
         relaxed: Relaxed::NONE,
         relaxing_by_rate: 0.0,
-        law: series::Sloped::NONE,
+        law: series::Derivatived::NONE,
         inner: Response::NONE,
         resists: 0.0,
     };
 
     /// Goes straight on by a step of w.
     #[inline(always)]
-    fn go<const ON: u32>(&mut self, e: &Paths<impl Tables>, g: f64, step: f64, slope: f64) {
-        let moves = Moves { curve: slope * step, w: step, ..Moves::NONE };
+    fn go<const ON: u32>(&mut self, e: &Paths<impl Tables>, g: f64, step: f64, derivative: f64) {
+        let moves = Moves { curve: derivative * step, w: step, ..Moves::NONE };
         let [force, valve, selective] = self.valves.along::<ON>(e, &moves, acts::<ON>(e, COLUMN));
         self.valves.force += force;
         self.valves.valve += valve;
@@ -461,7 +467,7 @@ impl Look {
         let u = step + self.u_by_force * force;
         self.u += u;
         self.x += g * u;
-        self.inner.force += (self.inner.by_v + g * self.inner.by_x) * u;
+        self.inner.force += (self.inner.d_force_d_v + g * self.inner.d_force_d_x) * u;
         self.law.force -= (self.law.by_deflection * g + self.law.by_rate) * u;
         if acts::<ON>(e, BUSHING) {
             for (at, by_rate) in self.relaxed.at.iter_mut().zip(self.relaxed.by_rate) {
@@ -496,7 +502,7 @@ impl Look {
             let before = Dual::along(known[place::VOID], 2) + e.cavitation.lags(v) * g;
             let after = e.cavitation.stage(force, v, before, g);
             let oils = after - before;
-            (void, void_by, oil_void_by) = (after.value, after.slopes, oils.slopes);
+            (void, void_by, oil_void_by) = (after.value, after.derivatives, oils.derivatives);
             let per = per_g * e.cavitation.sign;
             u += oils.value * per;
             u_by_force += oil_void_by[0] * per;
@@ -515,10 +521,10 @@ impl Look {
                 };
                 (relaxing, relaxing_by_rate) = (e.bushing.relaxing(relaxed.at), e.bushing.relaxing(relaxed.by_rate));
             }
-            law = series::sloped::<ON>(e, path.x - x, rate, relaxing);
+            law = series::derivatived::<ON>(e, path.x - x, rate, relaxing);
             at = springs(elements, x, u, path.x, side);
             let mass_rate = e.series_compliance.mass * per_g;
-            let mut held = mass_rate + at.by_v + g * at.by_x + g * law.by_deflection + law.by_rate;
+            let mut held = mass_rate + at.d_force_d_v + g * at.d_force_d_x + g * law.by_deflection + law.by_rate;
             if acts::<ON>(e, BUSHING) {
                 held += law.by_relaxing * relaxing_by_rate;
             }
@@ -536,7 +542,7 @@ impl Look {
                 by_curve: u_by_force * valves.by_curve,
             };
             (x, u) = (path.x, path.v);
-            (law, at, resists) = (series::Sloped::NONE, springs(elements, x, u, x, side), 1.0);
+            (law, at, resists) = (series::Derivatived::NONE, springs(elements, x, u, x, side), 1.0);
         }
         Look {
             residual,

@@ -18,7 +18,7 @@ pub struct Curve {
 
 impl Curve {
     /// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.
-    pub fn of(params: &Params, model: &Model) -> Curve {
+    pub fn from_model(params: &Params, model: &Model) -> Curve {
         let fv = model.elements().paths.fv_curve;
         let velocities = if params.number(number!("fv_form")) == 0.0 {
             params.list(list!("fv_velocity")).to_vec()
@@ -39,7 +39,7 @@ impl Curve {
                 3.0 * r2,
             ]
         };
-        let forces = velocities.iter().map(|v| fv.at(*v).value).collect();
+        let forces = velocities.iter().map(|v| fv.evaluate(*v).value).collect();
         Curve { velocities, forces }
     }
 }
@@ -105,8 +105,10 @@ pub fn length_in_metres(word: &str) -> anyhow::Result<f64> {
     units::length(word)
 }
 
-/// A note as it may stand in a comment: in one line, without what neither form of file may hold, and in ASCII, which is what hosts read for
-/// certain. A note names parts of a file that somebody else wrote.
+/// A note as it may stand in a comment.
+///
+/// In one line, without what neither form of file may hold, and in ASCII, which is what hosts read for certain. A
+/// note names parts of a file that somebody else wrote.
 fn as_comment(note: &str) -> String {
     let ascii = |c: char| match c {
         '·' => '*',

@@ -5,8 +5,9 @@ use super::{Draw, Effect, Hidden, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "amplifier_switch", laws: &[("auto_range", auto_range as Make)] };
 
-/// A gain control with backlash (the play operator; Krasnosel'skii & Pokrovskii, Systems with Hysteresis, 1989) and a gain
-/// error in its coarse range, which it blends into over a band of forces.
+/// A gain control with backlash and a gain error in its coarse range, which it blends into over a band of forces.
+///
+/// The backlash is the play operator (Krasnosel'skii & Pokrovskii, Systems with Hysteresis, 1989).
 struct AutoRange {
     error: f64,
     /// Force at which half of the change is made while the force grows, N, and by how much later it is undone.

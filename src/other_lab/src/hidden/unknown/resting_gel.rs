@@ -1,5 +1,6 @@
-//! Oil with additives that gels at rest: after a standstill the damper is firmer until it has been stirred, and the more so the
-//! smaller the strokes are.
+//! Oil with additives that gels at rest.
+//!
+//! After a standstill the damper is firmer until it has been stirred, and the more so the smaller the strokes are.
 
 use super::{Draw, Effect, Here, Hidden, Make, Scale};
 

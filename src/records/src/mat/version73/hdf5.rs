@@ -1,5 +1,6 @@
-//! HDF5 files as MATLAB and h5py write them (The HDF Group, HDF5 File Format Specification, version 3.0): groups of both forms, data sets
-//! of numbers that are compact, contiguous or in chunks, deflated and shuffled.
+//! HDF5 files as MATLAB and h5py write them (The HDF Group, HDF5 File Format Specification, version 3.0).
+//!
+//! Groups of both forms, data sets of numbers that are compact, contiguous or in chunks, deflated and shuffled.
 //!
 //! Every block that is visited, every chunk and every number is charged to the budget, and no node of a tree is visited twice.
 

@@ -37,7 +37,7 @@ impl Words {
     /// A sentence in this language.
     pub fn say(&self, sentence: &Sentence) -> String {
         self.with_names(
-            &sentence.said(&|english| self.translated(english), &|place, value| self.at_place(place, value)),
+            &sentence.to_text(&|english| self.translated(english), &|place, value| self.at_place(place, value)),
         )
     }
 

@@ -1,0 +1,161 @@
+//! The static answer: the state and the force when displacement and velocity have been held.
+
+use crate::element::Motion;
+use crate::input::Input;
+use crate::model::Model;
+use crate::paths;
+use crate::state::{Output, State};
+use crate::tables::{ForceLaw, Tables};
+
+/// Newton steps, kept inside a bracket, to the deflection of the series spring: setting up may cost more than a step.
+const STEPS: usize = 100;
+
+/// Half the distance over which static derivatives are taken where no formula gives them, m and m/s.
+const NEAR: f64 = 1e-6;
+
+// Compiled here for the model that owns its tables, once for all crates that ask.
+impl Model {
+    /// The settled state at an initial position: where the damper rests, or moves steadily with `input.velocity`.
+    ///
+    /// A missing displacement is 0.
+    pub fn steady_state(&self, input: &Input) -> State {
+        self.equilibrium(input)
+    }
+
+    /// Steady state of a damper with a history: contacts keep their deflection at rest. A missing displacement is
+    /// that of `from`.
+    pub fn steady_state_from(&self, from: &State, input: &Input) -> State {
+        self.equilibrium_from(from, input)
+    }
+
+    /// The static force at `input`, with its derivatives: the state settled there, evaluated.
+    pub fn static_output(&self, input: &Input) -> Output {
+        self.static_output_from(&self.steady_state(input), input)
+    }
+
+    /// Static output of a damper with a history.
+    ///
+    /// At rest the derivative over velocity is that of elements that respond to a velocity at once: a contact that
+    /// keeps its deflection reverses with travel.
+    pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
+        self.equilibrium_output_from(from, input)
+    }
+}
+
+impl<T: Tables> Model<T> {
+    /// Equilibrium at a position: see [`Model::settled`].
+    pub(crate) fn equilibrium(&self, input: &Input) -> State {
+        let x = input.displacement.unwrap_or(0.0);
+        self.equilibrium_from(&State { displacement: x, layout: self.layout, ..State::ZERO }, input)
+    }
+
+    /// Equilibrium of a damper that has moved: see [`Model::steady_state_from`].
+    pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
+        let laid_out;
+        let from = if self.has_laid_out(from) {
+            from
+        } else {
+            laid_out = self.converted(from);
+            &laid_out
+        };
+        let x = input.displacement.unwrap_or(from.displacement);
+        let v = input.velocity;
+        let e = &self.elements;
+        let motion = |x: f64| Motion {
+            displacement: x,
+            velocity: v,
+            side_force: input.side_force,
+            temperature: input.temperature,
+        };
+        let mut x_m = x;
+        let (states, primary) = if e.has_paths() {
+            crate::evaluate::paths::equilibrium(&e.paths, x, v, input.temperature)
+        } else {
+            ([0.0; paths::STATES], e.paths.fv_curve.evaluate(v).value)
+        };
+        if e.has_series() {
+            // The springs never fall, so that the series spring alone would go further than both together.
+            let alone = primary + e.on_the_mass(&motion(x)).force;
+            let furthest = x - paths::series::furthest(&e.paths, alone).copysign(alone);
+            let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
+            for _ in 0..STEPS {
+                let inner = e.on_the_mass(&motion(x_m));
+                let (series, k) = paths::series::static_force(&e.paths, x - x_m);
+                let left = series - primary - inner.force;
+                if left > 0.0 {
+                    low = x_m;
+                } else {
+                    high = x_m;
+                }
+                let newton = x_m + left / (k + inner.d_force_d_x);
+                x_m = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+            }
+        }
+        let mut internal = [0.0; 8];
+        e.each_stateful(|place, element| {
+            if let Some((z, before)) = internal.get_mut(place).zip(from.internal.get(place)) {
+                *z = element.equilibrium_from(from.displacement, *before, &motion(x));
+            }
+        });
+        let mut state = State { internal, layout: self.layout, ..State::ZERO };
+        e.paths.slots().write(&states, &mut state);
+        State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
+    }
+
+    /// Force at equilibrium: see [`Model::static_output_from`].
+    pub(crate) fn equilibrium_output_from(&self, from: &State, input: &Input) -> Output {
+        let state = self.equilibrium_from(from, input);
+        let mut output = crate::evaluate::force_of(self, &state, input);
+        let at = Motion {
+            displacement: state.mass_displacement,
+            velocity: input.velocity,
+            side_force: input.side_force,
+            temperature: input.temperature,
+        };
+        let e = &self.elements;
+        let outer = Motion { displacement: state.displacement, ..at };
+        if e.has_paths() {
+            // Slopes of what has settled, the elements with memory beside the damper included.
+            let force = |x: f64, v: f64| {
+                let input = Input { displacement: Some(x), velocity: v, ..*input };
+                let mut settled = self.equilibrium_from(from, &input);
+                if x == state.displacement {
+                    e.each_stateful(|place, element| {
+                        if element.is_path_dependent(&outer)
+                            && let Some((z, kept)) = settled.internal.get_mut(place).zip(state.internal.get(place))
+                        {
+                            *z = *kept;
+                        }
+                    });
+                }
+                crate::evaluate::force_of(self, &settled, &input).force
+            };
+            let (x, v) = (state.displacement, input.velocity);
+            output.d_force_d_displacement = (force(x + NEAR, v) - force(x - NEAR, v)) / (2.0 * NEAR);
+            output.d_force_d_velocity = (force(x, v + NEAR) - force(x, v - NEAR)) / (2.0 * NEAR);
+            return output;
+        }
+        if e.has_series() {
+            // Held long enough, series spring and inner springs are one behind the other, and both see the velocity.
+            let k = e.paths.series_compliance.stiffness;
+            let (inner, primary) = (e.inner(&at), e.paths.fv_curve.evaluate(input.velocity));
+            let share = k / (k + inner.d_force_d_x);
+            output.d_force_d_displacement += share * inner.d_force_d_x - k;
+            output.d_force_d_velocity +=
+                share * (primary.derivative + inner.d_force_d_v) - e.paths.series_compliance.damping;
+        }
+        // A private state that is drawn to where it settles follows the input there.
+        e.each_stateful(|place, element| {
+            let response = element.evaluate(&outer, state.internal.get(place).copied().unwrap_or(0.0));
+            if element.is_path_dependent(&outer) {
+                // A travel in either direction, in the mean.
+                output.d_force_d_displacement += response.d_force_d_z * response.d_rate_d_v;
+            } else if response.d_rate_d_z < 0.0 {
+                let follows = -response.d_force_d_z / response.d_rate_d_z;
+                output.d_force_d_displacement += follows * response.d_rate_d_x;
+                output.d_force_d_velocity += follows * response.d_rate_d_v;
+            }
+        });
+        output
+    }
+}

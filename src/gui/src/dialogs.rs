@@ -1,0 +1,177 @@
+//! Files and folders that the user names, in the system's own dialogs, beside the window.
+
+use crate::session::Waker;
+use crate::session::exports::Host;
+use crate::session::papers::Paper;
+use std::cell::RefCell;
+use std::path::PathBuf;
+use std::rc::Rc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+/// What is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ask {
+    /// A folder of records.
+    Folder,
+    /// Record files.
+    Files,
+    /// A folder of records to compare with.
+    Reference,
+    /// A model file.
+    Model,
+    /// Where to save the model.
+    SaveModel,
+    /// Where to export to.
+    Export(Host),
+    /// Where a report or a workbook goes.
+    Paper(Paper),
+    /// Where a text goes, with the name that is proposed.
+    Text(&'static str, String),
+    /// Where a picture of a part of the window goes: left, top, right, bottom.
+    Picture([f32; 4]),
+}
+
+impl Ask {
+    /// Name that is proposed, and the endings of names that fit.
+    pub fn proposed(&self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Ask::Folder | Ask::Reference => ("", &[]),
+            Ask::Files => ("", &dashpot_records::ENDINGS),
+            Ask::Model => ("", &["toml"]),
+            Ask::SaveModel => ("damper.toml", &["toml"]),
+            Ask::Export(Host::Property) => (Host::Property.proposed(), &["dpr", "xml"]),
+            Ask::Export(host) => (host.proposed(), &["fmu"]),
+            Ask::Paper(paper) => paper.proposed(),
+            Ask::Text(name, _) => (name, if name.ends_with(".svg") { &["svg"] } else { &["csv"] }),
+            Ask::Picture(_) => ("plot.png", &["png"]),
+        }
+    }
+}
+
+impl Ask {
+    /// Whether a folder is asked for.
+    pub fn is_of_folder(&self) -> bool {
+        matches!(self, Ask::Folder | Ask::Reference | Ask::Export(Host::Adams))
+    }
+
+    /// Whether something that exists is asked for.
+    pub fn is_of_input(&self) -> bool {
+        matches!(self, Ask::Folder | Ask::Reference | Ask::Files | Ask::Model)
+    }
+}
+
+/// What came of a question.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reply {
+    /// What was named; nothing where the user thought better of it.
+    Paths(Vec<PathBuf>),
+    /// The system shows no dialogs.
+    NoDialog,
+}
+
+/// Who asks the user.
+pub trait Dialogs {
+    /// Asks, beginning in a folder; does not wait.
+    fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker);
+    /// What came of a question, once.
+    fn answer(&mut self) -> Option<(Ask, Reply)>;
+}
+
+/// A dialog that is closed sooner was never shown.
+///
+/// No hand is so fast, and a portal that is missing or has no backend fails within this.
+const SHOWN: Duration = Duration::from_millis(800);
+
+/// Whether the system may show dialogs: over the desktop portal, which is called over D-Bus, or by zenity. Windows and macOS always do.
+fn may_show() -> bool {
+    if cfg!(any(windows, target_os = "macos")) {
+        return true;
+    }
+    let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+    let bus = set("DBUS_SESSION_BUS_ADDRESS").is_some()
+        || set("XDG_RUNTIME_DIR").is_some_and(|folder| PathBuf::from(folder).join("bus").exists());
+    let zenity = set("PATH").is_some_and(|path| std::env::split_paths(&path).any(|p| p.join("zenity").is_file()));
+    bus || zenity
+}
+
+/// The system's dialogs.
+pub struct Native {
+    send: Sender<(Ask, Reply)>,
+    answers: Receiver<(Ask, Reply)>,
+}
+
+impl Default for Native {
+    fn default() -> Self {
+        let (send, answers) = channel();
+        Native { send, answers }
+    }
+}
+
+impl Dialogs for Native {
+    fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker) {
+        let send = self.send.clone();
+        if !may_show() {
+            let _ = send.send((ask, Reply::NoDialog));
+            waker();
+            return;
+        }
+        // On a thread of its own: the dialog waits for the user.
+        let asking = move || {
+            let (name, endings) = ask.proposed();
+            let dialog = rfd::FileDialog::new();
+            let dialog = if let Some(from) = from { dialog.set_directory(from) } else { dialog };
+            let began = Instant::now();
+            let dialog = if endings.is_empty() { dialog } else { dialog.add_filter(endings.join(", "), endings) };
+            let paths: Vec<PathBuf> = match &ask {
+                Ask::Folder | Ask::Reference => dialog.pick_folder().into_iter().collect(),
+                Ask::Files => dialog.pick_files().unwrap_or_default(),
+                Ask::Model => dialog.pick_file().into_iter().collect(),
+                _ => dialog.set_file_name(name).save_file().into_iter().collect(),
+            };
+            let failed = paths.is_empty() && began.elapsed() < SHOWN && !cfg!(any(windows, target_os = "macos"));
+            let _ = send.send((ask, if failed { Reply::NoDialog } else { Reply::Paths(paths) }));
+            waker();
+        };
+        let _ = std::thread::Builder::new().name("dialog".into()).spawn(asking);
+    }
+
+    fn answer(&mut self) -> Option<(Ask, Reply)> {
+        self.answers.try_recv().ok()
+    }
+}
+
+/// Answers given beforehand, for tests.
+#[derive(Default)]
+pub struct Message {
+    paths: Vec<Vec<PathBuf>>,
+    asked: Vec<Ask>,
+    /// Where each question began.
+    pub began: Rc<RefCell<Vec<Option<PathBuf>>>>,
+    /// Whether the system shows no dialogs.
+    pub without: bool,
+}
+
+impl Message {
+    /// What will be named, question by question; nothing stands for a user who thinks better of it.
+    pub fn naming(paths: Vec<Vec<PathBuf>>) -> Message {
+        Message { paths, ..Message::default() }
+    }
+}
+
+impl Dialogs for Message {
+    fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker) {
+        self.asked.push(ask);
+        self.began.borrow_mut().push(from);
+        waker();
+    }
+
+    fn answer(&mut self) -> Option<(Ask, Reply)> {
+        let ask = self.asked.pop()?;
+        if self.without {
+            return Some((ask, Reply::NoDialog));
+        }
+        let paths = if self.paths.is_empty() { Vec::new() } else { self.paths.remove(0) };
+        Some((ask, Reply::Paths(paths)))
+    }
+}

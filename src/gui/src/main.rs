@@ -1,0 +1,64 @@
+//! `dashpot-window [CAMPAIGN] [MODEL]`: what `dashpot open` starts.
+
+// Windows opens no console beside it.
+#![cfg_attr(windows, windows_subsystem = "windows")]
+
+use dashpot_gui::app::App;
+use dashpot_gui::dialogs::Native;
+use dashpot_gui::drawing;
+use eframe::egui;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+const HELP: &str = "The window of dashpot: records and a model, looked at, tuned, fitted and exported\n\n\
+    Usage: dashpot-window [CAMPAIGN] [MODEL]\n\n\
+    CAMPAIGN is a folder of records or record files, MODEL a model file; both can be opened or dropped later.\n\
+    Example: dashpot-window campaign/ damper.toml";
+
+fn main() -> ExitCode {
+    let paths: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    if paths.iter().any(|p| p.as_os_str() == "--help" || p.as_os_str() == "-h") {
+        println!("{HELP}");
+        return ExitCode::SUCCESS;
+    }
+    if let Some(missing) = paths.iter().find(|p| !p.exists()) {
+        dashpot_output::warn(&format!(
+            "dashpot: {}: there is no such file or folder; check the path",
+            missing.display()
+        ));
+        return ExitCode::from(2);
+    }
+    let viewport = egui::ViewportBuilder::default()
+        .with_title("dashpot")
+        .with_app_id("dashpot")
+        .with_inner_size([1440.0, 900.0])
+        .with_min_inner_size([900.0, 600.0])
+        .with_drag_and_drop(true);
+    let ran = drawing::run(|renderer, opened| {
+        let (paths, opened) = (paths.clone(), opened.clone());
+        let options =
+            eframe::NativeOptions { viewport: viewport.clone(), renderer, ..eframe::NativeOptions::default() };
+        eframe::run_native(
+            "dashpot",
+            options,
+            Box::new(move |creation| {
+                opened.set(true);
+                let mut app = App::new(&creation.egui_ctx, Box::new(Native::default()));
+                app.session.open(&paths);
+                Ok(Box::new(app))
+            }),
+        )
+    });
+    match ran {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            let told = format!("no window can be opened here ({error}); on a machine without a screen use the verbs");
+            if cfg!(windows) {
+                // Nobody would read it elsewhere.
+                rfd::MessageDialog::new().set_title("dashpot").set_description(told.as_str()).show();
+            }
+            dashpot_output::warn(&format!("dashpot: {told}"));
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Records that are open: as they were read, with what every view needs of a test.
+
+use crate::session::progress::Report;
+use dashpot_records::smoothing::{Motion, smooth};
+use dashpot_records::{Campaign, Note, Options, Record, RecordError, load};
+use dashpot_simulation::warm_starts::WarmStarts;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// A campaign as it was read.
+pub struct Loaded {
+    /// Files and folders that were given.
+    pub paths: Vec<PathBuf>,
+    /// The folder of the records where they lie in one, as it was when they were read: later it may be gone.
+    pub folder: Option<PathBuf>,
+    /// How they were read, beside what `campaign.toml` says.
+    pub options: Options,
+    /// The records.
+    pub campaign: Campaign,
+    /// What the views need of each, in the same order.
+    pub tests: Vec<Seen>,
+    /// How warm the damper is when each begins.
+    pub warm: WarmStarts,
+    /// The campaign as it was read, where something was taken out of it since.
+    as_read: Option<Box<Campaign>>,
+}
+
+/// A test as it is looked at.
+pub struct Seen {
+    /// Motion freed of noise, that drives the model.
+    pub motion: Motion,
+    /// The samples that are drawn: one whole cycle, or all where there is none.
+    pub shown: Range<usize>,
+    /// The shown cycle as a record of its own, thinned, for a quick answer while a slider moves.
+    pub cycle: Record,
+    /// Samples of the shown cycle in it; one more closes the cycle.
+    pub cycle_samples: usize,
+    /// Every so manyeth sample of the record is in it.
+    pub stride: usize,
+    /// Its motion.
+    pub cycle_motion: Motion,
+    /// Largest measured force, N.
+    pub max_force: f64,
+    /// Velocity and force where the damper is fastest, in rebound and in compression; m/s, N.
+    pub peaks: [[f64; 2]; 2],
+}
+
+impl Seen {
+    fn new(record: &Record) -> Seen {
+        let motion = smooth(record);
+        let n = record.time.len();
+        let shown = record.cycles.get(record.cycles.len() / 2).cloned().unwrap_or(0..n);
+        // One sample more than the cycle: so the model settles on it before the cycle that is shown, as it does on whole records.
+        // A motion without cycles, such as a road, is left as it is: it may turn within any sample.
+        let stride = if record.cycles.is_empty() { 1 } else { shown.len().div_ceil(QUICK).max(1) };
+        let mut taken: Vec<usize> = shown.clone().step_by(stride).collect();
+        let cycle_samples = taken.len();
+        taken.extend((shown.end < n).then_some(shown.end));
+        let (cycle, cycle_motion) = part(record, &motion, &taken, cycle_samples);
+        Seen {
+            cycle,
+            cycle_samples,
+            stride,
+            cycle_motion,
+            max_force: record.force.iter().fold(0.0, |m, f| f.abs().max(m)),
+            peaks: peaks(record, &motion),
+            shown,
+            motion,
+        }
+    }
+}
+
+/// Most samples of a cycle for a quick answer: a loop of so many looks the same, and slow tests have thousands.
+const QUICK: usize = 300;
+
+/// Samples of a record that hold one cycle from their first.
+fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Record, Motion) {
+    let cut = |values: &[f64]| taken.iter().map(|i| values[*i]).collect();
+    #[expect(clippy::single_range_in_vec_init, reason = "one cycle is one range")]
+    let cycles = if record.cycles.is_empty() { Vec::new() } else { vec![0..cycle] };
+    let short = Record {
+        time: cut(&record.time),
+        displacement: cut(&record.displacement),
+        velocity: cut(&record.velocity),
+        force: cut(&record.force),
+        side_force: record.side_force.as_deref().map(cut),
+        temperature: record.temperature.as_deref().map(cut),
+        cycles,
+        amplitude: record.amplitude,
+        frequency: record.frequency,
+        peak_velocity: record.peak_velocity,
+        mean_displacement: record.mean_displacement,
+        ..Record::default()
+    };
+    let motion = Motion {
+        displacement: cut(&motion.displacement),
+        velocity: cut(&motion.velocity),
+        acceleration: cut(&motion.acceleration),
+        displacement_noise: motion.displacement_noise,
+        velocity_noise: motion.velocity_noise,
+    };
+    (short, motion)
+}
+
+/// Share of the peak velocity from which samples count as fastest; a sine is above it for a twentieth of its cycle at each end.
+const FASTEST: f64 = 0.995;
+
+/// Mean velocity and force of the fastest samples on either side.
+fn peaks(record: &Record, motion: &Motion) -> [[f64; 2]; 2] {
+    let whole = match (record.cycles.first(), record.cycles.last()) {
+        (Some(first), Some(last)) => first.start..last.end,
+        _ => 0..record.time.len(),
+    };
+    [1.0, -1.0].map(|side| {
+        let fastest = whole.clone().map(|i| side * motion.velocity[i]).fold(0.0, f64::max);
+        let (mut count, mut sum) = (0.0, [0.0, 0.0]);
+        for i in whole.clone().filter(|i| fastest > 0.0 && side * motion.velocity[*i] >= FASTEST * fastest) {
+            count += 1.0;
+            sum = [sum[0] + motion.velocity[i], sum[1] + record.force[i]];
+        }
+        if count > 0.0 { sum.map(|s| s / count) } else { [f64::NAN; 2] }
+    })
+}
+
+impl Loaded {
+    /// Reads files and folders.
+    ///
+    /// # Errors
+    /// As [`load`].
+    pub fn read(paths: Vec<PathBuf>, options: Options, progress: Report<'_>) -> Result<Loaded, RecordError> {
+        let campaign = load(&paths, &options, &|p| progress(p.done as f64 / p.total.max(1) as f64, None))?;
+        let tests = campaign.records.par_iter().map(Seen::new).collect();
+        let mut folders: Vec<PathBuf> = paths.iter().map(|p| dashpot_records::profile::folder_of(p)).collect();
+        folders.dedup();
+        let folder = folders.pop().filter(|_| folders.is_empty());
+        let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
+        Ok(Loaded { paths, folder, options, campaign, tests, warm, as_read: None })
+    }
+
+    /// The campaign as it was read: what a fit looks at.
+    pub fn as_read(&self) -> &Campaign {
+        self.as_read.as_deref().unwrap_or(&self.campaign)
+    }
+
+    /// The campaign with corrected records, and the note that says so.
+    pub fn seen_as(&self, records: Vec<Record>, note: Option<Note>) -> Loaded {
+        let mut campaign = self.as_read().clone();
+        let as_read = note.is_some().then(|| Box::new(campaign.clone()));
+        campaign.records = records;
+        campaign.notes.extend(note);
+        let tests = campaign.records.par_iter().map(Seen::new).collect();
+        let (paths, folder, options) = (self.paths.clone(), self.folder.clone(), self.options.clone());
+        let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
+        Loaded { paths, folder, options, campaign, tests, warm, as_read }
+    }
+
+    /// Where it comes from, in a few words.
+    pub fn named(&self) -> String {
+        self.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The test of another campaign that was run as this one is: same amplitude, frequency and mean position.
+    pub fn like(&self, wanted: &Record) -> Option<usize> {
+        /// Relative difference up to which two motions are the same test; the diagnosis against a reference takes the same.
+        const SAME: f64 = 0.05;
+        let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= SAME * scale.max(1e-9);
+        self.campaign.records.iter().position(|r| {
+            near(r.amplitude, wanted.amplitude, wanted.amplitude)
+                && near(r.frequency, wanted.frequency, wanted.frequency)
+                && near(r.mean_displacement, wanted.mean_displacement, wanted.amplitude.max(0.001) / SAME * 0.1)
+        })
+    }
+}

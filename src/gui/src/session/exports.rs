@@ -1,0 +1,129 @@
+//! The damper for other programs, as `dashpot export` writes it.
+
+use crate::session::guarded::write;
+use anyhow::{Context as _, bail};
+use dashpot_core::family::Axis;
+use dashpot_core::{Model, Params};
+use dashpot_hosts::{fmu, handed_out, runtimes};
+use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_output::{FolderLock, Kind};
+use dashpot_simulation::{chatter, stiffness};
+use std::path::Path;
+
+/// A host that a model is exported to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Host {
+    /// One damper as an FMU, FMI 2.0.
+    Fmu,
+    /// An FMU of FMI 3.0.
+    Fmu3,
+    /// Four dampers of a vehicle as an FMU, FMI 2.0: what VI-CarRealTime takes.
+    Vehicle,
+    /// A run folder of Adams.
+    Adams,
+    /// A property file of Adams Car.
+    Property,
+}
+
+impl Host {
+    /// The name of the file or folder that is proposed.
+    pub fn proposed(self) -> &'static str {
+        match self {
+            Host::Fmu | Host::Fmu3 => "damper.fmu",
+            Host::Vehicle => "car.fmu",
+            Host::Adams => "adams",
+            Host::Property => "damper.dpr",
+        }
+    }
+}
+
+/// A model on its way to a host.
+pub struct Export {
+    /// Where to.
+    pub host: Host,
+    /// Values of the model.
+    pub params: Params,
+    /// The text of its file.
+    pub text: String,
+    /// The name of its file; empty where it was not saved.
+    pub name: String,
+}
+
+impl Export {
+    /// Writes it. Returns what must be known beside it, as the command says it.
+    ///
+    /// # Errors
+    /// Where the model has nothing to export, a place is taken by something else, or cannot be written.
+    pub fn write(&self, path: &Path) -> anyhow::Result<Vec<String>> {
+        let model = Model::new(&self.params).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
+        match self.host {
+            Host::Fmu => self.fmu(path, fmu::Version::Two, false),
+            Host::Fmu3 => self.fmu(path, fmu::Version::Three, false),
+            Host::Vehicle => self.fmu(path, fmu::Version::Two, true),
+            Host::Adams => self.adams(path, &model),
+            Host::Property => self.property(path),
+        }
+    }
+
+    fn fmu(&self, path: &Path, version: fmu::Version, four: bool) -> anyhow::Result<Vec<String>> {
+        let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
+        let library = handed_out::static_library()?;
+        if !holds_one && !library.is_file() {
+            bail!("there is no {} to make an FMU from; {}", library.display(), runtimes::HOW);
+        }
+        let name = handed_out::fmu_name(Path::new(&self.name), four);
+        let mut remarks = chatter::remarks(&self.params, chatter::Host::USUAL);
+        remarks.extend(stiffness::remarks(&self.params));
+        let corners = fmu::corners(&[self.params], four)?;
+        let options = fmu::Options {
+            version,
+            scales: fmu::Scales::checked(corners.len(), None, None, 0.0)?,
+            inputs: fmu::Inputs::Unspecified,
+            explicit_step: stiffness::longest_explicit_step(&corners),
+            name: &name,
+            from_source: (!holds_one).then_some(library.as_path()),
+            sources: true,
+            hide_parameters: false,
+            more: &[],
+            remarks: &remarks,
+        };
+        write(path, Kind::Fmu, &fmu::fmu(&corners, &options)?.bytes)?;
+        Ok(remarks)
+    }
+
+    /// As a model file: with what the fit left beside the values, where the text has it.
+    fn file(&self) -> ModelFile {
+        let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
+        let (identification, given) = read.map(|file| (file.identification, file.given)).unwrap_or_default();
+        ModelFile { params: self.params, axis: Axis::NONE, identification, given }
+    }
+
+    fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {
+        let chatters = |curve: &Params| chatter::remarks(curve, chatter::Host::USUAL);
+        let of = (self.name.as_str(), self.text.as_bytes());
+        let made = handed_out::property_file(&self.file(), false, path, of, &chatters)?;
+        dashpot_output::check([path])?;
+        dashpot_output::replace_file(path, made.text.as_bytes())
+            .with_context(|| format!("cannot write {}", path.display()))?;
+        Ok(made.remarks)
+    }
+
+    fn adams(&self, path: &Path, model: &Model) -> anyhow::Result<Vec<String>> {
+        let _held = FolderLock::take(path)?;
+        let put = |name: &str, bytes: &[u8]| {
+            let path = path.join(name);
+            dashpot_output::replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
+        };
+        let libraries = handed_out::adams_libraries(None)?;
+        let chatters = chatter::remarks(&self.params, chatter::Host::USUAL);
+        let made =
+            handed_out::run_folder(&self.params, model, self.text.as_bytes(), LENGTH, libraries, Vec::new(), chatters);
+        made.files.iter().try_for_each(|(name, content)| put(name, content))?;
+        let mut notes = made.notes(path);
+        notes.extend(made.if_coupled());
+        Ok(notes)
+    }
+}
+
+/// Distance of the damper's markers at zero displacement, mm; as the command's default, to be set in the folder's files.
+const LENGTH: f64 = 400.0;

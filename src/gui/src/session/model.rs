@@ -1,0 +1,463 @@
+//! The model that is tuned, beside the one that was identified, with every step back.
+
+use crate::session::history::History;
+use dashpot_core::family::Axis;
+use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
+use dashpot_core::{Model, Params};
+use dashpot_estimation::priors::{self, Usual};
+use dashpot_estimation::scale::Scale;
+use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
+use dashpot_records::restrict;
+use dashpot_records::sentence::Sentence;
+use std::path::{Path, PathBuf};
+
+/// A model file that is open.
+pub struct Tuned {
+    /// Where it was read from or saved last.
+    pub path: Option<PathBuf>,
+    /// As it was read or fitted: what tuning is compared with, and what reset returns to.
+    pub identified: Params,
+    /// What the fit left behind.
+    pub identification: Identification,
+    /// Places of the parameters that the file gave.
+    given: Vec<usize>,
+    /// The text that a fit or a diagnosis made, while nothing was tuned since.
+    text: Option<String>,
+    /// Values as they are now, and were.
+    history: History<Params, Change>,
+    /// Values as they were saved last.
+    saved: Option<Params>,
+    /// Why the last change was refused.
+    pub refused: Option<String>,
+}
+
+/// What a change belongs to: changes of one kind in one go are undone together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Change {
+    /// A parameter, by its place in the table, and the entry of its list.
+    Value(usize, usize),
+    /// An element switched on or off.
+    Element(Element),
+    /// Everything at once.
+    Whole,
+}
+
+impl Tuned {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// The reader's sentence.
+    pub fn read(path: &Path) -> Result<Tuned, String> {
+        let file = model_file::read(path).map_err(|e| e.to_string())?;
+        Ok(Tuned {
+            path: Some(path.to_owned()),
+            saved: Some(file.params),
+            text: std::fs::read_to_string(path).ok(),
+            ..Tuned::new(file)
+        })
+    }
+
+    fn new(file: ModelFile) -> Tuned {
+        // The reader took no damper over a setting.
+        let ModelFile { params, identification, given, axis: _ } = file;
+        Tuned {
+            path: None,
+            identified: params,
+            identification,
+            given,
+            text: None,
+            history: History::new(params),
+            saved: None,
+            refused: None,
+        }
+    }
+
+    /// A model that was just identified, from the text of its file.
+    ///
+    /// # Errors
+    /// Where the text is no model file; what a fit writes is.
+    pub fn identified(text: String) -> Result<Tuned, String> {
+        let file = model_file::of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
+        Ok(Tuned { text: Some(text), ..Tuned::new(file) })
+    }
+
+    /// What its file gives that does nothing as the values are now, a sentence for each element that is off.
+    pub fn idle(&self) -> Vec<Sentence> {
+        model_file::idle(&self.given, self.params())
+    }
+
+    /// The name of its file; empty where it was never saved.
+    pub fn name(&self) -> String {
+        let file = self.path.as_ref().and_then(|p| p.file_name());
+        file.map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+    }
+
+    /// Values as they are now.
+    pub fn params(&self) -> &Params {
+        self.history.now()
+    }
+
+    /// The model of the values.
+    pub fn model(&self) -> Option<Model> {
+        Model::new(self.params()).ok()
+    }
+
+    /// As the file it would be saved to reads.
+    pub fn file(&self) -> ModelFile {
+        ModelFile {
+            params: *self.params(),
+            axis: Axis::NONE,
+            identification: self.identification.clone(),
+            given: self.given.clone(),
+        }
+    }
+
+    /// Whether something would be lost by closing.
+    pub fn is_unsaved(&self) -> bool {
+        self.saved.as_ref() != Some(self.params())
+    }
+
+    /// Whether the values are others than those identified.
+    pub fn is_tuned(&self) -> bool {
+        self.identified != *self.params()
+    }
+
+    /// Takes other values where they make a model; says why not otherwise.
+    pub fn change(&mut self, change: Change, params: Params) -> bool {
+        match Model::new(&params) {
+            Ok(_) => {
+                self.refused = None;
+                self.history.change(change, params)
+            }
+            Err(fault) => {
+                let name = parameter::table().nth(fault.parameter as usize).map_or("", |row| row.parameter.name);
+                self.refused = Some(format!("{name} {}", fault.reason.text()));
+                false
+            }
+        }
+    }
+
+    /// Sets a number, or an entry of a list.
+    pub fn set(&mut self, row: &Row, entry: usize, value: f64) -> bool {
+        let p = row.parameter;
+        let mut params = *self.params();
+        let value = restrict(value, p.low, p.high);
+        let done = match p.shape {
+            Shape::List(_) => {
+                let mut list = params.get(row).to_vec();
+                let Some(place) = list.get_mut(entry) else { return false };
+                *place = value;
+                List::try_from(*row).and_then(|of| params.set_list(of, &list))
+            }
+            _ => Number::try_from(*row).and_then(|of| params.set(of, value)),
+        };
+        done.is_ok() && self.change(Change::Value(row.index, entry), params)
+    }
+
+    /// Switches an element.
+    pub fn switch(&mut self, element: Element, on: bool) -> bool {
+        let mut params = *self.params();
+        params.enable(element, on);
+        let changed = self.change(Change::Element(element), params);
+        self.seal();
+        changed
+    }
+
+    /// The next change is undone by itself.
+    pub fn seal(&mut self) {
+        self.history.seal();
+    }
+
+    /// Takes the last change back.
+    pub fn undo(&mut self) -> bool {
+        self.refused = None;
+        self.history.undo()
+    }
+
+    /// Does again what was taken back.
+    pub fn redo(&mut self) -> bool {
+        self.refused = None;
+        self.history.redo()
+    }
+
+    /// Forgets what was taken back.
+    pub fn forget_future(&mut self) {
+        self.history.forget_future();
+    }
+
+    /// Whether there is something to take back, and to do again.
+    pub fn can(&self) -> (bool, bool) {
+        self.history.can()
+    }
+
+    /// Back to the identified values; one step that can be taken back.
+    pub fn reset(&mut self) -> bool {
+        self.history.seal();
+        let changed = self.change(Change::Whole, self.identified);
+        self.history.seal();
+        changed
+    }
+
+    /// The text of the model file.
+    ///
+    /// That of the fit where nothing was changed since, else the values with a note that they were tuned by hand.
+    pub fn text(&self) -> String {
+        match &self.text {
+            Some(text) if !self.is_tuned() => text.clone(),
+            _ => self.tuned_text(),
+        }
+    }
+
+    fn tuned_text(&self) -> String {
+        // What the file opened gave of elements that are off stays in it: whoever reads it may switch them on.
+        let flat = model_file::flat_keeping(self.params(), &self.given, |row| {
+            let p = row.parameter;
+            let unit = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
+            let before = self.identified.get(row);
+            let now = self.params().get(row);
+            let changed = match p.shape {
+                Shape::Scalar if before != now => format!("; tuned by hand, was {:?}", before[0]),
+                _ if before != now => "; tuned by hand".to_owned(),
+                _ => String::new(),
+            };
+            format!("{unit}{}{changed}", p.meaning)
+        });
+        // What the fit knew stays: which tests it saw, its plain curve, its intervals, which are those of the identified numbers.
+        let tables = self.text.as_ref().and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
+        let (announced, tables) = match tables {
+            Some(tables) => ("[identification] are the damper; what follows is for people and tools", tables),
+            None => ("[end] are the damper", "\n[end]\n"),
+        };
+        format!(
+            "# A damper tuned by hand in dashpot. SI units; extension (rebound) and tension positive.\n\
+             # The lines up to {announced}.\n\n{flat}{tables}"
+        )
+    }
+
+    /// Remembers that the values were written to a file.
+    pub fn saved_to(&mut self, path: &Path, params: Params) {
+        self.path = Some(path.to_owned());
+        self.saved = Some(params);
+    }
+
+    /// Whether the fit left a number of a list, or a number of its own, open.
+    pub fn is_loose(&self, name: &str, entry: Option<usize>) -> bool {
+        let identifier = entry.map_or_else(|| name.to_owned(), |k| format!("{name}[{k}]"));
+        self.identification.not_identified.contains(&identifier)
+    }
+
+    /// The identified value of a number, where a fit identified it. Of a file that no fit wrote, the value that it gives.
+    pub fn identified_value(&self, row: &Row, entry: usize) -> Option<f64> {
+        let p = row.parameter;
+        let place = matches!(p.shape, Shape::List(_)).then_some(entry);
+        let by_hand = self.identification.intervals.is_empty();
+        let value = self.identified.get(row).get(entry).or(p.default.first()).copied();
+        value.filter(|_| !self.is_loose(p.name, place) && (by_hand || self.interval(p.name, entry).is_some()))
+    }
+
+    /// What the fit says of a number: its 95 % interval.
+    pub fn interval(&self, name: &str, entry: usize) -> Option<[f64; 2]> {
+        match self.identification.intervals.get(name)? {
+            Interval::Number(ends) => Some(*ends),
+            Interval::List(all) => all.get(entry).copied(),
+        }
+        .filter(|[low, high]| low.is_finite() && high.is_finite() && high > low)
+    }
+}
+
+/// Where a slider runs from and to, and whether its steps are factors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    /// Left end.
+    pub low: f64,
+    /// Right end.
+    pub high: f64,
+    /// Whether equal ways are equal factors.
+    pub factors: bool,
+}
+
+/// How many factors of its spread a slider of a size reaches to either side; what dampers show lies within.
+const SPREADS: f64 = 3.0;
+
+impl Reach {
+    /// The range of a slider, which contains prior, interval, identified and present value.
+    ///
+    /// It lies within the bounds of the table.
+    pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
+        let p = row.parameter;
+        let usual = Number::try_from(*row).ok().and_then(|number| priors::of(number, scale));
+        let (mut low, mut high, factors) = match usual {
+            Some(Usual::Size(median, factor)) => {
+                (median / libm::pow(factor, SPREADS), median * libm::pow(factor, SPREADS), true)
+            }
+            Some(Usual::Strength(median, factor)) => {
+                (median / (10.0 * libm::pow(factor, SPREADS)), median * libm::pow(factor, SPREADS), true)
+            }
+            Some(Usual::Place(mean, deviation)) => (mean - SPREADS * deviation, mean + SPREADS * deviation, false),
+            None => {
+                let size = identified.abs().max(now.abs());
+                if size > 0.0 {
+                    (identified - 2.0 * size, identified + 2.0 * size, false)
+                } else {
+                    (p.low.max(-1.0), p.high.min(1.0), false)
+                }
+            }
+        };
+        for value in [Some(identified), Some(now), interval.map(|i| i[0]), interval.map(|i| i[1])].into_iter().flatten()
+        {
+            low = low.min(value);
+            high = high.max(value);
+        }
+        (low, high) = (low.max(p.low), high.min(p.high));
+        Reach { low, high, factors: factors && low > 0.0 }
+    }
+
+    /// Place of a value on the slider, 0..1.
+    pub fn place(&self, value: f64) -> f64 {
+        let of = |v: f64| if self.factors { libm::log(v.max(1e-300)) } else { v };
+        let (low, high) = (of(self.low), of(self.high));
+        if high > low { ((of(value) - low) / (high - low)).clamp(0.0, 1.0) } else { 0.5 }
+    }
+}
+
+/// What dampers show of a number: the middle two thirds.
+pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
+    Some(match priors::of(Number::try_from(*row).ok()?, scale)? {
+        Usual::Size(median, factor) => [median / factor, median * factor],
+        Usual::Strength(median, factor) => [0.0, median * factor],
+        Usual::Place(mean, deviation) => [mean - deviation, mean + deviation],
+    })
+}
+
+/// What an effect usually is: the numbers of an element that dampers with it show, where its own default is another.
+pub fn with_prior(params: &Params, element: Element, strength: f64) -> Params {
+    let mut with = *params;
+    with.enable(element, true);
+    let scale = Scale::of(params);
+    let rows = parameter::table().filter(|row| row.element() == Some(element));
+    for number in rows.filter_map(|row| Number::try_from(row).ok()) {
+        let value = match priors::of(number, scale) {
+            Some(Usual::Size(median, _)) => median,
+            Some(Usual::Strength(median, _)) => strength * median,
+            Some(Usual::Place(mean, deviation)) => {
+                if mean == 0.0 {
+                    strength * deviation
+                } else {
+                    mean
+                }
+            }
+            None => continue,
+        };
+        let _ = with.set(number, number.inside(value));
+    }
+    with
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::number;
+    use dashpot_core::parameter::find;
+
+    fn tuned() -> Tuned {
+        Tuned::new(ModelFile {
+            params: Params::new(),
+            axis: Axis::NONE,
+            identification: Identification::default(),
+            given: Vec::new(),
+        })
+    }
+
+    #[test]
+    fn a_drag_is_undone_in_one_step_and_two_drags_in_two() {
+        let mut tuned = tuned();
+        let row = find("series_stiffness").unwrap();
+        let first = tuned.params().number(number!("series_stiffness"));
+        for value in [1e6, 1.1e6, 1.2e6] {
+            assert!(tuned.set(&row, 0, value));
+        }
+        tuned.seal();
+        assert!(tuned.set(&row, 0, 4e6));
+        assert!(tuned.undo());
+        assert_eq!(tuned.params().number(number!("series_stiffness")), 1.2e6);
+        assert!(tuned.undo());
+        assert_eq!(tuned.params().number(number!("series_stiffness")), first);
+        assert!(!tuned.undo());
+        assert!(tuned.redo() && tuned.redo() && !tuned.redo());
+        assert_eq!(tuned.params().number(number!("series_stiffness")), 4e6);
+        assert!(tuned.reset() && !tuned.is_tuned());
+        assert!(tuned.undo() && tuned.is_tuned());
+    }
+
+    #[test]
+    fn what_makes_no_model_is_refused_and_said() {
+        let mut tuned = tuned();
+        let row = find("fv_velocity").unwrap();
+        let before = *tuned.params();
+        // The velocities of a curve increase.
+        let last = tuned.params().get(&row).to_vec().last().copied().unwrap();
+        assert!(!tuned.set(&row, 0, last + 1.0));
+        assert!(tuned.refused.as_ref().unwrap().contains("fv_velocity"), "{:?}", tuned.refused);
+        assert_eq!(*tuned.params(), before);
+    }
+
+    #[test]
+    fn tuned_values_are_written_with_what_they_were_and_read_back() {
+        let mut tuned = tuned();
+        let row = find("gas_force").unwrap();
+        assert!(tuned.set(&row, 0, -210.0));
+        let text = tuned.text();
+        assert!(text.contains("tuned by hand"), "{text}");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("m.toml");
+        std::fs::write(&path, &text).unwrap();
+        let back = Tuned::read(&path).unwrap();
+        assert_eq!(back.params().number(number!("gas_force")), -210.0);
+        assert!(!back.is_unsaved() && tuned.is_unsaved());
+    }
+
+    #[test]
+    fn numbers_of_elements_that_are_off_stay_in_the_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("m.toml");
+        let text = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\ngas_force = 173.25\nspring_displacement = [-0.1, 0.1]\n\
+                    spring_force = [-50.0, 60.0]\ncoulomb_force = 41.5\n";
+        std::fs::write(&path, text).unwrap();
+        let mut tuned = Tuned::read(&path).unwrap();
+        let told: Vec<String> = tuned.idle().iter().map(ToString::to_string).collect();
+        assert!(tuned.set(&find("fv_compression_c1").unwrap(), 0, 3000.0));
+        // An element that is switched off while the file is open is one of them.
+        assert!(tuned.switch(find("coulomb_force").unwrap().element().unwrap(), false));
+        let saved = folder.path().join("saved.toml");
+        std::fs::write(&saved, tuned.text()).unwrap();
+        let back = Tuned::read(&saved).unwrap();
+        assert_eq!(back.params(), tuned.params());
+        for line in [
+            "gas_force = 173.25 ",
+            "spring_displacement = [-0.1, 0.1] ",
+            "spring_force = [-50.0, 60.0] ",
+            "coulomb_force = 41.5 ",
+        ] {
+            assert!(tuned.text().contains(line), "{line}: {}", tuned.text());
+        }
+        // What the file did not give is not added, and the notes are those of the file and of the element switched off.
+        assert!(
+            !tuned.text().contains("spring_linear") && !tuned.text().contains("viscous_coefficient"),
+            "{}",
+            tuned.text()
+        );
+        let after: Vec<String> = back.idle().iter().map(ToString::to_string).collect();
+        assert!(told.iter().all(|note| after.contains(note)) && after.len() == told.len() + 1, "{told:?} {after:?}");
+    }
+
+    #[test]
+    fn sliders_reach_from_the_usual_to_the_value() {
+        for row in parameter::table().filter(|r| matches!(r.parameter.shape, Shape::Scalar)) {
+            let default = row.parameter.default[0];
+            let reach = Reach::new(&row, Scale::CAR, default, default, None);
+            assert!(reach.low <= default && default <= reach.high, "{} {reach:?}", row.parameter.name);
+            assert!(reach.low.is_finite() && reach.high.is_finite() && reach.low <= reach.high);
+            assert!((0.0..=1.0).contains(&reach.place(default)));
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! What is written beside reports ([`super::papers`]): model files, what is known about records, plots, exports. All through the guards of
+//! the command's outputs: a file of another kind is never replaced, and nothing is ever half written.
+
+use crate::session::Session;
+use crate::session::campaign::Loaded;
+use crate::session::exports::{Export, Host};
+use crate::session::guarded::write;
+use crate::session::tasks::{Kind as Work, Outcome};
+use dashpot_output::Kind;
+use dashpot_records::{Profile, Sentence, profile};
+use std::path::{Path, PathBuf};
+
+/// The error with its causes in one sentence.
+pub fn error_sentence(error: &anyhow::Error) -> Sentence {
+    Sentence::as_it_is(format!("{error:#}"))
+}
+
+impl Session {
+    /// Writes the model as it stands; whether it could.
+    pub fn save(&mut self, path: &Path) -> bool {
+        let Some(model) = &self.model else { return false };
+        let (text, params) = (model.text(), *model.params());
+        match write(path, Kind::Model, text.as_bytes()) {
+            Ok(()) => {
+                if let Some(model) = &mut self.model {
+                    model.saved_to(path, params);
+                }
+                self.say(path.display().to_string());
+                true
+            }
+            Err(error) => {
+                self.complain(error_sentence(&error));
+                false
+            }
+        }
+    }
+
+    /// Keeps how the records are read as `campaign.toml` beside them; whether it could.
+    pub fn keep_reading(&mut self) -> bool {
+        let Some(folder) = self.campaign.as_ref().and_then(|c| c.folder.clone()) else { return false };
+        let path = folder.join(profile::FILE);
+        let written = || -> anyhow::Result<()> {
+            self.reading.check().map_err(anyhow::Error::msg)?;
+            write(&path, Kind::Profile, Profile::from_options(&self.reading).text().as_bytes())
+        };
+        match written() {
+            Ok(()) => {
+                self.say(path.display().to_string());
+                true
+            }
+            Err(error) => {
+                self.complain(error_sentence(&error));
+                false
+            }
+        }
+    }
+
+    /// Leaves a test out whenever these records are read, beside the window and by every verb.
+    pub fn exclude(&mut self, test: usize) {
+        let Some(name) = self.record(test).map(|r| r.name.clone()) else { return };
+        if !self.reading.exclude.contains(&name) {
+            self.reading.exclude.push(name);
+        }
+        if self.keep_reading() {
+            self.read_again();
+        }
+    }
+
+    /// Writes files for a host.
+    pub fn export(&mut self, host: Host, path: PathBuf) {
+        let Some(model) = &self.model else { return };
+        let export = Export { host, params: *model.params(), text: model.text(), name: model.name() };
+        self.begin(Work::Write, move |report| {
+            report(0.1, None);
+            export.write(&path).map(|said| Outcome::Written(path, said)).map_err(|e| error_sentence(&e))
+        });
+    }
+}
+
+/// A plot as a table: every line with its two columns.
+pub fn table(heading: [&str; 2], lines: &[(String, Vec<[f64; 2]>)]) -> String {
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let mut out = format!("line,{},{}\n", quoted(heading[0]), quoted(heading[1]));
+    for (name, points) in lines {
+        for [x, y] in points {
+            out += &format!("{},{x},{y}\n", quoted(name));
+        }
+    }
+    out
+}
+
+/// The campaign's own records are never replaced: the outputs know them as inputs of this run.
+pub fn register_inputs(loaded: &Loaded) {
+    dashpot_output::register_inputs(loaded.paths.iter().cloned());
+}

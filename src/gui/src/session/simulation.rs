@@ -1,0 +1,189 @@
+//! The forces of the model for every test, computed beside the window: the newest values win.
+
+use crate::session::Waker;
+use crate::session::campaign::{Loaded, Seen};
+use dashpot_core::{Model, Params};
+use dashpot_records::Record;
+use dashpot_simulation::prediction::predict;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard};
+use std::time::{Duration, Instant};
+
+/// What is to be computed.
+pub struct Wanted {
+    /// Values of the model.
+    pub params: Params,
+    /// The tests.
+    pub loaded: Arc<Loaded>,
+    /// Whether one cycle of each test is enough for now: a slider is moving.
+    pub quick: bool,
+}
+
+/// What the model makes of all tests.
+pub struct Simulated {
+    /// Values of the model.
+    pub params: Params,
+    /// The tests.
+    pub loaded: Arc<Loaded>,
+    /// One entry a test.
+    pub tests: Vec<OfTest>,
+    /// Whether it rests on one cycle of each test.
+    pub quick: bool,
+    /// How long it took.
+    pub took: Duration,
+}
+
+/// What the model makes of a test.
+#[derive(Debug, Clone)]
+pub struct OfTest {
+    /// Forces over the shown cycle, N.
+    pub shown: Vec<f64>,
+    /// They stand at every so manyeth sample of it.
+    pub stride: usize,
+    /// Mean of |computed − measured|, N.
+    pub mean_error: f64,
+    /// Error in percent of the largest measured force.
+    pub percent: f64,
+    /// Root mean square of computed − measured, N.
+    pub rmse: f64,
+}
+
+impl OfTest {
+    /// Compares forces with a record; `shown` is where the shown cycle lies in it.
+    fn new(forces: &[f64], record: &Record, shown: std::ops::Range<usize>, stride: usize, max_force: f64) -> OfTest {
+        let n = record.force.len().min(forces.len()).max(1) as f64;
+        let errors = || forces.iter().zip(&record.force).map(|(f, m)| f - m);
+        let mean_error = errors().map(f64::abs).sum::<f64>() / n;
+        OfTest {
+            shown: forces.get(shown).map(<[f64]>::to_vec).unwrap_or_default(),
+            stride,
+            mean_error,
+            percent: 100.0 * mean_error / max_force.max(1e-9),
+            rmse: (errors().map(|e| e * e).sum::<f64>() / n).sqrt(),
+        }
+    }
+
+    /// Of a whole test, or of its shown cycle alone, from oil that is warmer than the surroundings by `rise`, K.
+    pub fn simulate(model: &Model, record: &Record, seen: &Seen, rise: f64, quick: bool) -> OfTest {
+        if quick {
+            let forces = predict(model, &seen.cycle, &seen.cycle_motion, rise);
+            OfTest::new(&forces, &seen.cycle, 0..seen.cycle_samples, seen.stride, seen.max_force)
+        } else {
+            OfTest::new(&predict(model, record, &seen.motion, rise), record, seen.shown.clone(), 1, seen.max_force)
+        }
+    }
+}
+
+struct Desk {
+    wanted: Option<(u64, Wanted)>,
+    done: Option<Simulated>,
+    closed: bool,
+}
+
+struct Shared {
+    desk: Mutex<Desk>,
+    news: Condvar,
+    /// Number of the newest order.
+    newest: AtomicU64,
+    /// Whether the thread is computing.
+    busy: AtomicU64,
+}
+
+impl Shared {
+    fn desk(&self) -> MutexGuard<'_, Desk> {
+        self.desk.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+/// A thread that computes what was ordered last.
+pub struct Simulator {
+    shared: Arc<Shared>,
+}
+
+impl Simulator {
+    /// Starts the thread; `waker` is called when there is something new.
+    pub fn new(waker: Waker) -> Simulator {
+        let shared = Arc::new(Shared {
+            desk: Mutex::new(Desk { wanted: None, done: None, closed: false }),
+            news: Condvar::new(),
+            newest: AtomicU64::new(0),
+            busy: AtomicU64::new(0),
+        });
+        let own = shared.clone();
+        let _ = std::thread::Builder::new().name("simulator".into()).spawn(move || work(&own, &waker));
+        Simulator { shared }
+    }
+
+    /// Orders a computation; one that waits is forgotten, one under way is left where it is not needed on the way.
+    pub fn order(&self, wanted: Wanted) {
+        let number = 1 + self.shared.newest.fetch_add(1, Ordering::Relaxed);
+        self.shared.desk().wanted = Some((number, wanted));
+        self.shared.news.notify_one();
+    }
+
+    /// What came last, once.
+    pub fn take(&self) -> Option<Simulated> {
+        self.shared.desk().done.take()
+    }
+
+    /// Whether something is waiting or under way.
+    pub fn is_busy(&self) -> bool {
+        let desk = self.shared.desk();
+        desk.wanted.is_some() || desk.done.is_some() || self.shared.busy.load(Ordering::Relaxed) > 0
+    }
+}
+
+impl Drop for Simulator {
+    fn drop(&mut self) {
+        self.shared.desk().closed = true;
+        self.shared.news.notify_one();
+    }
+}
+
+fn work(shared: &Shared, waker: &Waker) {
+    loop {
+        let (number, wanted) = {
+            let mut desk = shared.desk();
+            loop {
+                if desk.closed {
+                    return;
+                }
+                if let Some(wanted) = desk.wanted.take() {
+                    shared.busy.store(1, Ordering::Relaxed);
+                    break wanted;
+                }
+                desk = shared.news.wait(desk).unwrap_or_else(std::sync::PoisonError::into_inner);
+            }
+        };
+        // A quick answer is always given, else nothing would move while the mouse does; a full one is left for newer values.
+        let outdated = || !wanted.quick && shared.newest.load(Ordering::Relaxed) != number;
+        let result = simulate(&wanted, &outdated);
+        {
+            let mut desk = shared.desk();
+            if result.is_some() {
+                desk.done = result;
+            }
+            shared.busy.store(0, Ordering::Relaxed);
+        }
+        waker();
+    }
+}
+
+/// Everything that was ordered; nothing where it is outdated on the way or makes no model.
+pub fn simulate(wanted: &Wanted, outdated: &(dyn Fn() -> bool + Sync)) -> Option<Simulated> {
+    let began = Instant::now();
+    let model = Model::new(&wanted.params).ok()?;
+    let all = wanted.loaded.campaign.records.par_iter().zip(&wanted.loaded.tests).enumerate();
+    let rise = |k| wanted.loaded.warm.rise(&wanted.params, k);
+    let tests: Option<Vec<OfTest>> = all
+        .map(|(k, (record, seen))| (!outdated()).then(|| OfTest::simulate(&model, record, seen, rise(k), wanted.quick)))
+        .collect();
+    Some(Simulated {
+        params: wanted.params,
+        loaded: wanted.loaded.clone(),
+        tests: tests?,
+        quick: wanted.quick,
+        took: began.elapsed(),
+    })
+}

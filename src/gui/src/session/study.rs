@@ -1,0 +1,120 @@
+//! One number at several values: the family of loops, and what each does to gap and area.
+
+use crate::session::campaign::Loaded;
+use crate::session::simulation::OfTest;
+use dashpot_core::parameter::Number;
+use dashpot_core::{Model, Params};
+use rayon::prelude::*;
+
+/// What is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// Parameter.
+    pub number: Number,
+    /// From and to, SI.
+    pub range: [f64; 2],
+    /// Whether the values are equal factors apart.
+    pub factors: bool,
+    /// Number of values.
+    pub count: usize,
+    /// The test whose motion is driven.
+    pub test: usize,
+}
+
+/// One value of the number.
+#[derive(Debug, Clone)]
+pub struct Member {
+    /// Its value, SI.
+    pub value: f64,
+    /// Forces over the shown cycle, N.
+    pub force: Vec<f64>,
+    /// Area of the loop of force over displacement, J: the work of one cycle.
+    pub area: f64,
+    /// Vertical gap between the two ways through the middle of the velocities, N.
+    pub gap: f64,
+}
+
+/// The family.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// What was asked.
+    pub question: Question,
+    /// Values that make a model, in order.
+    pub members: Vec<Member>,
+    /// Of the measured cycle: area, J, and gap, N.
+    pub measured: [f64; 2],
+}
+
+/// Answers the question; values that make no model are left out.
+pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<Study> {
+    let (record, seen) = (loaded.campaign.records.get(question.test)?, loaded.tests.get(question.test)?);
+    let [low, high] = question.range;
+    let value = |k: usize| {
+        let part = k as f64 / (question.count.max(2) - 1) as f64;
+        if question.factors && low > 0.0 { low * libm::pow(high / low, part) } else { low + part * (high - low) }
+    };
+    let cycle = &seen.cycle;
+    let n = seen.cycle_samples;
+    let figures =
+        |force: &[f64]| [loop_area(&cycle.displacement[..n], force), gap(&seen.cycle_motion.velocity[..n], force)];
+    let members = (0..question.count.max(2))
+        .into_par_iter()
+        .filter_map(|k| {
+            let mut with = *params;
+            with.set(question.number, value(k)).ok()?;
+            let model = Model::new(&with).ok()?;
+            let rise = loaded.warm.rise(&with, question.test);
+            let force = OfTest::simulate(&model, record, seen, rise, true).shown;
+            let [area, gap] = figures(&force);
+            Some(Member { value: value(k), force, area, gap })
+        })
+        .collect();
+    Some(Study { question: question.clone(), members, measured: figures(&cycle.force[..n]) })
+}
+
+/// Area inside a closed loop: ∮ F dx.
+pub fn loop_area(x: &[f64], force: &[f64]) -> f64 {
+    let n = x.len().min(force.len());
+    (0..n).map(|i| 0.5 * (force[i] + force[(i + 1) % n]) * (x[(i + 1) % n] - x[i])).sum()
+}
+
+/// Share of the peak velocity within which the gap is looked at: where friction and compressibility open the loop most.
+const SLOW: f64 = 0.2;
+
+/// Mean force while the velocity falls less that while it rises, at low velocities.
+pub fn gap(velocity: &[f64], force: &[f64]) -> f64 {
+    let peak = velocity.iter().fold(0.0f64, |m, v| v.abs().max(m));
+    let n = velocity.len().min(force.len());
+    let mut sums = [(0.0, 0.0); 2];
+    for i in (0..n).filter(|i| velocity[*i].abs() <= SLOW * peak) {
+        let falls = velocity[(i + 1) % n] < velocity[i];
+        let (count, sum) = &mut sums[usize::from(falls)];
+        *count += 1.0;
+        *sum += force[i];
+    }
+    let [(rising, up), (falling, down)] = sums;
+    if rising > 0.0 && falling > 0.0 { down / falling - up / rising } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn area_and_gap_of_a_known_loop() {
+        let n = 2000;
+        let phase = |i: usize| TAU * i as f64 / n as f64;
+        let x: Vec<f64> = (0..n).map(|i| 0.01 * libm::sin(phase(i))).collect();
+        let v: Vec<f64> = (0..n).map(|i| 0.01 * TAU * libm::cos(phase(i))).collect();
+        // A viscous damper of 1000 N s/m at 1 Hz, with a spring of 5000 N/m: area π c ω X², gap from the spring alone.
+        let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| 1000.0 * v + 5000.0 * x).collect();
+        let wanted = std::f64::consts::PI * 1000.0 * TAU * 0.01 * 0.01;
+        assert!((loop_area(&x, &force) / wanted - 1.0).abs() < 1e-3);
+        let viscous: Vec<f64> = v.iter().map(|v| 1000.0 * v).collect();
+        assert!(gap(&v, &viscous).abs() < 0.5);
+        // While the velocity falls the spring is stretched: +x, so the gap is about twice its force at the middle.
+        let found = gap(&v, &force);
+        assert!((found / (2.0 * 5000.0 * 0.01) - 1.0).abs() < 0.05, "{found}");
+    }
+}

@@ -1,0 +1,94 @@
+//! Records of a damper that the kernel itself makes, and a window without a screen.
+
+use crate::app::App;
+use crate::dialogs::Message;
+use crate::session::recent::Recent;
+use dashpot_core::number;
+use dashpot_core::step::step;
+use dashpot_core::{Input, Model, Params};
+use eframe::egui;
+use egui_kittest::Harness;
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// The damper that was "measured": unlike the default in its series spring.
+pub fn truth() -> Params {
+    let mut params = Params::new();
+    params.set(number!("series_stiffness"), 1.6e6).unwrap();
+    params
+}
+
+/// Samples of a cycle: enough for every reader, few enough for hundreds of tests.
+const SAMPLES: usize = 200;
+
+/// Writes so many sine tests into a folder: amplitudes 40, 20, 8 mm, at increasing speed.
+pub fn campaign(folder: &Path, count: usize) {
+    campaign_of(&truth(), folder, count);
+}
+
+/// The tests of another damper.
+pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
+    let model = Model::new(damper).unwrap();
+    for k in 0..count {
+        let amplitude = [0.040, 0.020, 0.008][k % 3];
+        let speed = 0.05 * 1.25f64.powi((k / 3 % 14) as i32) * (1.0 + 1e-3 * (k / 42) as f64);
+        let frequency = speed / (TAU * amplitude);
+        let dt = 1.0 / (frequency * SAMPLES as f64);
+        let at = |i: usize| {
+            let phase = TAU * frequency * dt * i as f64;
+            (amplitude * libm::sin(phase), TAU * frequency * amplitude * libm::cos(phase))
+        };
+        let input = |i: usize| {
+            let (x, v) = at(i);
+            Input { displacement: Some(x), velocity: v, side_force: 0.0, temperature: 20.0 }
+        };
+        let mut state = model.steady_state(&input(0));
+        let mut text = String::from("time_s,displacement_mm,velocity_mps,force_N\n");
+        for i in 0..3 * SAMPLES {
+            let (next, output) = step(&model, &state, &input(i), dt);
+            state = next;
+            let (x, v) = at(i);
+            // A thousandth of a newton of made-up noise, the same every time.
+            let noise = 1e-3 * ((i * 7919 + k * 104_729) % 1000) as f64 / 1000.0;
+            let _ = writeln!(text, "{},{},{v},{}", dt * i as f64, 1e3 * x, output.force + noise);
+        }
+        std::fs::write(folder.join(format!("a{:02.0}_{k:03}.csv", 1e3 * amplitude)), text).unwrap();
+    }
+}
+
+/// Writes a model file and returns its path.
+pub fn model(folder: &Path) -> PathBuf {
+    let path = folder.join("damper.toml");
+    let text = dashpot_identification::model_file::flat(&Params::new(), |_| String::new());
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+/// A window of 1280 by 800 points without a screen; dialogs are answered with these paths, in order.
+pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
+    Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
+        let mut app = App::with_recent(&creation.egui_ctx, Box::new(Message::naming(answers)), Recent::read(None));
+        app.view.language = crate::words::Language::English;
+        app
+    })
+}
+
+/// Longest wait for work beside the window.
+const PATIENCE: Duration = Duration::from_secs(240);
+
+/// Draws until something has come true.
+#[track_caller]
+pub fn until(harness: &mut Harness<'_, App>, what: &str, mut done: impl FnMut(&App) -> bool) {
+    let began = Instant::now();
+    loop {
+        harness.step();
+        if done(harness.state()) {
+            harness.step();
+            return;
+        }
+        assert!(began.elapsed() < PATIENCE, "{what} did not come in {PATIENCE:?}");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}

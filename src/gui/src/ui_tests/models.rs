@@ -1,0 +1,301 @@
+//! Models that come and go: nothing tuned by hand is lost, everything can be taken back, and answers say what they are of.
+
+use super::*;
+use crate::session::replacing::Replacement;
+use crate::units::{Force, Units, Velocity};
+
+fn params(harness: &Harness<'_, App>) -> dashpot_core::Params {
+    *harness.state().session.model.as_ref().unwrap().params()
+}
+
+fn fitted(harness: &mut Harness<'_, App>) {
+    until(harness, "the fit", |app| app.session.answers.fit.is_some() && app.session.task.is_none());
+}
+
+#[test]
+fn undo_goes_back_over_a_fit_and_forth_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 12, vec![]);
+    let opened = params(&harness);
+    // Tuned and saved: nothing would be lost, so nothing is asked.
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
+    let out = tempfile::tempdir().unwrap();
+    assert!(harness.state_mut().session.save(&out.path().join("m.toml")));
+    let tuned = params(&harness);
+    harness.key_press(Key::F5);
+    fitted(&mut harness);
+    let found = params(&harness);
+    assert_ne!(found, tuned);
+    press(&mut harness, "Undo");
+    assert_eq!(params(&harness), tuned, "the model before the fit");
+    press(&mut harness, "Undo");
+    assert_eq!(params(&harness), opened, "and the steps before it");
+    press(&mut harness, "Redo");
+    press(&mut harness, "Redo");
+    assert_eq!(params(&harness), found);
+    assert!(!harness.state().session.can_undo().1);
+    // What is done after a step back takes the place of what was taken back.
+    press(&mut harness, "Undo");
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 3e6));
+    assert!(!harness.state().session.can_undo().1);
+}
+
+#[test]
+fn a_model_tuned_by_hand_is_not_replaced_without_a_question() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 12, vec![]);
+    let other = tempfile::tempdir().unwrap();
+    let file = model(other.path());
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
+    let tuned = params(&harness);
+    let title = "Replace the model tuned by hand?";
+    // By a fit, by a file that is opened, and by one that is dropped.
+    for how in 0..3 {
+        match how {
+            0 => press(&mut harness, "Fit"),
+            1 => harness.state_mut().session.replace(Replacement::File(file.clone())),
+            _ => drop_files(&mut harness, &[file.clone()]),
+        }
+        harness.step();
+        harness.step();
+        assert!(says(&harness, title) && harness.state().session.task.is_none(), "{how}");
+        press(&mut harness, "Stay");
+        assert!(!says(&harness, title) && params(&harness) == tuned, "{how}");
+    }
+    harness.state_mut().session.replace(Replacement::File(file));
+    harness.step();
+    harness.step();
+    press(&mut harness, "Replace");
+    assert_ne!(params(&harness), tuned);
+    press(&mut harness, "Undo");
+    assert_eq!(params(&harness), tuned, "it can be gone back to");
+    // A fit that ends while the model is tuned asks then.
+    harness.state_mut().session.fit();
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.6e6));
+    let tuned = params(&harness);
+    until(&mut harness, "the fit", |app| app.session.task.is_none());
+    assert!(says(&harness, title));
+    assert_eq!(params(&harness), tuned);
+    press(&mut harness, "Replace");
+    assert_ne!(params(&harness), tuned);
+}
+
+#[test]
+fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), 12);
+    let mut harness = window(vec![]);
+    harness.state_mut().session.open(&[folder.path().to_owned()]);
+    until(&mut harness, "the records", |app| app.session.has_records());
+    press(&mut harness, "Fit");
+    fitted(&mut harness);
+    let old = "⚠ Out of date: the model, the records or the ticked tests have changed since";
+    // What the records left open has no mark of an identified value; what they identified has one.
+    let session = &harness.state().session;
+    let model = session.model.as_ref().unwrap();
+    let estimates = session.estimates();
+    assert!(estimates.iter().any(|e| e.standing != dashpot_identification::Standing::Identified));
+    for e in estimates.iter().filter(|e| e.index.is_none()) {
+        let row = dashpot_core::parameter::find(e.name).unwrap();
+        let identified = e.standing == dashpot_identification::Standing::Identified && e.low.is_some();
+        assert_eq!(model.identified_value(&row, 0).is_some(), identified, "{} {:?}", e.name, e.standing);
+    }
+    // The panel opens with one sentence that says good or bad.
+    harness.step();
+    assert_eq!(harness.state().view.side, crate::views::Side::Result);
+    let quality = harness.state().session.answers.fit.as_ref().unwrap().found.quality.unwrap();
+    for (_, language) in Language::ALL.iter().rev() {
+        harness.state_mut().view.language = *language;
+        harness.step();
+        let sentence = dashpot_report::quality::sentence(&quality, language.words());
+        assert!(says(&harness, &sentence), "{sentence}");
+    }
+    assert!(!says(&harness, old));
+    harness.key_press(Key::F6);
+    until(&mut harness, "the validation", |app| app.session.answers.validation.is_some());
+    assert!(!says(&harness, old));
+    harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 77.0));
+    harness.step();
+    assert_eq!(harness.query_all(by().label(old)).count(), 2, "fit and validation");
+    press(&mut harness, "Undo");
+    assert!(!says(&harness, old), "they are of this model again");
+    harness.state_mut().session.unticked.insert(0);
+    harness.step();
+    assert!(says(&harness, old));
+}
+
+#[test]
+fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
+    use crate::dialogs::Message;
+    use crate::session::recent::Recent;
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), 6);
+    let models = folder.path().join("models");
+    std::fs::create_dir(&models).unwrap();
+    let file = model(&models);
+    let began = std::rc::Rc::<std::cell::RefCell<Vec<Option<PathBuf>>>>::default();
+    let asked = std::rc::Rc::clone(&began);
+    let mut harness =
+        Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
+            let mut dialogs = Message::default();
+            (dialogs.began, dialogs.without) = (asked, true);
+            let mut app = App::with_recent(&creation.egui_ctx, Box::new(dialogs), Recent::read(None));
+            app.view.language = Language::English;
+            app
+        });
+    harness.state_mut().session.open(&[folder.path().to_owned(), file]);
+    until(&mut harness, "forces", |app| app.session.simulated.is_some());
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
+    press(&mut harness, "File");
+    press(&mut harness, "Save model as…");
+    harness.step();
+    assert_eq!(began.borrow().last().unwrap().as_deref(), Some(folder.path()), "in the folder of the campaign");
+    assert!(harness.query_all(by().label_contains("zenity")).next().is_some(), "why it is chosen here");
+    harness.check_accessibility();
+    press(&mut harness, "OK");
+    let saved = folder.path().join("damper.toml");
+    assert_eq!(
+        Tuned::read(&saved).unwrap().params().number(number!("series_stiffness")),
+        2.5e6,
+        "{:?}",
+        message(&harness)
+    );
+    // A model in a folder below is found by a click.
+    press(&mut harness, "File");
+    press(&mut harness, "Open model…");
+    harness.step();
+    press(&mut harness, "models/");
+    press(&mut harness, "damper.toml");
+    press(&mut harness, "OK");
+    assert_eq!(
+        harness.state().session.model.as_ref().unwrap().path.as_deref(),
+        Some(models.join("damper.toml").as_path())
+    );
+}
+
+#[test]
+fn tabs_stand_still_and_no_letter_is_smaller_than_eleven() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let places = |harness: &Harness<'_, App>, language: Language| {
+        let w = crate::words::texts(language);
+        [w.tune, w.result, w.records, w.study].map(|text| widget(harness, Role::Button, text).rect())
+    };
+    for (_, language) in Language::ALL {
+        harness.state_mut().view.language = language;
+        harness.step();
+        harness.step();
+        let first = places(&harness, language);
+        let w = crate::words::texts(language);
+        for side in [w.tune, w.result, w.records, w.study] {
+            press(&mut harness, side);
+            harness.step();
+            for (a, b) in first.iter().zip(places(&harness, language)) {
+                assert!(
+                    (a.left() - b.left()).abs() < 0.6 && (a.right() - b.right()).abs() < 0.6,
+                    "{language:?} {side}: {a} {b}"
+                );
+            }
+        }
+    }
+    for (style, font) in &harness.ctx.global_style().text_styles {
+        assert!(font.size >= 11.0, "{style:?}");
+    }
+}
+
+#[test]
+fn names_are_translated_and_units_are_those_chosen() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    for (language, name) in [
+        (Language::German, "Reihensteifigkeit"),
+        (Language::French, "raideur en série"),
+        (Language::Chinese, "串联刚度"),
+    ] {
+        harness.state_mut().view.language = language;
+        harness.step();
+        assert!(has(&harness, Role::Slider, &format!("{name} N/mm")), "{name}");
+    }
+    harness.state_mut().view.language = Language::English;
+    harness.state_mut().view.units = Units { velocity: Velocity::InchesPerSecond, force: Force::Pounds };
+    harness.step();
+    assert!(has(&harness, Role::Slider, "series stiffness lbf/in"));
+    let most = |harness: &Harness<'_, App>| {
+        let lines = &harness.state().view.lines.lines;
+        let of =
+            |f: fn(&egui_plot::PlotPoint) -> f64| lines.iter().flat_map(|l| &l.velocity).map(f).fold(0.0, f64::max);
+        (of(|p| p.x), of(|p| p.y))
+    };
+    harness.step();
+    let inches = most(&harness);
+    harness.state_mut().view.units = Units::default();
+    harness.step();
+    harness.step();
+    let metric = most(&harness);
+    assert!(
+        (inches.0 / metric.0 - 1.0 / 0.0254).abs() < 1e-6 && (inches.1 * 4.448_221_615 / metric.1 - 1.0).abs() < 1e-6
+    );
+}
+
+#[test]
+fn a_point_that_stops_says_why() {
+    use crate::views::plots::{Stop, drag};
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let session = &mut harness.state_mut().session;
+    let mut stops = Vec::new();
+    let zero =
+        session.model.as_ref().unwrap().params().list(list!("fv_velocity")).iter().position(|v| *v == 0.0).unwrap();
+    session.tune(|m| {
+        stops.push(drag(m, zero, [0.0, 50.0], false).1);
+        stops.push(drag(m, 3, [0.0, 1e5], false).1);
+        stops.push(drag(m, 3, [1e3, 0.0], true).1);
+        // A little, with room to both sides: the drawn point follows the pointer.
+        let at = m.params().list(list!("fv_force"))[2];
+        let (moved, stop) = drag(m, 2, [0.0, at - 5.0], false);
+        stops.push(stop);
+        moved
+    });
+    assert_eq!(stops[0], Some(Stop::AtRest));
+    assert_eq!(stops[1], Some(Stop::Force));
+    assert!(stops[2].is_some());
+}
+
+#[test]
+fn the_tables_of_velocities_are_shown_and_saved() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let files = [out.path().join("cvp.csv"), out.path().join("pvp.csv")];
+    let mut harness = opened(folder.path(), 6, files.iter().map(|f| vec![f.clone()]).collect());
+    press(&mut harness, "PVP, CVP");
+    for k in 0..2 {
+        let button = |harness: &Harness<'_, App>| {
+            let found = harness.query_all(by().role(Role::Button).label("Save table…")).nth(k);
+            found.unwrap_or_else(|| panic!("table {k} has no button")).rect().center()
+        };
+        harness.query_all(by().role(Role::Button).label("Save table…")).nth(k).unwrap().scroll_to_me();
+        // The panel glides there.
+        harness.run_steps(30);
+        let at = button(&harness);
+        harness.hover_at(at);
+        harness.step();
+        harness.drag_at(at);
+        harness.drop_at(at);
+        harness.step();
+        harness.step();
+    }
+    let rows = |path: &Path| -> Vec<Vec<String>> {
+        let text = std::fs::read_to_string(path).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
+        text.lines().skip(1).map(|l| l.split(',').map(str::to_owned).collect()).collect()
+    };
+    let [cvp, pvp] = files.each_ref().map(|f| rows(f));
+    assert_eq!(pvp.len(), 6);
+    // The records are those of a model that differs in its series spring: forces at the peaks agree within a few percent.
+    for row in &pvp {
+        let numbers: Vec<f64> = row[1..].iter().map(|c| c.parse().unwrap()).collect();
+        assert!(numbers[1] > 0.0 && numbers[4] < 0.0 && (numbers[2] / numbers[3] - 1.0).abs() < 0.2, "{row:?}");
+    }
+    assert!(cvp.len() >= 6, "{cvp:?}");
+    let velocities: Vec<f64> = cvp.iter().map(|r| r[0].parse().unwrap()).collect();
+    assert!(velocities.windows(2).all(|w| w[0] > w[1]), "{velocities:?}");
+}

@@ -1,0 +1,250 @@
+//! What fit, validation and diagnosis found, in the words of the report.
+
+use crate::dialogs::Ask;
+use crate::session::Session;
+use crate::session::papers::Paper;
+use crate::session::replacing::Replacement;
+use crate::views::{View, translate_name};
+use crate::words::{Language, Words, texts};
+use dashpot_diagnosis::{Diagnosis, InventoryItem};
+use dashpot_identification::validation::{Errors, Validation};
+use dashpot_identification::{Fit, Standing};
+use dashpot_report::diagnosis::changed_name;
+use dashpot_report::diagnosis::headline;
+use dashpot_report::inventory::{probability, status_text};
+use dashpot_report::numbers::{error, fraction, with_interval};
+use dashpot_report::parameters::assumed_of;
+use dashpot_report::quality;
+use eframe::egui::{self, RichText, Ui};
+
+/// Draws the panel.
+pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let w = view.words();
+    egui::ScrollArea::vertical().id_salt("answer").auto_shrink([false, false]).show(ui, |ui| {
+        let nothing = session.answers.fit.is_none()
+            && session.answers.validation.is_none()
+            && session.answers.diagnosis.is_none();
+        if nothing {
+            wrapped(ui, RichText::new(w.no_result));
+        }
+        let mut take = false;
+        let free = session.task.is_none();
+        if let Some(answer) = &session.answers.diagnosis {
+            let (found, old) = (&answer.found.found, answer.is_old(session));
+            heading(ui, w.diagnosis_result, old, w);
+            wrapped(ui, RichText::new(headline(found, view.language.words())).strong());
+            // Above the details, which are more than the window holds.
+            ui.horizontal_wrapped(|ui| {
+                let added = found.findings.iter().any(|f| !f.of_the_rig);
+                take = ui.add_enabled(free && added && !old, egui::Button::new(w.take_improved)).clicked();
+                let offered = [(w.write_report, Paper::DiagnosisReport), (w.save_tables, Paper::DiagnosisTables)];
+                papers(ui, free && !old, view, &offered);
+            });
+            diagnosis(ui, found, view.language, &mut view.asks);
+            ui.separator();
+        }
+        if let Some(answer) = &session.answers.validation {
+            let old = answer.is_old(session);
+            heading(ui, w.validation_result, old, w);
+            validation(ui, &answer.found, w);
+            let offered = [(w.write_report, Paper::ValidationReport), (w.save_tables, Paper::ValidationTables)];
+            ui.horizontal_wrapped(|ui| papers(ui, free && !old, view, &offered));
+            ui.separator();
+        }
+        if let Some(answer) = &session.answers.fit {
+            let old = answer.is_old(session);
+            heading(ui, w.fit_result, old, w);
+            // Above the numbers, which are more than the window holds.
+            let said = view.language.words();
+            if let Some(quality) = &answer.found.quality {
+                wrapped(ui, RichText::new(quality::sentence(quality, said)).strong());
+            }
+            papers(ui, free && !old, view, &[(w.save_tables, Paper::FitTables)]);
+            fit(ui, &answer.found.fit, view.language);
+        }
+        if take {
+            session.replace(Replacement::Improved);
+        }
+    });
+}
+
+/// The title of an answer, marked where it is of another model, other records or other tests than those on screen.
+fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
+    ui.heading(title);
+    if old {
+        let text = RichText::new(format!("⚠ {}", w.old_result)).color(ui.visuals().warn_fg_color);
+        ui.add(egui::Label::new(text).wrap());
+    }
+}
+
+/// Buttons that write what stands beside them.
+fn papers(ui: &mut Ui, free: bool, view: &mut View, offered: &[(&str, Paper)]) {
+    for (text, paper) in offered {
+        if ui.add_enabled(free, egui::Button::new(*text)).clicked() {
+            view.asks.push(Ask::Paper(*paper));
+        }
+    }
+}
+
+fn wrapped(ui: &mut Ui, text: RichText) {
+    ui.add(egui::Label::new(text).wrap());
+}
+
+fn fit(ui: &mut Ui, found: &Fit, language: Language) {
+    let (w, said) = (texts(language), language.words());
+    wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
+    inventory(ui, "fit_inventory", &found.inventory, false, language);
+    egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
+        for e in found.estimates.iter().filter(|e| e.index.is_none()) {
+            ui.label(RichText::new(translate_name(e.name, said)).small()).on_hover_text(e.name);
+            match (&e.standing, e.low, e.high) {
+                (Standing::NotIdentified, ..) => {
+                    let assumed = assumed_of(e, &found.params, said).unwrap_or_default();
+                    ui.add(egui::Label::new(RichText::new(assumed).small().weak()).wrap())
+                }
+                (_, Some(low), Some(high)) => {
+                    let (value, interval) = with_interval(e.value, low, high, e.unit, said);
+                    ui.label(RichText::new(format!("{value}  ({interval})")).small())
+                }
+                _ => ui.label(RichText::new(format!("{} {}", w.digits(e.value), e.unit)).small()),
+            };
+            ui.end_row();
+        }
+    });
+    for note in &found.notes {
+        wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());
+    }
+}
+
+/// Each effect with its force and probability and, beside a given model, what became of it.
+fn inventory(ui: &mut Ui, id: &str, items: &[InventoryItem], status: bool, language: Language) {
+    if items.is_empty() {
+        return;
+    }
+    let said = language.words();
+    ui.strong(said.inventory_section);
+    egui::Grid::new(id).num_columns(if status { 4 } else { 3 }).striped(true).show(ui, |ui| {
+        let headings = [said.col_effect, said.col_force_rms, said.col_probability, said.col_status];
+        for heading in headings.into_iter().take(if status { 4 } else { 3 }) {
+            ui.label(RichText::new(heading).small().strong());
+        }
+        ui.end_row();
+        for item in items {
+            let form = said.word(item.form);
+            let hint = if form.is_empty() { item.effect.to_owned() } else { format!("{}: {form}", item.effect) };
+            ui.label(RichText::new(translate_name(item.effect, said)).small()).on_hover_text(hint);
+            let force = if item.force_n_rms.is_finite() { said.number(&error(item.force_n_rms)) } else { "–".into() };
+            ui.label(RichText::new(force).small());
+            ui.label(RichText::new(probability(item.probability)).small());
+            if status {
+                ui.label(RichText::new(status_text(item, said)).small());
+            }
+            ui.end_row();
+        }
+    });
+}
+
+fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
+    egui::Grid::new("validation").num_columns(4).striped(true).show(ui, |ui| {
+        for heading in ["", w.tests, w.model, w.fv_curve] {
+            ui.strong(heading);
+        }
+        ui.end_row();
+        let mut row = |name: &str, tests: usize, e: &Errors| {
+            ui.label(name);
+            ui.label(tests.to_string());
+            ui.label(format!("{} %", w.fixed(e.model.error_percent, 2)))
+                .on_hover_text(format!("{} N", w.digits(e.model.mean_error_n)));
+            ui.label(format!("{} %", w.fixed(e.fv_only.error_percent, 2)))
+                .on_hover_text(format!("{} N", w.digits(e.fv_only.mean_error_n)));
+            ui.end_row();
+        };
+        for r in found.matrix.by_amplitude.iter().chain(&found.matrix.slow).chain(&found.matrix.not_periodic) {
+            row(&r.label, r.tests, &r.errors);
+        }
+        for (name, summary) in [(w.used_in_fit, &found.used_in_fit), (w.left_out, &found.left_out)] {
+            if let Some(s) = summary {
+                row(name, s.tests, &s.errors);
+            }
+        }
+        row(w.all_tests, found.overall.tests, &found.overall.errors);
+    });
+}
+
+fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<Ask>) {
+    let (w, said) = (texts(language), language.words());
+    inventory(ui, "inventory", &found.inventory, true, language);
+    for finding in &found.findings {
+        ui.add_space(4.0);
+        let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", said.word(finding.form)) };
+        wrapped(
+            ui,
+            RichText::new(format!("{}{form}, {} {}", said.named(finding.effect), fraction(finding.confidence), w.sure))
+                .strong(),
+        );
+        wrapped(ui, RichText::new(said.word(finding.meaning)));
+        for (name, value) in &finding.parameters {
+            let (value, interval) = with_interval(value.value, value.low, value.high, value.unit, said);
+            let figures = said.number(&format!("{value}  ({interval})"));
+            wrapped(ui, RichText::new(format!("{}  {figures}", said.named(name))).small());
+        }
+        if finding.of_the_rig {
+            wrapped(ui, RichText::new(w.of_the_rig).weak());
+        }
+        for rival in finding.rivals.iter().take(2) {
+            wrapped(ui, RichText::new(format!("• {}: {}", said.named(rival.effect), said.say(&rival.why))).weak());
+        }
+    }
+    for suspect in &found.suspects {
+        wrapped(ui, RichText::new(format!("{}: {}", said.named(suspect.effect), said.say(&suspect.why))));
+    }
+    ui.add_space(4.0);
+    let left = |held: Option<f64>| held.map_or_else(|| "–".to_owned(), |v| format!("{} N", w.digits(v)));
+    egui::Grid::new("before_after").num_columns(3).striped(true).show(ui, |ui| {
+        for heading in [w.rms, w.fitted, w.left_out] {
+            ui.strong(heading);
+        }
+        ui.end_row();
+        for (name, f) in [(w.before, &found.before), (w.after, &found.after)] {
+            ui.label(name);
+            ui.label(format!("{} N", w.digits(f.rmse_n)));
+            ui.label(left(f.held_out_rmse_n));
+            ui.end_row();
+        }
+        ui.label(w.noise);
+        ui.label(format!("{} N", w.digits(found.before.noise_n)));
+        ui.label(left(found.before.held_out_noise_n));
+        ui.end_row();
+    });
+    for region in found.regions.iter().take(5) {
+        wrapped(ui, RichText::new(format!("• {}", said.say(&region.text))).weak());
+    }
+    if !found.next_tests.is_empty() {
+        ui.strong(w.next_test);
+    }
+    for test in found.next_tests.iter().take(3) {
+        wrapped(ui, RichText::new(said.say(&test.text)));
+    }
+    if let Some((matrix, _)) = found.next_matrix() {
+        ui.horizontal(|ui| {
+            if ui.button(w.copy_rows).on_hover_text(w.copy_rows_hint).clicked() {
+                ui.ctx().copy_text(matrix.clone());
+            }
+            if ui.button(w.save_matrix).on_hover_text(w.save_matrix_hint).clicked() {
+                asks.push(Ask::Text("next_tests.csv", matrix));
+            }
+        });
+    }
+    if !found.changes.is_empty() {
+        ui.strong(w.changed);
+    }
+    for change in &found.changes {
+        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, said);
+        let before = dashpot_report::numbers::with_unit(change.reference, change.unit);
+        let figures = said.number(&format!("{before} → {value}  ({interval})"));
+        wrapped(ui, RichText::new(format!("{}  {figures}", changed_name(change, said))));
+    }
+    for note in &found.notes {
+        wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());
+    }
+}

@@ -1,0 +1,207 @@
+//! The lines of the loop plots: thinned to what a screen shows, and made anew only when something changed.
+
+use crate::session::Session;
+use crate::session::simulation::OfTest;
+use crate::session::two_ways::two_ways;
+use crate::units::Units;
+use crate::words::Words;
+use dashpot_core::Model;
+use dashpot_core::parameter::Element;
+use egui_plot::PlotPoint;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// Whose forces a line shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Whose {
+    /// The rig's.
+    Measured,
+    /// The corresponding test of the reference campaign.
+    Reference,
+    /// The identified model's, where it was tuned since.
+    Identified,
+    /// The model's.
+    Model,
+    /// The model's with an effect more.
+    Effect,
+}
+
+/// One line in each of the plots.
+pub struct Line {
+    /// Whose.
+    pub whose: Whose,
+    /// Number among the selected tests.
+    pub place: usize,
+    /// Name under the cursor.
+    pub name: String,
+    /// Force over velocity, in the units chosen, as all that follow.
+    pub velocity: Vec<PlotPoint>,
+    /// Force over displacement.
+    pub displacement: Vec<PlotPoint>,
+    /// Force over time, s.
+    pub time: Vec<PlotPoint>,
+    /// Mean force of both ways over displacement: gas and springs.
+    pub gas: Vec<PlotPoint>,
+    /// Half the difference of both ways: seal drag and friction.
+    pub drag: Vec<PlotPoint>,
+    /// Temperature over time, s and °C, where it was measured.
+    pub temperature: Vec<PlotPoint>,
+}
+
+/// What the lines were made from.
+#[derive(PartialEq, Clone, Default)]
+struct Key {
+    generation: u64,
+    selected: BTreeSet<usize>,
+    effect: Option<(Element, u64)>,
+    language: usize,
+    units: Units,
+}
+
+/// The lines, kept.
+#[derive(Default)]
+pub struct Cache {
+    key: Option<Key>,
+    /// In the order in which they are drawn.
+    pub lines: Arc<Vec<Line>>,
+}
+
+/// Points of all lines together that are drawn without a frame taking long; a single line shows every bend with a few hundred.
+const POINTS: usize = 24_000;
+const MOST: usize = 600;
+const LEAST: usize = 60;
+/// Tests whose loops with an effect more are computed at once, within a frame: a millisecond each.
+const EFFECTS: usize = 6;
+
+impl Cache {
+    /// The lines as the session is now.
+    pub fn lines(
+        &mut self,
+        session: &Session,
+        effect: Option<(Element, f64)>,
+        units: Units,
+        words: &Words,
+    ) -> Arc<Vec<Line>> {
+        let key = Key {
+            generation: session.generation,
+            selected: session.selected.clone(),
+            effect: effect.map(|(element, strength)| (element, strength.to_bits())),
+            language: std::ptr::from_ref(words) as usize,
+            units,
+        };
+        if self.key.as_ref() != Some(&key) {
+            self.lines = Arc::new(make(session, effect, units, words));
+            self.key = Some(key);
+        }
+        self.lines.clone()
+    }
+}
+
+fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: &Words) -> Vec<Line> {
+    let Some(loaded) = &session.campaign else { return Vec::new() };
+    let tests: Vec<usize> = session.selected.iter().copied().filter(|k| *k < loaded.tests.len()).collect();
+    let most = (POINTS / (3 * tests.len().max(1))).clamp(LEAST, MOST);
+    let mut lines = Vec::new();
+    for (place, test) in tests.iter().enumerate() {
+        let (record, seen) = (&loaded.campaign.records[*test], &loaded.tests[*test]);
+        let over = |whose: Whose, force: &[f64], stride: usize| {
+            line(
+                whose,
+                place,
+                format!("{} · {}", record.name, named(whose, words)),
+                record,
+                seen,
+                (force, stride),
+                most,
+                units,
+            )
+        };
+        let simulated = |of: &Option<Arc<crate::session::simulation::Simulated>>| {
+            of.as_ref().and_then(|s| s.tests.get(*test)).map(|t| (t.shown.clone(), t.stride))
+        };
+        lines.push(over(Whose::Measured, &record.force[seen.shown.clone()], 1));
+        if let Some(other) = &session.reference
+            && let Some(k) = other.like(record)
+        {
+            let (record, seen) = (&other.campaign.records[k], &other.tests[k]);
+            let name = format!("{} · {}", record.name, words.reference);
+            let force = (&record.force[seen.shown.clone()], 1);
+            lines.push(line(Whose::Reference, place, name, record, seen, force, most, units));
+        }
+        if session.model.as_ref().is_some_and(crate::session::model::Tuned::is_tuned) {
+            lines.extend(simulated(&session.identified).map(|(f, stride)| over(Whose::Identified, &f, stride)));
+        }
+        if session.model.is_some() {
+            lines.extend(simulated(&session.simulated).map(|(f, stride)| over(Whose::Model, &f, stride)));
+        }
+        let with =
+            effect.filter(|_| place < EFFECTS).and_then(|(element, strength)| session.with_effect(element, strength));
+        if let Some((params, model)) = with.and_then(|p| Some((p, Model::new(&p).ok()?))) {
+            let of = OfTest::simulate(&model, record, seen, loaded.warm.rise(&params, *test), true);
+            lines.push(over(Whose::Effect, &of.shown, of.stride));
+        }
+    }
+    // Models over measurements.
+    lines.sort_by_key(|l| l.whose as usize);
+    lines
+}
+
+/// Whose forces, in words.
+pub fn named(whose: Whose, words: &Words) -> &'static str {
+    match whose {
+        Whose::Measured => words.measured,
+        Whose::Reference => words.reference,
+        Whose::Identified => words.identified_model,
+        Whose::Model => words.model,
+        Whose::Effect => words.with_effect,
+    }
+}
+
+#[allow(clippy::too_many_arguments)] // each is another thing
+fn line(
+    whose: Whose,
+    place: usize,
+    name: String,
+    record: &dashpot_records::Record,
+    seen: &crate::session::campaign::Seen,
+    (force, stride): (&[f64], usize),
+    most: usize,
+    units: Units,
+) -> Line {
+    let [f, v, x] = [units.force(), units.velocity(), units.length()].map(|shown| shown.factor);
+    let from = seen.shown.start;
+    // Forces are counted by their own samples, the motion by those of the record.
+    let n = seen.shown.len().div_ceil(stride).min(force.len());
+    let at = |i: usize| from + i * stride;
+    let step = n.div_ceil(most).max(1);
+    let mut kept: Vec<usize> = (0..n).step_by(step).collect();
+    // A loop is closed.
+    if !record.cycles.is_empty() && n > 0 {
+        kept.push(0);
+    }
+    let start = record.time.get(from).copied().unwrap_or(0.0);
+    let points =
+        |across: &dyn Fn(usize) -> f64| kept.iter().map(|i| PlotPoint::new(across(*i), f * force[*i])).collect();
+    let motion = |channel: &[f64]| -> Vec<f64> { (0..n).map(|i| channel[at(i)]).collect() };
+    let places = two_ways(&motion(&seen.motion.displacement), &motion(&seen.motion.velocity), &force[..n]);
+    let in_time: Vec<usize> = (0..n).step_by(step).collect();
+    Line {
+        whose,
+        place,
+        name,
+        velocity: points(&|i| v * seen.motion.velocity[at(i)]),
+        displacement: points(&|i| x * seen.motion.displacement[at(i)]),
+        time: in_time.iter().map(|i| PlotPoint::new(record.time[at(*i)] - start, f * force[*i])).collect(),
+        gas: places.iter().map(|p| PlotPoint::new(x * p.at, f * p.mean)).collect(),
+        drag: places.iter().map(|p| PlotPoint::new(x * p.at, f * 0.5 * p.difference)).collect(),
+        temperature: match (&record.temperature, whose) {
+            (Some(temperature), Whose::Measured) => {
+                let all = 0..record.time.len();
+                all.step_by(record.time.len().div_ceil(most).max(1))
+                    .map(|i| PlotPoint::new(record.time[i], temperature[i]))
+                    .collect()
+            }
+            _ => Vec::new(),
+        },
+    }
+}

@@ -1,0 +1,550 @@
+//! The plots: loops over velocity and displacement, force over time, and the peak forces with the FV curve, whose points are dragged.
+
+use crate::dialogs::Ask;
+use crate::session::outputs::table;
+use crate::session::{Session, model};
+use crate::units::Shown;
+use crate::views::grid;
+use crate::views::lines::{Line as Drawn, Whose, named};
+use crate::views::{View, hue};
+use crate::words::Words;
+use dashpot_core::{Model, Params, element, list, number};
+use dashpot_records::restrict;
+use dashpot_report::plot::axes::{Axis, Marks, Plane, Series};
+use dashpot_report::plot::palette::Role;
+use dashpot_simulation::prediction::{at_velocities, between_velocities};
+use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo};
+use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, Points};
+
+/// Distance from a point of the curve at which it is grabbed, px: a fingertip on a touch pad.
+const GRAB: f32 = 12.0;
+/// Size of the letters of legends and remarks on plots, px.
+const LETTERS: f32 = 11.5;
+
+/// Two axes with their names and units.
+#[derive(Clone)]
+struct Axes {
+    x: (&'static str, Shown),
+    y: (&'static str, Shown),
+}
+
+impl Axes {
+    fn label((name, unit): &(&str, Shown)) -> String {
+        format!("{name} [{}]", unit.symbol)
+    }
+}
+
+/// A unit that is the same whatever was chosen.
+fn plain(symbol: &str) -> Shown {
+    Shown { factor: 1.0, symbol: symbol.to_owned() }
+}
+
+/// A plot with cursor read-out, zoom and pan, and links to the others that have force upwards.
+fn plot<'a>(id: &'static str, axes: &Axes, linked: bool, w: &'static Words) -> Plot<'a> {
+    let (lower, left) = (Axes::label(&axes.x), Axes::label(&axes.y));
+    let axes = axes.clone();
+    let read_out = move |at: &HoverPosition<'_>| {
+        let say = |p: &PlotPoint| {
+            let ((x, ux), (y, uy)) = (&axes.x, &axes.y);
+            format!("{x} {} {}\n{y} {} {}", w.digits(p.x), ux.symbol, w.digits(p.y), uy.symbol)
+        };
+        Some(match at {
+            HoverPosition::NearDataPoint { plot_name, position, .. } => format!("{plot_name}\n{}", say(position)),
+            HoverPosition::Elsewhere { position } => say(position),
+        })
+    };
+    let plot =
+        grid::with_axes(Plot::new(id), lower, left, w).label_formatter(read_out).set_margin_fraction(Vec2::splat(0.04));
+    if linked {
+        plot.link_axis(Id::unique("forces"), [false, true]).link_cursor(Id::unique("forces"), [false, true])
+    } else {
+        plot
+    }
+}
+
+/// Title of a plot, what it is for a screen reader, and what it can be saved as.
+fn heading(
+    ui: &mut Ui,
+    view: &mut View,
+    title: &str,
+    axes: &Axes,
+    lines: impl Fn() -> Vec<(Role, String, Vec<[f64; 2]>)>,
+) {
+    let words = view.words();
+    ui.horizontal(|ui| {
+        ui.strong(title);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let menu = ui.menu_button("…", |ui| {
+                if ui.button("CSV").clicked() {
+                    let named: Vec<_> = lines().into_iter().map(|(_, name, points)| (name, points)).collect();
+                    let text = table([&Axes::label(&axes.x), &Axes::label(&axes.y)], &named);
+                    view.asks.push(Ask::Text("plot.csv", text));
+                    ui.close();
+                }
+                if ui.button("SVG").clicked() {
+                    view.asks.push(Ask::Text("plot.svg", svg(title, axes, lines(), words)));
+                    ui.close();
+                }
+                if ui.button("PNG").clicked() {
+                    // Filled in when the plot is drawn: it lies below this line.
+                    let rect = ui.ctx().memory(|m| m.data.get_temp::<Rect>(Id::unique(("plot", title.to_owned()))));
+                    let rect = rect.unwrap_or(Rect::EVERYTHING);
+                    view.asks.push(Ask::Picture([rect.min.x, rect.min.y, rect.max.x, rect.max.y]));
+                    ui.close();
+                }
+            });
+            menu.response
+                .widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("{} {title}", words.save_plot)));
+            menu.response.on_hover_text(words.save_plot);
+        });
+    });
+}
+
+/// The figure as the report draws it.
+fn svg(title: &str, axes: &Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>, w: &Words) -> String {
+    let all = || lines.iter().flat_map(|(_, _, points)| points.iter().copied());
+    let (x, y) = (all().map(|p| p[0]).collect::<Vec<_>>(), all().map(|p| p[1]).collect::<Vec<_>>());
+    let role_name = |role: Role| match role {
+        Role::Measured => w.measured,
+        Role::Model => w.model,
+        Role::FvOnly => w.with_effect,
+        _ => w.reference,
+    };
+    let mut series: Vec<Series> = Vec::new();
+    for (role, _, points) in lines {
+        match series.iter_mut().find(|s| s.role == role) {
+            Some(known) => known.lines.push(points),
+            None => series.push(Series { role, label: role_name(role), lines: vec![points], marks: Marks::Line }),
+        }
+    }
+    Plane {
+        title: title.to_owned(),
+        x: Axis::around(Axes::label(&axes.x), x),
+        y: Axis::around(Axes::label(&axes.y), y),
+        series,
+    }
+    .draw_long(w.of.words())
+}
+
+fn role(whose: Whose) -> Role {
+    match whose {
+        Whose::Measured => Role::Measured,
+        Whose::Model => Role::Model,
+        Whose::Effect => Role::FvOnly,
+        Whose::Reference | Whose::Identified => Role::Before,
+    }
+}
+
+/// Colour and width of a line: measured tests in their own hue, models in ink over them.
+fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
+    let ink = ui.visuals().strong_text_color();
+    match line.whose {
+        Whose::Measured => (hue(line.place), 2.2),
+        Whose::Reference => (hue(line.place).gamma_multiply(0.55), 1.4),
+        Whose::Identified => (ui.visuals().weak_text_color(), 1.0),
+        Whose::Model => (ink, 1.2),
+        Whose::Effect => (Color32::from_rgb(220, 50, 47), 1.6),
+    }
+}
+
+/// Entries of a legend; further ones are counted and stand under the pointer.
+const ENTRIES: usize = 6;
+
+/// A legend above a plot: every entry with a piece of its line.
+fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
+        for (colour, dashed, name) in entries.iter().take(ENTRIES) {
+            let galley = ui.painter().layout_no_wrap(
+                name.clone(),
+                egui::FontId::proportional(LETTERS),
+                ui.visuals().text_color(),
+            );
+            // One piece, so that a line is not broken between the mark and its name.
+            let (rect, _) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
+            let ends = [rect.left_center(), rect.left_center() + egui::vec2(16.0, 0.0)];
+            let stroke = egui::Stroke::new(2.0, *colour);
+            if *dashed {
+                ui.painter().extend(egui::Shape::dashed_line(&ends, stroke, 4.0, 2.5));
+            } else {
+                ui.painter().line_segment(ends, stroke);
+            }
+            ui.painter().galley(rect.left_top() + egui::vec2(20.0, 1.0), galley, ui.visuals().text_color());
+        }
+        if entries.len() > ENTRIES {
+            let rest: Vec<&str> = entries[ENTRIES..].iter().map(|entry| entry.2.as_str()).collect();
+            ui.label(RichText::new(format!("+{}", rest.len())).size(LETTERS)).on_hover_text(rest.join("\n"));
+        }
+    });
+}
+
+/// What the lines of the loop plots are: every measured test in its hue, and every kind of model once.
+fn entries(ui: &Ui, session: &Session, lines: &[Drawn], words: &Words) -> Vec<(Color32, bool, String)> {
+    let mut kinds: Vec<(Color32, bool, String)> = Vec::new();
+    for whose in [Whose::Model, Whose::Identified, Whose::Effect, Whose::Reference] {
+        if let Some(line) = lines.iter().find(|l| l.whose == whose) {
+            let is_reference = whose == Whose::Reference;
+            let colour = if is_reference { ui.visuals().text_color() } else { look(ui, line).0 };
+            kinds.push((colour, is_reference, named(whose, words).to_owned()));
+        }
+    }
+    let tests = session.selected.iter().enumerate();
+    kinds.extend(tests.filter_map(|(place, k)| Some((hue(place), false, session.record(*k)?.name.clone()))));
+    kinds
+}
+
+fn draw<'a>(plot: &mut PlotUi<'a>, line: &'a Drawn, points: &'a [PlotPoint], (colour, width): (Color32, f32)) {
+    let drawn = Line::new(line.name.clone(), PlotPoints::Borrowed(points)).color(colour).width(width);
+    plot.line(if line.whose == Whose::Reference { drawn.style(LineStyle::dashed_dense()) } else { drawn });
+}
+
+/// Which of the loop plots.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Which {
+    /// Force over velocity.
+    Velocity,
+    /// Force over displacement.
+    Displacement,
+    /// Force over time.
+    Time,
+    /// Temperature over time.
+    Temperature,
+}
+
+fn remember_place(ui: &Ui, title: &str, top: Pos2, bottom: Rect) {
+    let rect = Rect::from_two_pos(top, bottom.max);
+    ui.ctx().memory_mut(|m| m.data.insert_temp(Id::unique(("plot", title.to_owned())), rect));
+}
+
+/// Draws one of the loop plots.
+pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
+    let words = view.words();
+    let units = view.units;
+    let lines = view.lines.lines(session, view.effect, units, words);
+    let force = (words.force, units.force());
+    let time = (words.time, plain("s"));
+    let (id, title, axes) = match which {
+        Which::Velocity => ("fv", words.force_velocity, Axes { x: (words.velocity, units.velocity()), y: force }),
+        Which::Displacement => {
+            ("fx", words.force_displacement, Axes { x: (words.displacement, units.length()), y: force })
+        }
+        Which::Time => ("ft", words.force_time, Axes { x: time, y: force }),
+        Which::Temperature => ("tt", words.temperature, Axes { x: time, y: (words.temperature, plain("°C")) }),
+    };
+    let of = |line: &Drawn| -> Vec<PlotPoint> { points_of(line, which).to_vec() };
+    let top = ui.cursor().min;
+    heading(ui, view, title, &axes, || {
+        let plain = |line: &Drawn| of(line).iter().map(|p| [p.x, p.y]).collect();
+        lines.iter().map(|l| (role(l.whose), l.name.clone(), plain(l))).collect()
+    });
+    let entries = entries(ui, session, &lines, words);
+    legend(ui, &entries);
+    let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
+    let response = plot(id, &axes, which != Which::Temperature, words).show(ui, |plot| {
+        for (line, look) in lines.iter().zip(&looks) {
+            draw(plot, line, points_of(line, which), *look);
+        }
+    });
+    remember_place(ui, title, top, response.response.rect);
+    let shown = summary(session, words);
+    response.response.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, format!("{title}: {shown}")));
+}
+
+/// What both ways of a cycle have in common over displacement, and half of what they do not.
+///
+/// Gas and springs, drag and friction where the test is slow.
+pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
+    let words = view.words();
+    let units = view.units;
+    let lines = view.lines.lines(session, view.effect, units, words);
+    let axes = Axes { x: (words.displacement, units.length()), y: (words.force, units.force()) };
+    let both = |l: &Drawn| [(words.both_ways, l.gas.clone()), (words.drag, l.drag.clone())];
+    let top = ui.cursor().min;
+    heading(ui, view, words.gas_and_drag, &axes, || {
+        let plain = |points: Vec<PlotPoint>| points.iter().map(|p| [p.x, p.y]).collect();
+        let of =
+            |l: &Drawn| both(l).map(|(what, points)| (role(l.whose), format!("{}: {what}", l.name), plain(points)));
+        lines.iter().flat_map(of).collect()
+    });
+    let weak = ui.visuals().text_color();
+    let mut entries = entries(ui, session, &lines, words);
+    entries.splice(0..0, [(weak, false, words.both_ways.to_owned()), (weak, true, words.drag.to_owned())]);
+    legend(ui, &entries);
+    let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
+    let response = plot("gas", &axes, false, words).show(ui, |plot| {
+        for (line, (colour, width)) in lines.iter().zip(looks) {
+            let [gas, drag] = [(words.both_ways, &line.gas), (words.drag, &line.drag)]
+                .map(|(what, points)| Line::new(format!("{}: {what}", line.name), PlotPoints::Borrowed(points)));
+            plot.line(gas.color(colour).width(width));
+            plot.line(drag.color(colour).width(width).style(LineStyle::dashed_loose()));
+        }
+    });
+    remember_place(ui, words.gas_and_drag, top, response.response.rect);
+    let shown = summary(session, words);
+    let label = format!("{}: {shown}", words.gas_and_drag);
+    response.response.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, label.clone()));
+}
+
+fn points_of(line: &Drawn, which: Which) -> &[PlotPoint] {
+    match which {
+        Which::Velocity => &line.velocity,
+        Which::Displacement => &line.displacement,
+        Which::Time => &line.time,
+        Which::Temperature => &line.temperature,
+    }
+}
+
+/// What a screen reader says of the plots.
+fn summary(session: &Session, words: &Words) -> String {
+    let names: Vec<&str> =
+        session.selected.iter().filter_map(|k| session.record(*k)).map(|r| r.name.as_str()).collect();
+    let model = if session.model.is_some() { named(Whose::Model, words) } else { "" };
+    format!("{} {model}", names.join(", "))
+}
+
+/// Peak force over peak velocity: the tests, the model moving steadily as in the report, and the points of its curve, which are dragged.
+pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
+    let words = view.words();
+    let units = view.units;
+    let [v, f] = [units.velocity().factor, units.force().factor];
+    let shown = move |[x, y]: [f64; 2]| [v * x, f * y];
+    let axes = Axes { x: (words.velocity, units.velocity()), y: (words.force, units.force()) };
+    let Some(loaded) = session.campaign.clone() else { return };
+    let curve =
+        |params: &Params| -> Vec<[f64; 2]> { steady(params, reach(&loaded, params)).into_iter().map(shown).collect() };
+    let now = session.model.as_ref().map(|m| curve(m.params()));
+    let identified = session.model.as_ref().filter(|m| m.is_tuned()).map(|m| curve(&m.identified));
+    let is_there = |p: &[f64; 2]| p[0].is_finite() && p[1].is_finite();
+    let measured: Vec<[f64; 2]> = loaded.tests.iter().flat_map(|t| t.peaks).filter(is_there).map(shown).collect();
+    let top = ui.cursor().min;
+    heading(ui, view, words.peaks, &axes, || {
+        let mut lines = vec![(Role::Measured, words.measured.to_owned(), measured.clone())];
+        let curves = [(&now, Role::Model, words.steady_force), (&identified, Role::Before, words.identified_model)];
+        for (curve, role, name) in curves {
+            lines.extend(curve.as_ref().map(|c| (role, name.to_owned(), c.clone())));
+        }
+        lines
+    });
+    let handles: Vec<(f64, f64)> = session.model.as_ref().map_or_else(Vec::new, |m| handles(m.params()));
+    let handles: Vec<(f64, f64)> = handles.into_iter().map(|(x, y)| (v * x, f * y)).collect();
+    let ink = ui.visuals().strong_text_color();
+    let weak = ui.visuals().weak_text_color();
+    let mut entries = vec![(weak, false, words.measured.to_owned())];
+    if now.is_some() {
+        entries.push((ink, false, words.steady_force.to_owned()));
+    }
+    if identified.is_some() {
+        entries.push((weak, false, words.identified_model.to_owned()));
+    }
+    if !handles.is_empty() {
+        entries.push((ink, true, words.fv_points.to_owned()));
+    }
+    legend(ui, &entries);
+    let grabbed = view.grabbed;
+    let selected: Vec<(usize, [f64; 2])> = session
+        .selected
+        .iter()
+        .enumerate()
+        .filter_map(|(place, k)| Some(loaded.tests.get(*k)?.peaks.map(|p| (place, p))))
+        .flatten()
+        .filter(|(_, p)| is_there(p))
+        .map(|(place, p)| (place, shown(p)))
+        .collect();
+    let figure = plot("peaks", &axes, false, words).allow_drag(grabbed.is_none()).allow_boxed_zoom(grabbed.is_none());
+    let response = figure.show(ui, |plot| {
+        let grey = Points::new(words.measured, PlotPoints::from(measured.clone())).radius(2.5).color(weak);
+        plot.points(grey);
+        for (place, peak) in &selected {
+            plot.points(Points::new(words.measured, PlotPoints::from(vec![*peak])).radius(4.0).color(hue(*place)));
+        }
+        if let Some(curve) = &identified {
+            plot.line(Line::new(words.identified_model, PlotPoints::from(curve.clone())).color(weak).width(1.0));
+        }
+        if let Some(curve) = &now {
+            plot.line(Line::new(words.steady_force, PlotPoints::from(curve.clone())).color(ink).width(1.5));
+        }
+        if !handles.is_empty() {
+            let places = handles.iter().map(|h| [h.0, h.1]).collect::<Vec<_>>();
+            let points = Points::new(words.fv_points, PlotPoints::from(places)).radius(4.5).filled(false).color(ink);
+            plot.points(points);
+        }
+        let pointer = plot.response().hover_pos();
+        let near = pointer.and_then(|at| {
+            let distance = |h: &(f64, f64)| plot.screen_from_plot(PlotPoint::new(h.0, h.1)).distance(at);
+            let nearest = (0..handles.len()).min_by(|a, b| distance(&handles[*a]).total_cmp(&distance(&handles[*b])));
+            nearest.filter(|k| distance(&handles[*k]) <= GRAB)
+        });
+        (near, plot.pointer_coordinate())
+    });
+    let (near, pointer) = response.inner;
+    let mouse = response.response;
+    remember_place(ui, words.peaks, top, mouse.rect);
+    let stopped = view.stopped.map_or("", |why| why.text(words));
+    let label = format!("{}: {} {stopped}", words.peaks, summary(session, words));
+    mouse.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, label.clone()));
+    // A press near a point takes it, before the plot takes the drag for itself.
+    let (pressed, down) = ui.input(|i| (i.pointer.primary_pressed(), i.pointer.primary_down()));
+    if pressed && mouse.contains_pointer() {
+        view.grabbed = near;
+        view.stopped = None;
+    }
+    if near.is_some() || view.grabbed.is_some() {
+        ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
+    }
+    if let (Some(point), Some(at), true) = (view.grabbed, pointer, down) {
+        let with_velocity = ui.input(|i| i.modifiers.shift);
+        let to = [at.x / v, at.y / f];
+        session.tune(|m| {
+            let (changed, stopped) = drag(m, point, to, with_velocity);
+            view.stopped = stopped;
+            changed
+        });
+    }
+    // Why a point does not follow the pointer stands beside it, as long as it is held.
+    if let Some(why) = view.stopped {
+        let at = mouse.rect.left_top() + Vec2::new(66.0, 6.0);
+        let font = egui::FontId::proportional(LETTERS + 1.0);
+        let galley = ui.painter().layout(
+            why.text(words).to_owned(),
+            font,
+            ui.visuals().error_fg_color,
+            (mouse.rect.width() - 80.0).max(60.0),
+        );
+        let back = Rect::from_min_size(at, galley.size()).expand(3.0);
+        ui.painter().rect_filled(back, 3.0, ui.visuals().extreme_bg_color.gamma_multiply(0.9));
+        ui.painter().galley(at, galley, ui.visuals().error_fg_color);
+    }
+    if view.grabbed.is_some() && !down {
+        view.grabbed = None;
+        view.stopped = None;
+        if let Some(model) = &mut session.model {
+            model.seal();
+        }
+    }
+    if mouse.has_focus() && ui.input(|i| i.key_pressed(Key::Escape)) {
+        view.grabbed = None;
+    }
+}
+
+/// How fast the tests are on either side, m/s, and the points of the model's curve, which can be grabbed.
+fn reach(loaded: &crate::session::campaign::Loaded, params: &Params) -> [f64; 2] {
+    let peaks = loaded.tests.iter().flat_map(|t| t.peaks).map(|p| p[0]).filter(|v| v.is_finite());
+    let points = handles(params).into_iter().map(|h| h.0);
+    let ends = peaks.chain(points).fold([-0.1f64, 0.1f64], |[low, high], v| [low.min(v), high.max(v)]);
+    ends.map(|v| 1.02 * v)
+}
+
+/// The force of the damper moving steadily, m/s and N, with friction and gas: what the report draws.
+fn steady(params: &Params, [low, high]: [f64; 2]) -> Vec<[f64; 2]> {
+    Model::new(params).map_or_else(|_| Vec::new(), |model| between_velocities(&model, low, high))
+}
+
+/// The points of the curve's table on that line; none where it has another form.
+fn handles(params: &Params) -> Vec<(f64, f64)> {
+    if !params.is_on(element!("fv_curve")) || params.number(number!("fv_form")) != 0.0 {
+        return Vec::new();
+    }
+    let Ok(model) = Model::new(params) else { return Vec::new() };
+    // All of them, so that their places are those of the table.
+    let at = at_velocities(&model, params.list(list!("fv_velocity")));
+    if at.len() == params.list(list!("fv_velocity")).len() {
+        at.iter().map(|p| (p[0], p[1])).collect()
+    } else {
+        Vec::new()
+    }
+}
+
+/// Why a point does not follow the pointer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stop {
+    /// The curve has no force at rest.
+    AtRest,
+    /// The force may not pass that of the neighbor.
+    Force,
+    /// The velocity may not pass that of the neighbor.
+    Velocity,
+    /// The end of what the parameter may be.
+    Bound,
+}
+
+impl Stop {
+    /// In words.
+    pub fn text(self, words: &Words) -> &'static str {
+        match self {
+            Stop::AtRest => words.stop_at_rest,
+            Stop::Force => words.stop_force,
+            Stop::Velocity => words.stop_velocity,
+            Stop::Bound => words.stop_bound,
+        }
+    }
+}
+
+/// Moves a point of the curve to a velocity, m/s, and a force of the damper, N.
+///
+/// Where the neighbors are in the way it stops beside them. Returns whether it moved, and why it stopped.
+pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity: bool) -> (bool, Option<Stop>) {
+    let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
+    let (velocities, forces) = (model.params().list(velocity).to_vec(), model.params().list(force).to_vec());
+    let (Some(v), Some(now)) = (velocities.get(point), forces.get(point)) else { return (false, None) };
+    if *v == 0.0 {
+        return (false, Some(Stop::AtRest));
+    }
+    let between = |values: &[f64], wanted: f64, apart: f64| {
+        let low = point.checked_sub(1).map_or(f64::NEG_INFINITY, |k| values[k] + apart);
+        let high = values.get(point + 1).map_or(f64::INFINITY, |next| next - apart);
+        if low <= high { restrict(wanted, low, high) } else { values[point] }
+    };
+    // The line shows friction, gas and springs too: the point moves by as much as the pointer is away from it.
+    let shown = handles(model.params()).get(point).map_or(*now, |h| h.1);
+    let wanted = now + to[1] - shown;
+    let allowed = between(&forces, wanted, 0.0);
+    let mut stopped = (allowed != wanted).then_some(Stop::Force);
+    let changed = model.set(force.row(), point, allowed);
+    let p = force.row().parameter;
+    if restrict(allowed, p.low, p.high) != allowed {
+        stopped = Some(Stop::Bound);
+    }
+    let mut moved = false;
+    if with_velocity {
+        // Neighbors closer than a millimeter a second would make a step of the curve.
+        let allowed = between(&velocities, to[0], 1e-3);
+        if allowed != to[0] {
+            stopped = stopped.or(Some(Stop::Velocity));
+        }
+        moved = model.set(velocity.row(), point, allowed);
+    }
+    (changed || moved, stopped)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Units;
+    use crate::words::{Language, texts};
+
+    #[test]
+    fn a_saved_plot_is_in_the_language_of_the_window() {
+        let w = texts(Language::German);
+        let axes = Axes { x: (w.velocity, Units::default().velocity()), y: (w.force, Units::default().force()) };
+        let lines = vec![(Role::Measured, "a".to_owned(), vec![[-0.5, -300.0], [0.0, 10.0], [0.5, 900.0]])];
+        let text = svg(w.force_velocity, &axes, lines, w);
+        assert!(text.contains(w.measured) && text.contains("0,2") && !text.contains(">measured<"), "{text}");
+    }
+
+    #[test]
+    fn the_curve_of_the_window_is_that_of_the_report() {
+        let mut params = Params::new();
+        params.enable(element!("coulomb_friction"), true);
+        let model = Model::new(&params).unwrap();
+        let drawn = steady(&params, [-0.8, 0.9]);
+        assert_eq!(drawn, between_velocities(&model, -0.8, 0.9));
+        // With friction and gas: at a low speed the force is not that of the valves alone.
+        let low = drawn.iter().find(|p| p[0] > 0.01).unwrap();
+        let valves = model.elements().paths.fv_curve.evaluate(low[0]).value;
+        assert!((low[1] - valves).abs() > 1.0, "{low:?} {valves}");
+        // The points lie on it.
+        for (v, force) in handles(&params) {
+            assert_eq!(at_velocities(&model, &[v])[0][1], force);
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! An error as one sentence.
+
+/// The error with its causes, without those that it already names.
+pub fn format_once(error: &anyhow::Error) -> String {
+    error.chain().fold(String::new(), |told, cause| match cause.to_string() {
+        cause if told.contains(&cause) => told,
+        cause if told.is_empty() => cause,
+        cause => format!("{told}: {cause}"),
+    })
+}

@@ -1,0 +1,123 @@
+//! Campaigns as users reported them, from the files to the answer: which effects and which measurement errors come out.
+//!
+//! Some are made here, so that they run everywhere; the others are inputs beside the checkout (`../shared/data/reports`).
+
+use dashpot_core::{Params, element, list};
+use dashpot_diagnosis::{Diagnosis, Options as DiagnosisOptions, diagnose};
+use dashpot_identification::{Fit, FitOptions, fit};
+use dashpot_records::taken_out::{Off, taken_out};
+use dashpot_records::{Campaign, Options, Record, load};
+use dashpot_tests::kernel_campaign::{Sine, campaign};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// The inputs of a situation; `None` where they are not on this machine.
+fn reports(name: &str) -> Option<PathBuf> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data/reports").join(name);
+    if !path.exists() {
+        dashpot_test_support::skipped(format!("there is no {}", path.display()));
+        return None;
+    }
+    Some(path)
+}
+
+fn read(path: &Path) -> Campaign {
+    load(&[path.to_path_buf()], &Options::default(), &|_| ()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+fn fitted(campaign: &Campaign) -> Fit {
+    fit(&campaign.records.iter().collect::<Vec<_>>(), &FitOptions::default(), |_| ()).unwrap()
+}
+
+fn diagnosed(campaign: &Campaign, model: &Params) -> Diagnosis {
+    let records: Vec<&Record> = campaign.records.iter().collect();
+    diagnose(&records, &[], model, &DiagnosisOptions::default(), &|_, _| ()).unwrap()
+}
+
+/// The measurement errors of a fit: name and value.
+fn errors(fit: &Fit) -> Vec<(&'static str, f64)> {
+    fit.measured.iter().map(|m| (m.name, m.value)).collect()
+}
+
+fn is_delay(fit: &Fit, delay: f64, within: f64) {
+    let found = errors(fit);
+    assert!(matches!(found[..], [("delay", value)] if (value - delay).abs() < within), "{delay}: {found:?}");
+}
+
+/// Writes records as a logger does and reads them again.
+fn through_files(records: &[Record]) -> Campaign {
+    let folder = tempfile::tempdir().unwrap();
+    for record in records {
+        let mut text = String::from("time (s),displacement (mm),velocity (mm/s),force (N)\n");
+        for i in 0..record.time.len() {
+            let [x, v] = [record.displacement[i], record.velocity[i]].map(|value| 1e3 * value);
+            writeln!(text, "{:.6},{x:.6},{v:.5},{:.4}", record.time[i], record.force[i]).unwrap();
+        }
+        std::fs::write(folder.path().join(format!("{}.csv", record.name)), text).unwrap();
+    }
+    read(folder.path())
+}
+
+/// A damper six times as strong in rebound as in compression, without gas.
+fn asymmetric() -> Params {
+    let mut params = Params::new();
+    params.disable_all();
+    params.enable(element!("fv_curve"), true);
+    let velocity = [-1.5, -0.6, -0.2, 0.0, 0.2, 0.6, 1.5];
+    params.set_list(list!("fv_velocity"), &velocity).unwrap();
+    params.set_list(list!("fv_force"), &[-700.0, -330.0, -130.0, 0.0, 900.0, 2200.0, 4300.0]).unwrap();
+    params
+}
+
+#[test]
+fn a_long_delay_is_found_in_two_tests_of_a_very_asymmetric_damper() {
+    for delay in [0.012, 0.043] {
+        let right = campaign(&asymmetric(), &[Sine::new(0.02, 1.7), Sine::new(0.02, 6.6)], 3, 0.003);
+        let late: Vec<Record> = right.iter().map(|r| taken_out(r, &Off { delay_s: -delay, ..Off::NONE })).collect();
+        let campaign = through_files(&late);
+        let fit = fitted(&campaign);
+        is_delay(&fit, delay, 2e-4);
+        assert!(fit.misfit < 1.5, "{delay}: {}", fit.misfit);
+    }
+}
+
+#[test]
+fn a_delay_of_two_or_three_milliseconds_is_a_delay_and_nothing_else() {
+    for (name, delay) in [("force_late_l2", 2e-3), ("force_late_l3", 3e-3), ("force_43ms_late", 0.043)] {
+        let Some(path) = reports(name) else { return };
+        is_delay(&fitted(&read(&path)), delay, 5e-5);
+    }
+}
+
+#[test]
+fn a_force_on_time_has_no_delay() {
+    let Some(path) = reports("on_time_but_called_late") else { return };
+    let fit = fitted(&read(&path));
+    assert!(errors(&fit).is_empty(), "{:?}", errors(&fit));
+}
+
+#[test]
+fn a_stump_beside_a_gap_makes_no_bump_stop() {
+    let Some(path) = reports("gap_in_one_test") else { return };
+    let campaign = read(&path);
+    assert_eq!(campaign.records.len(), 5);
+    let fit = fitted(&campaign);
+    for stop in [element!("bump_stop"), element!("rebound_stop")] {
+        assert!(!fit.params.is_on(stop), "{:?}", fit.inventory);
+    }
+}
+
+#[test]
+fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
+    let Some(path) = reports("starved_chamber") else { return };
+    let campaign = read(&path);
+    let found = diagnosed(&campaign, &fitted(&campaign).params);
+    let finding = &found.findings[0];
+    assert_eq!(finding.effect, "cavitation", "{}", found.summary);
+    let item = found.inventory.iter().find(|item| item.effect == "cavitation").unwrap();
+    assert_eq!(item.form, "rebound begins with a lost stroke");
+    // 28 mm of the stroke of ±65 to 67 mm.
+    let unfilled = finding.parameters["cavitation_unfilled"].value;
+    let strokes = campaign.records.iter().map(|r| 2.0 * r.amplitude);
+    assert!(strokes.into_iter().all(|stroke| (unfilled * stroke - 0.028).abs() < 0.003), "{unfilled}");
+}
