@@ -5,7 +5,7 @@
 use dashpot_core::{Params, element, list};
 use dashpot_diagnosis::{Diagnosis, Options as DiagnosisOptions, diagnose};
 use dashpot_identification::{Fit, FitOptions, fit};
-use dashpot_records::taken_out::{Off, taken_out};
+use dashpot_records::taken_out::{MeasurementError, taken_out};
 use dashpot_records::{Campaign, Options, Record, load};
 use dashpot_tests::kernel_campaign::{Sine, campaign};
 use std::fmt::Write as _;
@@ -73,7 +73,10 @@ fn asymmetric() -> Params {
 fn a_long_delay_is_found_in_two_tests_of_a_very_asymmetric_damper() {
     for delay in [0.012, 0.043] {
         let right = campaign(&asymmetric(), &[Sine::new(0.02, 1.7), Sine::new(0.02, 6.6)], 3, 0.003);
-        let late: Vec<Record> = right.iter().map(|r| taken_out(r, &Off { delay_s: -delay, ..Off::NONE })).collect();
+        let late: Vec<Record> = right
+            .iter()
+            .map(|r| taken_out(r, &MeasurementError { delay_s: -delay, ..MeasurementError::NONE }))
+            .collect();
         let campaign = through_files(&late);
         let fit = fitted(&campaign);
         is_delay(&fit, delay, 2e-4);
