@@ -1,5 +1,6 @@
-//! A damper over a setting, fitted to data of a known one: what is shared and what varies is found, the intervals hold the truth, and a
-//! setting between the measured ones is predicted.
+//! A damper over a setting, fitted to data of a known one.
+//!
+//! What is shared and what varies is found, the intervals hold the truth, and a setting between the measured ones is predicted.
 
 use dashpot_core::family::{Axis, Definition};
 use dashpot_core::parameter::Number;

@@ -1,8 +1,11 @@
 //! What a probability of the search is worth: of names given with it, that many were right.
 
+use serde::Deserialize;
 use std::sync::LazyLock;
 
-/// Logistic calibration, with where it comes from beside it in the file.
+/// Logistic calibration, with its origin beside it in the file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 struct Calibration {
     constant: f64,
     slope: f64,
@@ -11,18 +14,8 @@ struct Calibration {
 }
 
 static CALIBRATION: LazyLock<Calibration> = LazyLock::new(|| {
-    let of = |name: &str| {
-        let line = include_str!("calibration.toml")
-            .lines()
-            .find(|line| line.split('=').next().is_some_and(|key| key.trim() == name));
-        line.and_then(|line| line.split('=').nth(1)).and_then(|value| value.split('#').next()?.trim().parse().ok())
-    };
-    Calibration {
-        constant: of("constant").unwrap_or(0.0),
-        slope: of("slope").unwrap_or(1.0),
-        constant_against_reference: of("constant_against_reference").unwrap_or(0.0),
-        slope_against_reference: of("slope_against_reference").unwrap_or(1.0),
-    }
+    // The file is part of the program, so only a build can be wrong; the test below reads it.
+    toml::from_str(include_str!("calibration.toml")).expect("calibration.toml holds four numbers")
 });
 
 /// Log odds beyond which more is no surer.

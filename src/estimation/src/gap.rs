@@ -39,7 +39,7 @@ pub fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
     rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// The same of noise alone.
+/// Residual that noise alone leaves, N.
 pub fn noise_alone(tests: &[Test]) -> f64 {
     rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
 }

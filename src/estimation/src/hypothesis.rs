@@ -77,7 +77,7 @@ impl Hypothesis {
         self.numbers.iter().map(|n| n.start).collect()
     }
 
-    /// The same explanation from another start.
+    /// The hypothesis with another start.
     pub fn starting_at(mut self, theta: &[f64]) -> Hypothesis {
         for (number, value) in self.numbers.iter_mut().zip(theta) {
             number.start = *value;
@@ -173,7 +173,7 @@ impl Hypothesis {
         Model::new(&params).ok()
     }
 
-    /// The same by an integration of one's choice.
+    /// Prepares the model with an integration of one's choice.
     pub fn model_by(&self, accuracy: Accuracy, theta: &[f64]) -> Option<Model> {
         let model = self.model(theta)?;
         Some(model.with_integration(accuracy.integration(&self.base, &model)))
@@ -188,8 +188,8 @@ impl Hypothesis {
         }
     }
 
-    /// What the measurement adds, in the order in which it does: a mass between damper and load cell, then what the load cell and its amplifier do. All
-    /// of it is delayed with the channel.
+    /// Adds the measurement errors in their order: a mass between damper and load cell, then load cell and amplifier. The delay of the channel
+    /// delays all of them.
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
         let of_number = |(number, value): (&Number, &f64)| match number.free {
             Free::Rig(artefact) => Some((artefact, *value)),
@@ -226,7 +226,7 @@ impl Hypothesis {
         self.forces_by(&self.model(theta)?, tests, theta)
     }
 
-    /// The same of a prepared model.
+    /// Forces of a prepared model at the scored samples of all tests.
     pub fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         let all: Vec<Vec<f64>> =
             tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, Some(k), theta)).collect();
@@ -238,7 +238,7 @@ impl Hypothesis {
         self.residual_by(Accuracy::Single, tests, theta)
     }
 
-    /// The same by an integration of one's choice.
+    /// Weighted residuals by an integration of one's choice.
     pub fn residual_by(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         let all = self.forces_by(&self.model_by(accuracy, theta)?, tests, theta)?;
         let list: Vec<f64> = tests

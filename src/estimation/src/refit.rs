@@ -55,7 +55,7 @@ pub struct Refit {
     pub jacobian: DMatrix<f64>,
     /// Sum of the losses, twice (a χ² where no sample is far off), samples discounted for their correlation.
     pub chi2: f64,
-    /// The same with the cost of leaving the priors.
+    /// χ² with the cost of leaving the priors.
     pub cost: f64,
 }
 
@@ -142,7 +142,7 @@ pub fn refit(
     })
 }
 
-/// The same with residuals of one's choice.
+/// Refits with residuals of one's choice.
 pub fn refit_by(
     hypothesis: &Hypothesis,
     tests: &[Test],

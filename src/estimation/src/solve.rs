@@ -370,7 +370,7 @@ pub fn solve<R: Residuals>(problem: &R, start: &[f64], bounds: &Bounds, options:
     solve_knowing(problem, start, None, bounds, options)
 }
 
-/// The same where the derivatives at the start are known, block by block.
+/// Minimizes where the derivatives at the start are known, block by block.
 pub fn solve_knowing<R: Residuals>(
     problem: &R,
     start: &[f64],

@@ -404,7 +404,7 @@ const IN_EVERY_DAMPER: [(&[&str], &[Number]); 3] = [
     (&["coulomb_friction", "stribeck_friction", "presliding_friction"], &[number!("coulomb_force")]),
 ];
 
-/// Temperature by which log posteriors are divided before they become probabilities: the table holds the best structures alone, and the
+/// Temperature by which log posteriors are divided before they become probabilities. The table holds the best structures alone, and the
 /// form error is correlated between tests.
 pub const TEMPERATURE: f64 = 2.0;
 

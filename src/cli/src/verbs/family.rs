@@ -2,7 +2,7 @@
 
 use super::data::name_of;
 use super::digits::short;
-use super::record_notes::tell_of_records;
+use super::record_notes::print_record_notes;
 use crate::progress::Progress;
 use dashpot_identification::family::{
     FamilyEstimate, FamilyFit, SettingAxis, SettingDependence, SettingError, SettingReport, fit_family, model_file,
@@ -50,7 +50,7 @@ pub fn run(
     dashpot_output::write(output, model_file::write(&found))?;
     let is_on_stdout = [Some(output), json].into_iter().flatten().any(dashpot_output::is_stdout);
     let say = |text: &str| dashpot_output::say(if is_on_stdout { Some(Path::new("-")) } else { None }, text);
-    tell_of_records(campaign, &say)?;
+    print_record_notes(campaign, &say)?;
     for line in format_family(&found) {
         say(&line)?;
     }

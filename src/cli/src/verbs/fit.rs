@@ -2,7 +2,7 @@
 
 use super::data::{DataArgs, name_of};
 use super::digits::short;
-use super::record_notes::tell_of_records;
+use super::record_notes::print_record_notes;
 use crate::page::TextArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
@@ -116,7 +116,7 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
     let tests: Vec<String> = records.iter().map(|r| r.name.clone()).collect();
     dashpot_output::write(&args.output, file::write(&found, &tests))?;
     let say = |text: &str| dashpot_output::say(if on_stdout { Some(Path::new("-")) } else { None }, text);
-    tell_of_records(campaign, &say)?;
+    print_record_notes(campaign, &say)?;
     say(&format!(
         "{} tests fitted; {name} in {}, which only dashpot validate --against reads",
         tests.len(),
@@ -186,7 +186,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let found = identify(&records, &options, &args.output)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
-    tell_of_records(&campaign, &say)?;
+    print_record_notes(&campaign, &say)?;
     for item in &found.inventory {
         say(&format!("  {}", describe_item(item)))?;
     }

@@ -26,7 +26,7 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
 }
 
 /// What the reader found in the records.
-pub fn tell_of_records(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
+pub fn print_record_notes(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
     say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
     for note in campaign.notes.iter().filter(|n| !is_shown_first(n)) {
         say(&format!("note: {}", note.text))?;

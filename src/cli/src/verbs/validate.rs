@@ -224,7 +224,7 @@ pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<V
     Ok(comparison::compare(file, campaign, &|done, total| progress.count(done, total))?)
 }
 
-/// As [`compare`], with each test at its own setting.
+/// Compares a damper over a setting with records, each test at its own setting.
 fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,

@@ -33,7 +33,7 @@ pub fn earlier(segment: &Segment, tau: f64) -> Segment {
     delayed
 }
 
-/// The same motion at `parts` times as many samples.
+/// The motion at `parts` times as many samples.
 pub fn finer(segment: &Segment, parts: usize) -> Segment {
     let mut fine = segment.clone();
     (fine.dt, fine.input) = (Vec::new(), Vec::new());

@@ -106,7 +106,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     Some((points, promised))
 }
 
-/// The same explanation with more points on its FV curve; `None` where that is full.
+/// A hypothesis with more points on its FV curve; `None` where that is full.
 fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
     let mut params = from.params(theta);
     let curve = Model::new(&params).ok()?.elements().paths.fv_curve;

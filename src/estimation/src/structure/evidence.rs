@@ -84,8 +84,8 @@ impl Evidence {
         -OBSERVATIONS * whole * libm::log(scale)
     }
 
-    /// Cost of one free number: half the logarithm of the number of tests, where that is many; with few, what a number gains by chance (one,
-    /// Akaike, IEEE Trans. Autom. Control 19, 1974).
+    /// Cost of one free number: half the logarithm of the number of tests. With few tests it is what a number gains by chance (one, Akaike, IEEE
+    /// Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
         (0.5 * libm::log((self.mean_squares.len() as f64).max(1.0))).max(1.0)
     }

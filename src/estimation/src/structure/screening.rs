@@ -65,7 +65,7 @@ impl Projection {
         self.rest_of(b, &self.answer(b))
     }
 
-    /// The same where its answer is known.
+    /// Residual after the projection whose solution is known.
     fn rest_of(&self, b: &Residual, answer: &DVector<f64>) -> Residual {
         self.weighted(b) - &self.jacobian * answer
     }

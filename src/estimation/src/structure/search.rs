@@ -44,6 +44,8 @@ pub struct StructureSearch {
 
 /// Rise of the log posterior below which a move is not made.
 const RISE: f64 = 0.5;
+/// Rise of the log posterior from which an effect is exchanged for another. The structure gets no larger, so any rise beyond rounding counts.
+const EXCHANGED: f64 = 0.05;
 /// Log posterior below the best expansion within which a form is tried again beside other effects.
 const PROMISING: f64 = 25.0;
 /// Forms of an effect that are tried again.
@@ -59,7 +61,7 @@ const SWAPPED: f64 = 2.0;
 const ROUNDS: usize = 24;
 
 impl StructureSearch {
-    /// Searches from starts made of the records alone, and then from the given model where that is more probable than what was found: so the
+    /// Searches from starts made of the records alone, then from the given model where that is more probable. So the
     /// answer depends on the given model only where it helps. `None` where no start makes a finite force.
     pub fn run(context: &SearchContext, given: Option<Start>, from_records: Vec<Start>) -> Option<StructureSearch> {
         let tests = context.tests;
@@ -198,8 +200,7 @@ impl StructureSearch {
             }
             let own = self.best.components[place].effect;
             let is_tried = |c: &Candidate| {
-                let is_promising =
-                    if is_needed { are_alternatives(own, c.effect) } else { forms.contains(&(c.effect, c.form)) };
+                let is_promising = are_alternatives(own, c.effect) || !is_needed && forms.contains(&(c.effect, c.form));
                 c.unnamed.is_none() && (c.effect == own || is_promising)
             };
             let Some(Expansion { trials, .. }) = expand(context, &less, &is_tried, Budget::RIVALS) else { continue };
@@ -211,7 +212,7 @@ impl StructureSearch {
             {
                 let next = trial.structure.refined(context.tests, Effort::JUDGE);
                 record(&mut self.table, &next);
-                if next.log_posterior > self.best.log_posterior + RISE {
+                if next.log_posterior > self.best.log_posterior + EXCHANGED {
                     self.best = next;
                     return true;
                 }

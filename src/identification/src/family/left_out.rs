@@ -18,7 +18,7 @@ use serde::Serialize;
 pub struct SettingError {
     /// Mean absolute error, N.
     pub mean_error_n: f64,
-    /// The same in percent of the largest force of each test.
+    /// Error in percent of the largest force of each test.
     pub error_percent: f64,
 }
 
