@@ -107,7 +107,8 @@ const solver_functions *solver(void)
     if (!load(&found)) {
         size_t i;
         lock(&finding);
-        for (i = 0; i < sizeof ENTRIES / sizeof ENTRIES[0]; i++) {
+        /* Whoever waited for the lock finds the table written, and others may read it. */
+        for (i = 0; !load(&found) && i < sizeof ENTRIES / sizeof ENTRIES[0]; i++) {
             any_function function = find(ENTRIES[i].name);
             memcpy((char *)&functions + ENTRIES[i].offset, &function, sizeof function);
         }
