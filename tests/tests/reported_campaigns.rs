@@ -7,19 +7,10 @@ use dashpot_diagnosis::{Diagnosis, Options as DiagnosisOptions, diagnose};
 use dashpot_identification::{Fit, FitOptions, fit};
 use dashpot_records::taken_out::{MeasurementError, taken_out};
 use dashpot_records::{Campaign, Options, Record, load};
+use dashpot_test_support::reported;
 use dashpot_tests::kernel_campaign::{Sine, campaign};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-
-/// The inputs of a situation; `None` where they are not on this machine.
-fn reports(name: &str) -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data/reports").join(name);
-    if !path.exists() {
-        dashpot_test_support::skipped(format!("there is no {}", path.display()));
-        return None;
-    }
-    Some(path)
-}
+use std::path::Path;
 
 fn read(path: &Path) -> Campaign {
     load(&[path.to_path_buf()], &Options::default(), &|_| ()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
@@ -87,21 +78,21 @@ fn a_long_delay_is_found_in_two_tests_of_a_very_asymmetric_damper() {
 #[test]
 fn a_delay_of_two_or_three_milliseconds_is_a_delay_and_nothing_else() {
     for (name, delay) in [("force_late_l2", 2e-3), ("force_late_l3", 3e-3), ("force_43ms_late", 0.043)] {
-        let Some(path) = reports(name) else { return };
+        let Some(path) = reported(name) else { return };
         is_delay(&fitted(&read(&path)), delay, 5e-5);
     }
 }
 
 #[test]
 fn a_force_on_time_has_no_delay() {
-    let Some(path) = reports("on_time_but_called_late") else { return };
+    let Some(path) = reported("on_time_but_called_late") else { return };
     let fit = fitted(&read(&path));
     assert!(errors(&fit).is_empty(), "{:?}", errors(&fit));
 }
 
 #[test]
 fn a_stump_beside_a_gap_makes_no_bump_stop() {
-    let Some(path) = reports("gap_in_one_test") else { return };
+    let Some(path) = reported("gap_in_one_test") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 5);
     let fit = fitted(&campaign);
@@ -112,7 +103,7 @@ fn a_stump_beside_a_gap_makes_no_bump_stop() {
 
 #[test]
 fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
-    let Some(path) = reports("starved_chamber") else { return };
+    let Some(path) = reported("starved_chamber") else { return };
     let campaign = read(&path);
     let found = diagnosed(&campaign, &fitted(&campaign).params);
     let finding = &found.findings[0];

@@ -8,7 +8,7 @@ use crate::model::{dashpot_model, family, prepared};
 use crate::partials::{dashpot_partials, dashpot_setting_derivatives};
 use crate::pointer::{exclusive, present};
 use crate::state::{checked, commands, computed, dashpot_output, dashpot_state, finite};
-use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_OUTSIDE_SETTING, Refused};
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_OUTSIDE_SETTING, Rejected};
 use crate::stepping::{checked_step, move_on, range_warning, warnings};
 
 /// The warning for a setting.
@@ -29,13 +29,13 @@ pub(crate) unsafe fn force(
     setting: Option<f64>,
     dt: f64,
     force: *mut f64,
-) -> Result<i32, Refused> {
+) -> Result<i32, Rejected> {
     // SAFETY: the caller's promise.
     let family = unsafe { family(model)? };
     // SAFETY: as the model.
     unsafe { finite(state)? };
     if !sane(velocity) {
-        return Err(Refused(DASHPOT_BAD_INPUT));
+        return Err(Rejected(DASHPOT_BAD_INPUT));
     }
     let setting = setting.map(checked_setting).transpose()?;
     let dt = checked_step(dt)?;
@@ -46,7 +46,7 @@ pub(crate) unsafe fn force(
     // SAFETY: not null by `finite`, aligned and the caller's alone; its parts do not overlap.
     let (damper, delay) = unsafe { (&mut *state.cast::<State>(), &mut *commands(state)) };
     if !family.step_in_place(damper, delay, &to, setting, dt, &mut output, false) {
-        return Err(Refused(DASHPOT_NOT_COMPUTABLE));
+        return Err(Rejected(DASHPOT_NOT_COMPUTABLE));
     }
     *force = output.force;
     Ok(warnings(family.model(), velocity, dt) | setting_warning(family, setting))
@@ -65,7 +65,7 @@ pub(crate) unsafe fn step(
     dt: f64,
     to: *mut dashpot_state,
     output: *mut dashpot_output,
-) -> Result<i32, Refused> {
+) -> Result<i32, Rejected> {
     // SAFETY: the caller's promise.
     let family = unsafe { family(model)? };
     // SAFETY: as the model.
@@ -92,7 +92,7 @@ unsafe fn step_checked(
     dt: f64,
     to: *mut dashpot_state,
     output: *mut dashpot_output,
-) -> Result<(), Refused> {
+) -> Result<(), Rejected> {
     // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
     let output = unsafe { &mut *output.cast::<Output>() };
     if from != to.cast_const() {
@@ -125,7 +125,7 @@ pub(crate) unsafe fn step_batch(
     dt: f64,
     to: *mut dashpot_state,
     outputs: *mut dashpot_output,
-) -> Result<i32, Refused> {
+) -> Result<i32, Rejected> {
     for i in 0..count {
         // SAFETY: `count` of each by the caller's promise.
         unsafe {
@@ -171,7 +171,7 @@ pub(crate) unsafe fn evaluate(
     input: *const dashpot_input,
     output: *mut dashpot_output,
     rate: *mut dashpot_state,
-) -> Result<i32, Refused> {
+) -> Result<i32, Rejected> {
     // SAFETY: the caller's promise.
     let (family, state) = unsafe { (family(model)?, checked(state)?) };
     // SAFETY: as above.
@@ -201,7 +201,7 @@ pub(crate) unsafe fn jacobian(
     input: *const dashpot_input,
     partials: *mut dashpot_partials,
     by_setting: *mut dashpot_setting_derivatives,
-) -> Result<i32, Refused> {
+) -> Result<i32, Rejected> {
     // SAFETY: the caller's promise.
     let (family, state) = unsafe { (family(model)?, checked(state)?) };
     // SAFETY: as above.

@@ -7,7 +7,7 @@ use core::mem::size_of;
 use dashpot_core::Input;
 
 use crate::pointer::present;
-use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_STRUCT_SIZE, DASHPOT_UNKNOWN_FLAG, Refused};
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_STRUCT_SIZE, DASHPOT_UNKNOWN_FLAG, Rejected};
 
 /// The host provides the displacement; without this bit it is integrated from the initial position.
 pub const DASHPOT_KNOWS_DISPLACEMENT: u32 = 1;
@@ -61,7 +61,7 @@ pub(crate) fn sane(number: f64) -> bool {
 /// # Safety
 /// Null, or an aligned input that nobody writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Refused> {
+pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Rejected> {
     present(input)?;
     // SAFETY: not null by `present`; aligned and unwritten meanwhile by the caller's promise.
     unsafe { &*input }.checked()
@@ -85,7 +85,7 @@ pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
 /// # Safety
 /// A valid, aligned input.
 #[inline(always)]
-pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>, Refused> {
+pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>, Rejected> {
     // SAFETY: the caller's promise.
     let input = unsafe { &*input };
     if input.known & DASHPOT_KNOWS_SETTING == 0 {
@@ -96,22 +96,22 @@ pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>,
 
 /// Refuses a setting that is no number. One outside the grid is clamped.
 #[inline(always)]
-pub(crate) fn checked_setting(setting: f64) -> Result<f64, Refused> {
-    if setting.is_finite() { Ok(setting) } else { Err(Refused(DASHPOT_BAD_INPUT)) }
+pub(crate) fn checked_setting(setting: f64) -> Result<f64, Rejected> {
+    if setting.is_finite() { Ok(setting) } else { Err(Rejected(DASHPOT_BAD_INPUT)) }
 }
 
 impl dashpot_input {
     /// As the kernel takes it, refused unless it makes sense.
     #[inline(always)]
-    fn checked(&self) -> Result<Input, Refused> {
+    fn checked(&self) -> Result<Input, Rejected> {
         if self.struct_size as usize != size_of::<dashpot_input>() {
-            return Err(Refused(DASHPOT_STRUCT_SIZE));
+            return Err(Rejected(DASHPOT_STRUCT_SIZE));
         }
         if self.known & !KNOWN != 0 {
-            return Err(Refused(DASHPOT_UNKNOWN_FLAG));
+            return Err(Rejected(DASHPOT_UNKNOWN_FLAG));
         }
         let (input, sum) = self.taken();
-        if sum <= LARGEST { Ok(input) } else { Err(Refused(DASHPOT_BAD_INPUT)) }
+        if sum <= LARGEST { Ok(input) } else { Err(Rejected(DASHPOT_BAD_INPUT)) }
     }
 
     /// As the kernel takes it, and the sum of its magnitudes.

@@ -11,7 +11,9 @@ use dashpot_core::family::Family;
 
 use crate::params::{axis, dashpot_params, values};
 use crate::pointer::{exclusive, present, usable};
-use crate::status::{DASHPOT_NO_SUCH_STATE, DASHPOT_NOT_INITIALIZED, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
+use crate::status::{
+    DASHPOT_NO_SUCH_STATE, DASHPOT_NOT_INITIALIZED, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Rejected, status,
+};
 use crate::text;
 use crate::version::magic;
 
@@ -59,7 +61,7 @@ const _: () = {
 /// # Safety
 /// Null, misaligned, or a `dashpot_model` that nobody writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Model, Refused> {
+pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Model, Rejected> {
     usable(model)?;
     // SAFETY: aligned by `usable`; the rest is the caller's promise.
     unsafe { prepared_aligned(model) }
@@ -70,12 +72,12 @@ pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Mod
 /// # Safety
 /// Null, or a `dashpot_model` that nobody writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result<&'a Model, Refused> {
+pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result<&'a Model, Rejected> {
     present(model)?;
     // SAFETY: not null by `present`, aligned by the caller's promise; any bytes are a magic word, and only where it
     // is right is the model looked at.
     let block = unsafe { &*model.cast::<Prepared>() };
-    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.model) }
+    if block.magic != MAGIC { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.model) }
 }
 
 /// The family in a block that was initialised with one: asked where it is no ordinary model.
@@ -86,11 +88,11 @@ pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result
 /// # Safety
 /// Null, misaligned, or a block of the caller.
 #[cold]
-pub(crate) unsafe fn family<'a>(model: *const dashpot_model) -> Result<&'a Family, Refused> {
+pub(crate) unsafe fn family<'a>(model: *const dashpot_model) -> Result<&'a Family, Rejected> {
     usable(model)?;
     // SAFETY: not null and aligned by `usable`; any bytes are a magic word, and only where it is right is the family looked at.
     let block = unsafe { &*model.cast::<PreparedFamily>() };
-    if block.magic != MAGIC_FAMILY { Err(Refused(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.family) }
+    if block.magic != MAGIC_FAMILY { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.family) }
 }
 
 /// A model that was found prepared before.
@@ -146,7 +148,7 @@ pub unsafe extern "C" fn dashpot_model_state_name(
         // SAFETY: null, misaligned, or a model that nobody writes and a structure that nobody else uses (the caller's promise).
         let to = unsafe { exclusive(name)? };
         if to.struct_size as usize != size_of::<dashpot_state_name>() {
-            return Err(Refused(DASHPOT_STRUCT_SIZE));
+            return Err(Rejected(DASHPOT_STRUCT_SIZE));
         }
         // SAFETY: as above.
         let found = match unsafe { prepared(model) } {
@@ -154,7 +156,7 @@ pub unsafe extern "C" fn dashpot_model_state_name(
             // SAFETY: as above.
             Err(_) => unsafe { family(model) }?.state_name(state as usize),
         };
-        let (name, unit) = found.ok_or(Refused(DASHPOT_NO_SUCH_STATE))?;
+        let (name, unit) = found.ok_or(Rejected(DASHPOT_NO_SUCH_STATE))?;
         to.state = state;
         text::write(&mut to.name, [name].into_iter());
         text::write(&mut to.unit, [unit].into_iter());

@@ -16,7 +16,7 @@ use dashpot_core::{Fault, Model, Params};
 use crate::pointer::{array, exclusive, one_of, shared, usable};
 use crate::status::{
     DASHPOT_ABI_MISMATCH, DASHPOT_BUFFER_TOO_SHORT, DASHPOT_NOT_INITIALIZED, DASHPOT_OK, DASHPOT_STRUCT_SIZE,
-    DASHPOT_UNKNOWN_NAME, Refused, status,
+    DASHPOT_UNKNOWN_NAME, Rejected, status,
 };
 use crate::table::parameter_name;
 use crate::text;
@@ -70,14 +70,14 @@ const _: () = {
 ///
 /// # Safety
 /// Null, misaligned, or a block of the caller.
-unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Refused> {
+unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Rejected> {
     // SAFETY: the caller's promise is that of `shared`.
     let head = unsafe { shared(params) }?;
     if head.struct_size as usize != size_of::<dashpot_params>() {
-        return Err(Refused(DASHPOT_STRUCT_SIZE));
+        return Err(Rejected(DASHPOT_STRUCT_SIZE));
     }
     if head.abi_version != DASHPOT_ABI_VERSION {
-        return Err(Refused(DASHPOT_ABI_MISMATCH));
+        return Err(Rejected(DASHPOT_ABI_MISMATCH));
     }
     Ok(params.cast())
 }
@@ -86,18 +86,18 @@ unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Refused>
 ///
 /// # Safety
 /// As [`shared`].
-pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Params, Refused> {
+pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Params, Rejected> {
     // SAFETY: `block` has looked at size and version, so that the block is as large and aligned as `Filled`; any
     // bytes are a magic word, and only where it is right are the values looked at.
     let block = unsafe { &*block(params)? };
-    if block.magic != MAGIC { Err(Refused(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.values) }
+    if block.magic != MAGIC { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.values) }
 }
 
 /// The setting that they depend on; without a grid where they depend on none.
 ///
 /// # Safety
 /// As [`shared`].
-pub(crate) unsafe fn axis<'a>(params: *const dashpot_params) -> Result<&'a Axis, Refused> {
+pub(crate) unsafe fn axis<'a>(params: *const dashpot_params) -> Result<&'a Axis, Rejected> {
     // SAFETY: the caller's promise is that of `values`.
     unsafe { values(params) }?;
     // SAFETY: not null, aligned and filled by the question before.
@@ -108,7 +108,7 @@ pub(crate) unsafe fn axis<'a>(params: *const dashpot_params) -> Result<&'a Axis,
 ///
 /// # Safety
 /// Null, misaligned, or a block of the caller that nobody else uses.
-pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Axis, Refused> {
+pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Axis, Rejected> {
     // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
     unsafe { values(params) }?;
     // SAFETY: not null, aligned and filled by the question before; nobody else uses it by the caller's promise.
@@ -122,17 +122,17 @@ pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut
 ///
 /// # Safety
 /// Null or a zero-terminated text.
-unsafe fn entry(name: *const c_char) -> Result<usize, Refused> {
+unsafe fn entry(name: *const c_char) -> Result<usize, Rejected> {
     // SAFETY: the caller's promise is that of `one_of`.
     let entry = unsafe { one_of(name, ENTRIES.iter(), |entry| entry.name) }?;
-    index_of(entry.name.as_bytes()).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
+    index_of(entry.name.as_bytes()).ok_or(Rejected(DASHPOT_UNKNOWN_NAME))
 }
 
 /// The values, to be changed.
 ///
 /// # Safety
 /// As [`exclusive`].
-unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, Refused> {
+unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, Rejected> {
     // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
     unsafe { values(params) }?;
     // SAFETY: not null, aligned and filled by the question before; nobody else uses it by the caller's promise.
@@ -143,7 +143,7 @@ unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, 
 ///
 /// # Safety
 /// As [`one_of`].
-pub(crate) unsafe fn parameter(name: *const c_char) -> Result<Row, Refused> {
+pub(crate) unsafe fn parameter(name: *const c_char) -> Result<Row, Rejected> {
     // SAFETY: the caller's promise is that of `one_of`.
     unsafe { one_of(name, table(), |row| row.parameter.name) }
 }
@@ -152,7 +152,7 @@ pub(crate) unsafe fn parameter(name: *const c_char) -> Result<Row, Refused> {
 ///
 /// # Safety
 /// As [`one_of`].
-unsafe fn element(name: *const c_char) -> Result<Element, Refused> {
+unsafe fn element(name: *const c_char) -> Result<Element, Rejected> {
     // SAFETY: the caller's promise is that of `one_of`.
     unsafe { one_of(name, Element::all(), |element| element.name()) }
 }
@@ -162,8 +162,8 @@ fn fill(report: &mut dashpot_fault, status: i32, line: u32, parameter: Option<&[
     text::write_bytes(&mut report.parameter, parameter.into_iter());
 }
 
-impl From<Fault> for Refused {
-    fn from(fault: Fault) -> Refused {
+impl From<Fault> for Rejected {
+    fn from(fault: Fault) -> Rejected {
         fault.reason.into()
     }
 }
@@ -269,7 +269,7 @@ pub unsafe extern "C" fn dashpot_params_get_list(
         if !values.is_null() {
             usable(values)?;
             if list.len() > capacity as usize {
-                return Err(Refused(DASHPOT_BUFFER_TOO_SHORT));
+                return Err(Rejected(DASHPOT_BUFFER_TOO_SHORT));
             }
             // SAFETY: not null and aligned by `usable`, room for `capacity` numbers by the manual's promise, which
             // is enough by the comparison above; a list lies inside the parameter set, which the array of the
@@ -344,7 +344,7 @@ pub unsafe extern "C" fn dashpot_params_read(
             }
             Err(error) => (error.line, Some(error)),
         };
-        let code = found.map_or(DASHPOT_OK, |error| Refused::from(error.problem).0);
+        let code = found.map_or(DASHPOT_OK, |error| Rejected::from(error.problem).0);
         if let Some(report) = report {
             // A name that the table does not have is told as it stands in the file.
             let name = |error: &model_file::ReadError| {
@@ -364,7 +364,7 @@ pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fau
         // zero-terminated: the manual's promise.
         let (params, axis, report) = unsafe { (values(params)?, axis(params)?, exclusive(fault)?) };
         let found = if axis.is_some() { Family::check(params, axis) } else { Model::check(params) }.err();
-        let code = found.map_or(DASHPOT_OK, |fault| Refused::from(fault).0);
+        let code = found.map_or(DASHPOT_OK, |fault| Rejected::from(fault).0);
         fill(report, code, 0, found.and_then(|fault| parameter_name(fault.parameter)).map(str::as_bytes));
         Ok(code)
     })())

@@ -3,26 +3,26 @@
 use core::ffi::c_char;
 use core::mem::align_of;
 
-use crate::status::{DASHPOT_MISALIGNED, DASHPOT_NULL, DASHPOT_UNKNOWN_NAME, Refused};
+use crate::status::{DASHPOT_MISALIGNED, DASHPOT_NULL, DASHPOT_UNKNOWN_NAME, Rejected};
 
 /// Refuses an address that cannot be one of a `T`.
 #[inline(always)]
-pub(crate) fn usable<T>(pointer: *const T) -> Result<(), Refused> {
+pub(crate) fn usable<T>(pointer: *const T) -> Result<(), Rejected> {
     present(pointer)?;
-    if pointer.is_aligned() { Ok(()) } else { Err(Refused(DASHPOT_MISALIGNED)) }
+    if pointer.is_aligned() { Ok(()) } else { Err(Rejected(DASHPOT_MISALIGNED)) }
 }
 
 /// Refuses a null pointer.
 #[inline(always)]
-pub(crate) fn present<T>(pointer: *const T) -> Result<(), Refused> {
-    if pointer.is_null() { Err(Refused(DASHPOT_NULL)) } else { Ok(()) }
+pub(crate) fn present<T>(pointer: *const T) -> Result<(), Rejected> {
+    if pointer.is_null() { Err(Rejected(DASHPOT_NULL)) } else { Ok(()) }
 }
 
 /// Refuses unless all pointers are aligned (or null). One question for all of them: this is in the way of every step.
 macro_rules! aligned {
     ($($pointer:expr),+ $(,)?) => {
         if 0 $(| $crate::pointer::off($pointer))+ != 0 {
-            return Err($crate::status::Refused($crate::status::DASHPOT_MISALIGNED));
+            return Err($crate::status::Rejected($crate::status::DASHPOT_MISALIGNED));
         }
     };
 }
@@ -39,7 +39,7 @@ pub(crate) fn off<T>(pointer: *const T) -> usize {
 /// # Safety
 /// Null, misaligned, or a `T` that nobody writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Refused> {
+pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Rejected> {
     usable(pointer)?;
     // SAFETY: not null and aligned by `usable`; the rest is the caller's promise.
     Ok(unsafe { &*pointer })
@@ -50,7 +50,7 @@ pub(crate) unsafe fn shared<'a, T>(pointer: *const T) -> Result<&'a T, Refused> 
 /// # Safety
 /// Null, misaligned, or room for a `T` that nobody else reads or writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn exclusive<'a, T>(pointer: *mut T) -> Result<&'a mut T, Refused> {
+pub(crate) unsafe fn exclusive<'a, T>(pointer: *mut T) -> Result<&'a mut T, Rejected> {
     usable(pointer)?;
     // SAFETY: not null and aligned by `usable`; that nobody else uses it is the caller's promise.
     Ok(unsafe { &mut *pointer })
@@ -60,7 +60,7 @@ pub(crate) unsafe fn exclusive<'a, T>(pointer: *mut T) -> Result<&'a mut T, Refu
 ///
 /// # Safety
 /// As [`shared`], for `count` elements.
-pub(crate) unsafe fn array<'a, T>(pointer: *const T, count: usize) -> Result<&'a [T], Refused> {
+pub(crate) unsafe fn array<'a, T>(pointer: *const T, count: usize) -> Result<&'a [T], Rejected> {
     if count == 0 {
         return Ok(&[]);
     }
@@ -77,10 +77,10 @@ pub(crate) unsafe fn one_of<T>(
     pointer: *const c_char,
     mut known: impl Iterator<Item = T>,
     name: impl Fn(&T) -> &'static str,
-) -> Result<T, Refused> {
+) -> Result<T, Rejected> {
     usable(pointer)?;
     // SAFETY: not null; that it is zero-terminated is the caller's promise.
-    known.find(|one| unsafe { spells(pointer, name(one).as_bytes()) }).ok_or(Refused(DASHPOT_UNKNOWN_NAME))
+    known.find(|one| unsafe { spells(pointer, name(one).as_bytes()) }).ok_or(Rejected(DASHPOT_UNKNOWN_NAME))
 }
 
 /// Whether the C string is `name`.

@@ -31,7 +31,7 @@ use crate::params::{axis, axis_mut, dashpot_params, parameter};
 use crate::partials::dashpot_setting_derivatives;
 use crate::pointer::{aligned, array, exclusive, present, usable};
 use crate::state::{checked, commands, computed, dashpot_state};
-use crate::status::{DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
+use crate::status::{DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Rejected, status};
 use crate::step::dashpot_force;
 use crate::stepping::checked_step;
 use crate::text;
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn dashpot_params_setting(params: *const dashpot_params, s
         // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's promise.
         let (axis, to) = unsafe { (axis(params)?, exclusive(setting)?) };
         if to.struct_size as usize != size_of::<dashpot_setting>() {
-            return Err(Refused(DASHPOT_STRUCT_SIZE));
+            return Err(Rejected(DASHPOT_STRUCT_SIZE));
         }
         to.count = axis.grid().len() as u32;
         to.grid = [0.0; 8];
@@ -211,7 +211,7 @@ pub unsafe extern "C" fn dashpot_d_force_d_setting(
         let (family, setting, delay) =
             unsafe { (family(model)?, input::setting(to_input)?, *commands(from.cast_mut())) };
         let found = family.d_force_d_setting(&state, &delay, &input, setting, dt);
-        let found = found.ok_or(Refused(DASHPOT_NOT_COMPUTABLE))?;
+        let found = found.ok_or(Rejected(DASHPOT_NOT_COMPUTABLE))?;
         computed(found.is_finite())?;
         *to = found;
         Ok(DASHPOT_OK)

@@ -20,7 +20,7 @@ use dashpot_core::{Input, Output, State};
 use crate::input::{self, dashpot_input, sane};
 use crate::model::{dashpot_model, family, prepared};
 use crate::pointer::{aligned, exclusive, present};
-use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_BAD_STATE, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Refused, status};
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_BAD_STATE, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Rejected, status};
 
 /// State of one damper.
 #[repr(C)]
@@ -103,14 +103,14 @@ const LARGEST: f64 = 1e60;
 /// # Safety
 /// Null, or an aligned state that nobody writes meanwhile.
 #[inline(always)]
-pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Refused> {
+pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Rejected> {
     present(state)?;
     // In pairs, which processors add at once.
     // SAFETY: the caller's promise; a state is fourteen numbers, which pairs of them lay out alike.
     let pairs = unsafe { &*state.cast::<[[f64; 2]; 7]>() };
     let sum = pairs.iter().fold([0.0; 2], |sum, pair| [sum[0] + pair[0].abs(), sum[1] + pair[1].abs()]);
     // False for NaN.
-    if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Refused(DASHPOT_BAD_STATE)) }
+    if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Rejected(DASHPOT_BAD_STATE)) }
 }
 
 /// The commands of the last dead time in a state; only read if they belong to the damper.
@@ -124,8 +124,8 @@ pub(crate) unsafe fn commands(state: *mut dashpot_state) -> *mut Delay {
 
 /// Refuses what could not be computed.
 #[inline(always)]
-pub(crate) fn computed(numbers: bool) -> Result<(), Refused> {
-    if numbers { Ok(()) } else { Err(Refused(DASHPOT_NOT_COMPUTABLE)) }
+pub(crate) fn computed(numbers: bool) -> Result<(), Rejected> {
+    if numbers { Ok(()) } else { Err(Rejected(DASHPOT_NOT_COMPUTABLE)) }
 }
 
 /// A copy of a state that the host handed in.
@@ -133,7 +133,7 @@ pub(crate) fn computed(numbers: bool) -> Result<(), Refused> {
 /// # Safety
 /// As [`finite`].
 #[inline(always)]
-pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Refused> {
+pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Rejected> {
     // SAFETY: the caller's promise; any fourteen numbers are a state.
     unsafe {
         finite(state)?;
@@ -167,7 +167,7 @@ pub unsafe extern "C" fn dashpot_state_init(
         // promise.
         let (to, plain) = unsafe { (exclusive(state)?, prepared(model)) };
         if !sane(initial_position) {
-            return Err(Refused(DASHPOT_BAD_INPUT));
+            return Err(Rejected(DASHPOT_BAD_INPUT));
         }
         let at = Input::motion(initial_position, 0.0);
         // SAFETY: as above.

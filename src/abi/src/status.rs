@@ -211,20 +211,20 @@ pub extern "C" fn dashpot_status_text(status: i32) -> *const c_char {
 
 /// A refusal: a negative status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Refused(pub i32);
+pub(crate) struct Rejected(pub i32);
 
 /// The status that a C function returns.
 #[inline(always)]
-pub(crate) fn status(result: Result<i32, Refused>) -> i32 {
+pub(crate) fn status(result: Result<i32, Rejected>) -> i32 {
     match result {
         Ok(status) => status,
-        Err(Refused(status)) => status,
+        Err(Rejected(status)) => status,
     }
 }
 
-impl From<Reason> for Refused {
-    fn from(reason: Reason) -> Refused {
-        Refused(match reason {
+impl From<Reason> for Rejected {
+    fn from(reason: Reason) -> Rejected {
+        Rejected(match reason {
             Reason::UnknownName => DASHPOT_UNKNOWN_NAME,
             Reason::NotFinite => DASHPOT_NOT_FINITE,
             Reason::OutOfBounds => DASHPOT_OUT_OF_BOUNDS,
@@ -250,9 +250,9 @@ impl From<Reason> for Refused {
     }
 }
 
-impl From<Problem> for Refused {
-    fn from(problem: Problem) -> Refused {
-        Refused(match problem {
+impl From<Problem> for Rejected {
+    fn from(problem: Problem) -> Rejected {
+        Rejected(match problem {
             Problem::Syntax => DASHPOT_FILE_SYNTAX,
             Problem::Value => DASHPOT_FILE_VALUE,
             Problem::Repeated => DASHPOT_FILE_REPEATED,

@@ -14,7 +14,7 @@ use crate::input::{self, dashpot_input, sane};
 use crate::model::{dashpot_model, prepared, prepared_aligned, ready};
 use crate::pointer::{aligned, present};
 use crate::state::{dashpot_output, dashpot_state, finite};
-use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Refused, status};
+use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, Rejected, status};
 use crate::stepping::{checked_step, move_on, warnings};
 
 /// Computes the force (N) from the velocity (m/s) and advances *state by dt (s).
@@ -40,13 +40,13 @@ pub unsafe extern "C" fn dashpot_force(
         // SAFETY: as the model.
         unsafe { finite(state)? };
         if !sane(velocity) {
-            return Err(Refused(DASHPOT_BAD_INPUT));
+            return Err(Rejected(DASHPOT_BAD_INPUT));
         }
         let dt = checked_step(dt)?;
         present(force)?;
         // SAFETY: state is aligned and not null by the questions before; the same bytes under C names (asserted in `state`).
         let found = force_in_place(model, unsafe { &mut *state.cast() }, &Input::velocity(velocity), dt);
-        let found = found.ok_or(Refused(DASHPOT_NOT_COMPUTABLE))?;
+        let found = found.ok_or(Rejected(DASHPOT_NOT_COMPUTABLE))?;
         // SAFETY: force is aligned and not null by the questions before.
         unsafe { *force = found };
         Ok(warnings(model, velocity, dt))

@@ -4,7 +4,7 @@ use dashpot_core::step::{LONG_STEP, step_in_place};
 use dashpot_core::{Input, Model, Output, State};
 
 use crate::state::{computed, dashpot_output, dashpot_state};
-use crate::status::{DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Refused};
+use crate::status::{DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Rejected};
 
 /// Longer steps are a mistake in the unit, s.
 const LONGEST_STEP: f64 = 100.0;
@@ -14,8 +14,8 @@ const SHORTEST_STEP: f64 = 1e-15;
 // Written out: `contains` costs seven instructions more in every step.
 #[allow(clippy::manual_range_contains)]
 #[inline(always)]
-pub(crate) fn checked_step(dt: f64) -> Result<f64, Refused> {
-    if dt >= SHORTEST_STEP && dt <= LONGEST_STEP || dt == 0.0 { Ok(dt) } else { Err(Refused(DASHPOT_BAD_TIME_STEP)) }
+pub(crate) fn checked_step(dt: f64) -> Result<f64, Rejected> {
+    if dt >= SHORTEST_STEP && dt <= LONGEST_STEP || dt == 0.0 { Ok(dt) } else { Err(Rejected(DASHPOT_BAD_TIME_STEP)) }
 }
 
 /// The warnings for a step.
@@ -60,7 +60,7 @@ pub(crate) unsafe fn move_on(
     dt: f64,
     to: *mut dashpot_state,
     output: *mut dashpot_output,
-) -> Result<(), Refused> {
+) -> Result<(), Rejected> {
     let to = to.cast::<State>();
     // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
     let output = unsafe { &mut *output.cast::<Output>() };

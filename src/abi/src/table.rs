@@ -9,7 +9,7 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{COUNT, Shape, table};
 
 use crate::pointer::exclusive;
-use crate::status::{DASHPOT_NO_SUCH_ROW, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Refused, status};
+use crate::status::{DASHPOT_NO_SUCH_ROW, DASHPOT_OK, DASHPOT_STRUCT_SIZE, Rejected, status};
 use crate::text;
 
 /// The parameter is one number.
@@ -77,9 +77,9 @@ pub unsafe extern "C" fn dashpot_parameter_info(row: u32, info: *mut dashpot_par
         // SAFETY: null, misaligned, or the caller's and used by nobody else meanwhile: the manual's promise.
         let info = unsafe { exclusive(info) }?;
         if info.struct_size as usize != size_of::<dashpot_parameter>() {
-            return Err(Refused(DASHPOT_STRUCT_SIZE));
+            return Err(Rejected(DASHPOT_STRUCT_SIZE));
         }
-        let found = table().nth(row as usize).ok_or(Refused(DASHPOT_NO_SUCH_ROW))?;
+        let found = table().nth(row as usize).ok_or(Rejected(DASHPOT_NO_SUCH_ROW))?;
         let p = found.parameter;
         let words: &[&str] = match p.shape {
             Shape::Choice(words) => words,

@@ -150,7 +150,7 @@ pub fn read_family(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<
 /// Reads a text that [`check_family`] accepted without room beside that of the caller.
 ///
 /// # Errors
-/// Those of [`read_family`]; the sets of the caller may then be filled in part.
+/// The errors of [`read_family`]; the sets of the caller may then be filled in part.
 pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
     axis.clear();
     let (grid, count, line) = grid_of(text)?;

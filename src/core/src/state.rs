@@ -103,8 +103,8 @@ impl Output {
 
 impl Output {
     /// Counts the force of an element beside the damper where it belongs, besides the total.
-    pub(crate) fn count(&mut self, share: ForceComponent, force: f64) {
-        match share {
+    pub(crate) fn count(&mut self, component: ForceComponent, force: f64) {
+        match component {
             ForceComponent::Total => {}
             ForceComponent::Friction => self.friction_force += force,
             ForceComponent::Gas => self.gas_force += force,

@@ -136,10 +136,16 @@ pub(crate) fn step_borrowed(
             step_by_its_method(model, &mut reached, to, dt, &mut answer, derivatives);
         }
     }
+    keep_if_finite(&reached, &answer, state, output)
+}
+
+/// Keeps what a step reached where all of it is finite; else state and output stay as they were.
+#[inline(always)]
+fn keep_if_finite(reached: &State, answer: &Output, state: &mut State, output: &mut Output) -> bool {
     let finite = reached.is_finite() && answer.is_finite();
     if finite {
-        *state = reached;
-        *output = answer;
+        *state = *reached;
+        *output = *answer;
     }
     finite
 }
@@ -158,12 +164,7 @@ fn step_of_any_kind(
 ) -> bool {
     let (mut reached, mut answer) = (*state, Output::ZERO);
     step_by_its_method(model, &mut reached, &to, dt, &mut answer, derivatives);
-    let finite = reached.is_finite() && answer.is_finite();
-    if finite {
-        *state = reached;
-        *output = answer;
-    }
-    finite
+    keep_if_finite(&reached, &answer, state, output)
 }
 
 #[inline(always)]

@@ -60,7 +60,7 @@ fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured])
     for found in diagnosis {
         match all.iter_mut().find(|m| m.name == found.name) {
             Some(own) => *own = own.and(*found),
-            None => all.push(found.beside(given)),
+            None => all.push(found.with_stated(given)),
         }
     }
     all

@@ -11,7 +11,7 @@ use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::Structure;
-use dashpot_estimation::structure::starts::{self, Start};
+use dashpot_estimation::structure::starts::{self, StartModel};
 use dashpot_records::Record;
 use std::sync::Arc;
 
@@ -62,7 +62,7 @@ impl Prepared {
             return Err(DiagnosisError::NothingToCompare { turned });
         }
         // The given model, and what a plain model would be: a reference without friction in its model could not say that friction changed.
-        let no_heat = |(mut hypothesis, components): Start| {
+        let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
             (hypothesis, components)
         };
@@ -74,7 +74,8 @@ impl Prepared {
         if lacks_friction {
             all.extend(starts::plain(&own.fitted, &own.heating, &|_| true).into_iter().map(no_heat));
         }
-        let fit = |(hypothesis, components): Start| Structure::fit(hypothesis, components, &own.fitted, Effort::FINE);
+        let fit =
+            |(hypothesis, components): StartModel| Structure::fit(hypothesis, components, &own.fitted, Effort::FINE);
         let structure = all
             .into_iter()
             .filter_map(fit)

@@ -58,6 +58,13 @@ pub struct FitOptions {
     pub elements: Option<Vec<String>>,
 }
 
+impl FitOptions {
+    /// Whether an element may be used.
+    fn allows(&self, element: &str) -> bool {
+        self.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element))
+    }
+}
+
 /// Why there is no fit.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
@@ -279,7 +286,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     }
     progress(Stage { done: 1.0, text: phrases::DONE });
     let Found { params, estimates, inventory, measured, mut notes, misfit } = found;
-    let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&about.given)).collect();
+    let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
     if params.is_on(element!("gas_warming")) {
         let reference = params.number(number!("gas_warming_reference"));
@@ -381,9 +388,7 @@ fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options
         };
     }
     // A mass of the damper is named by a diagnosis; a fit takes one on the load cell out of the records.
-    effect != "moving_mass"
-        && effects_can_be_shown(effect, situation, about)
-        && options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == effect))
+    effect != "moving_mass" && effects_can_be_shown(effect, situation, about) && options.allows(effect)
 }
 
 /// Span of side forces, N, from which friction under them is looked for in a damper of a car.
@@ -415,9 +420,7 @@ pub(crate) fn search_structure(
     options: &FitOptions,
     about: &About,
 ) -> Result<StructureSearch, FitError> {
-    let allowed = |element: Element| {
-        options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element.name()))
-    };
+    let allowed = |element: Element| options.allows(element.name());
     let heating = Arc::new(Heating::new(records, tests));
     let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
     let context = SearchContext { records, tests, is_allowed: &may, changes: &[], most: usize::MAX, progress: &|_| () };
@@ -433,9 +436,7 @@ fn fit_thesis(
     about: &About,
     progress: &impl Fn(Stage),
 ) -> Result<Found, FitError> {
-    let allowed = |element: Element| {
-        options.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element.name()))
-    };
+    let allowed = |element: Element| options.allows(element.name());
     progress(Stage { done: 0.1, text: phrases::FIRST_FIT });
     progress(Stage { done: 0.3, text: phrases::CHOOSING_STRUCTURE });
     let search = search_structure(records, tests, options, about)?;

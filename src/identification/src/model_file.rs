@@ -12,6 +12,7 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Fault, Model, Params, model_file};
 use dashpot_core::{element, list, number};
+use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_records::sentence::Sentence;
 use dashpot_records::{Record, clock};
 use serde::{Deserialize, Deserializer};
@@ -323,7 +324,7 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
 /// Reads a model file whose damper may depend on a setting.
 ///
 /// # Errors
-/// Those of [`read`].
+/// The errors of [`read`].
 pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
     let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
@@ -578,85 +579,131 @@ pub fn plain(params: &Params, remarks: &[String]) -> String {
     }) + "\n[end]\n"
 }
 
+/// Unit and meaning of a parameter, with what a fit knows of it where it has one estimate.
+pub(crate) fn describe_parameter(row: &Row, estimates: &[&Estimate]) -> String {
+    let p = row.parameter;
+    let mut words = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
+    words += p.meaning;
+    if let [estimate] = estimates {
+        match (&estimate.standing, estimate.low, estimate.high) {
+            (Standing::NotIdentified, ..) => words += "; not identified from this data",
+            (_, Some(low), Some(high)) => {
+                let _ = write!(words, "; 95 %: {} to {}; from {}", short(low), short(high), estimate.from);
+            }
+            _ => {}
+        }
+    }
+    words
+}
+
+/// The pair of an interval; the value twice where it has none.
+pub(crate) fn format_pair(estimate: Option<&Estimate>, value: f64) -> String {
+    match estimate {
+        Some(Estimate { low: Some(low), high: Some(high), .. }) => format!("[{}, {}]", number(*low), number(*high)),
+        _ => format!("[{0}, {0}]", number(value)),
+    }
+}
+
+/// Intervals of the points of a curve, whose fixed point is exact by definition.
+pub(crate) fn format_points(estimates: &[&Estimate], values: &[f64]) -> String {
+    let of = |k: usize| estimates.iter().find(|e| e.index == Some(k)).copied();
+    let pairs: Vec<String> = values.iter().enumerate().map(|(k, value)| format_pair(of(k), *value)).collect();
+    format!("[{}]", pairs.join(", "))
+}
+
+/// What a fit says of its records, for the table `[identification]`.
+pub(crate) struct Account<'f> {
+    pub(crate) tests: &'f [String],
+    pub(crate) fingerprints: &'f [String],
+    pub(crate) not_identified: &'f [String],
+    pub(crate) inventory: &'f [InventoryItem],
+    pub(crate) notes: &'f [Sentence],
+    pub(crate) measured: &'f [Measured],
+    pub(crate) clock_from: Option<f64>,
+}
+
+/// Writes the table `[identification]`.
+pub(crate) fn write_account(out: &mut String, account: &Account) {
+    let list =
+        |items: &[String]| format!("[\n{}]", items.iter().map(|i| format!("    {},\n", text(i))).collect::<String>());
+    let _ = writeln!(out, "\n[identification]\ntests = {}", list(account.tests));
+    let _ = writeln!(out, "fingerprints = {}", list(account.fingerprints));
+    let _ = writeln!(out, "not_identified = {}", list(account.not_identified));
+    let inventory = account.inventory.iter().map(describe_item);
+    let notes: Vec<String> = inventory.chain(account.notes.iter().cloned()).map(|note| note.to_string()).collect();
+    let _ = writeln!(out, "notes = {}", list(&notes));
+    let errors = off(account.measured);
+    let drifts = errors.gain_per_s != 0.0 || errors.zero_n_per_s != 0.0;
+    if let Some(from) = account.clock_from.filter(|_| drifts) {
+        let _ =
+            writeln!(out, "clock_from = \"{}\"  # when what drifts in the measurement was right", clock::written(from));
+    }
+}
+
+/// Writes the interval of a parameter; none of a number that has none.
+pub(crate) fn write_interval(out: &mut String, name: &str, estimates: &[&Estimate], params: &Params) {
+    if let [estimate @ Estimate { index: None, .. }] = estimates {
+        if estimate.low.is_some() {
+            let _ = writeln!(out, "{name} = {}", format_pair(Some(estimate), estimate.value));
+        }
+    } else {
+        let values = List::find(name).map_or(&[][..], |list| params.list(list));
+        let _ = writeln!(out, "{name} = {}", format_points(estimates, values));
+    }
+}
+
+/// Writes what the records are off by, and which kinds of test each number of a list is from.
+pub(crate) fn write_origins<'e>(
+    out: &mut String,
+    measured: &[Measured],
+    numbers: impl Iterator<Item = (&'e str, Vec<&'e Estimate>)>,
+) {
+    if !measured.is_empty() {
+        *out += "\n[identification.measurement]  # what the records are off by, value and 95 %; taken out of them, never of the damper\n";
+        for Measured { name, value, low, high, .. } in measured {
+            let _ = writeln!(out, "{name} = [{}, {}, {}]", number(*value), number(*low), number(*high));
+        }
+    }
+    *out += "\n[identification.sources]  # share of the information by kind of test\n";
+    for (name, estimates) in numbers {
+        if let [Estimate { index: None, from, .. }] = estimates[..] {
+            let _ = writeln!(out, "{name} = {}", text(&from.to_string()));
+        }
+    }
+}
+
 /// A model file for a fit.
 pub fn write(fit: &Fit) -> String {
-    let of = |name: &str| fit.estimates.iter().filter(move |e| e.name == name).collect::<Vec<&Estimate>>();
-    let comment = |row: &Row| {
-        let p = row.parameter;
-        let mut words = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
-        words += p.meaning;
-        if let [estimate] = of(p.name)[..] {
-            match (&estimate.standing, estimate.low, estimate.high) {
-                (Standing::NotIdentified, ..) => words += "; not identified from this data",
-                (_, Some(low), Some(high)) => {
-                    let _ = write!(words, "; 95 %: {} to {}; from {}", short(low), short(high), estimate.from);
-                }
-                _ => {}
-            }
-        }
-        words
-    };
+    let of = |name: &str| fit.estimates.iter().filter(|e| e.name == name).collect::<Vec<&Estimate>>();
     let mut out = String::from(
         "# A damper identified by dashpot. SI units; extension (rebound) and tension positive.\n\
          # The lines up to [identification] are the damper; what follows is for people and tools.\n\n",
     );
-    out += &flat(&fit.params, comment);
-    let list =
-        |items: &[String]| format!("[\n{}]", items.iter().map(|i| format!("    {},\n", text(i))).collect::<String>());
-    let _ = writeln!(out, "\n[identification]\ntests = {}", list(&fit.tests));
-    let _ = writeln!(out, "fingerprints = {}", list(&fit.fingerprints));
-    let mut not: Vec<String> = fit
+    out += &flat(&fit.params, |row| describe_parameter(row, &of(row.parameter.name)));
+    let mut not_identified: Vec<String> = fit
         .estimates
         .iter()
         .filter(|e| e.standing == Standing::NotIdentified)
         .map(|e| e.index.map_or(e.name.to_owned(), |i| format!("{}[{i}]", e.name)))
         .collect();
-    not.dedup();
-    let _ = writeln!(out, "not_identified = {}", list(&not));
-    let inventory = fit.inventory.iter().map(describe_item);
-    let notes: Vec<String> = inventory.chain(fit.notes.iter().cloned()).map(|said| said.to_string()).collect();
-    let _ = writeln!(out, "notes = {}", list(&notes));
-    let off = off(&fit.measured);
-    let drifts = off.gain_per_s != 0.0 || off.zero_n_per_s != 0.0;
-    if let Some(from) = fit.clock_from.filter(|_| drifts) {
-        let _ =
-            writeln!(out, "clock_from = \"{}\"  # when what drifts in the measurement was right", clock::written(from));
-    }
+    not_identified.dedup();
+    let account = Account {
+        tests: &fit.tests,
+        fingerprints: &fit.fingerprints,
+        not_identified: &not_identified,
+        inventory: &fit.inventory,
+        notes: &fit.notes,
+        measured: &fit.measured,
+        clock_from: fit.clock_from,
+    };
+    write_account(&mut out, &account);
     out += "\n[identification.intervals]  # 95 %\n";
     let mut names: Vec<&str> = fit.estimates.iter().map(|e| e.name).collect();
     names.dedup();
     for name in &names {
-        let entries = of(name);
-        if let [Estimate { index: None, low, high, .. }] = entries[..] {
-            if let (Some(low), Some(high)) = (low, high) {
-                let _ = writeln!(out, "{name} = [{}, {}]", number(*low), number(*high));
-            }
-            continue;
-        }
-        let values = List::find(name).map_or(&[][..], |list| fit.params.list(list));
-        let pairs: Vec<String> = (0..values.len())
-            .map(|k| match entries.iter().find(|e| e.index == Some(k)) {
-                Some(Estimate { low: Some(low), high: Some(high), .. }) => {
-                    format!("[{}, {}]", number(*low), number(*high))
-                }
-                // The fixed point of a curve is exact by definition.
-                _ => format!("[{0}, {0}]", number(values[k])),
-            })
-            .collect();
-        let _ = writeln!(out, "{name} = [{}]", pairs.join(", "));
+        write_interval(&mut out, name, &of(name), &fit.params);
     }
-    if !fit.measured.is_empty() {
-        out += "\n[identification.measurement]  # what the records are off by, value and 95 %; taken out of them, never of the damper\n";
-        for Measured { name, value, low, high, .. } in &fit.measured {
-            let _ = writeln!(out, "{name} = [{}, {}, {}]", number(*value), number(*low), number(*high));
-        }
-    }
-    out += "\n[identification.sources]  # share of the information by kind of test\n";
-    for name in &names {
-        if let [Estimate { index: None, from, .. }] = of(name)[..] {
-            let _ = writeln!(out, "{name} = {}", text(&from.to_string()));
-        }
-    }
+    write_origins(&mut out, &fit.measured, names.iter().map(|name| (*name, of(name))));
     let floats = |v: &[f64]| v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
     let _ = write!(
         out,

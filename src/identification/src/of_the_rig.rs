@@ -77,7 +77,7 @@ impl Measured {
     }
 
     /// What was found in records out of which the user had some taken before: of both together.
-    pub fn beside(self, given: &MeasurementError) -> Measured {
+    pub fn with_stated(self, given: &MeasurementError) -> Measured {
         let before = match self.name {
             "delay" => given.delay_s,
             "rig_mass" => given.mass_kg,

@@ -165,7 +165,7 @@ pub fn load(
     let unusable = sieve.report(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
-    setting::settle(&mut records, &options.settings, &mut notes);
+    setting::assign_settings(&mut records, &options.settings, &mut notes);
     one_clock::settle(&mut records, &mut notes);
     slips::refuse(&records, options)?;
     file_units::refuse(&records, &readings)?;

@@ -158,14 +158,14 @@ impl Sentence {
     }
 
     /// With another sentence.
-    pub fn with_sentence(self, name: &'static str, said: impl Into<Sentence>) -> Self {
-        self.and(name, Value::Said(said.into()))
+    pub fn with_sentence(self, name: &'static str, sentence: impl Into<Sentence>) -> Self {
+        self.and(name, Value::Said(sentence.into()))
     }
 
     /// With another sentence where there is one; its place stays empty otherwise.
-    pub fn with_any(self, name: &'static str, said: Option<Sentence>) -> Self {
-        match said {
-            Some(said) => self.with_sentence(name, said),
+    pub fn with_any(self, name: &'static str, sentence: Option<Sentence>) -> Self {
+        match sentence {
+            Some(sentence) => self.with_sentence(name, sentence),
             None => self,
         }
     }

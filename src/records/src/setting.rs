@@ -11,7 +11,7 @@ use super::setting_value::{NAMES, SAME, Setting, SettingRules};
 /// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
 /// of more than a letter.
-pub(crate) fn settle(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
+pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     for record in records.iter_mut() {
         if let Some(setting) = rules.setting_of(&record.name) {
             record.setting = Some(setting);
@@ -68,7 +68,7 @@ mod tests {
         let settled = |names: &[&str]| {
             let mut records: Vec<Record> = names.iter().map(|name| record(name)).collect();
             let mut notes = Vec::new();
-            settle(&mut records, &SettingRules::default(), &mut notes);
+            assign_settings(&mut records, &SettingRules::default(), &mut notes);
             (records, notes)
         };
         let (records, notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);

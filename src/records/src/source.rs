@@ -71,7 +71,7 @@ pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
 /// The text of a regular file of at most `largest` bytes, in UTF-8.
 ///
 /// # Errors
-/// Those of [`bytes`], and a file that is no text.
+/// The errors of [`bytes`], and a file that is no text.
 pub(crate) fn text(file: &Path, largest: u64) -> Result<String, RecordError> {
     String::from_utf8(bytes(file, largest)?).map_err(|error| {
         let source = std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error());
@@ -97,7 +97,7 @@ pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
 /// The text of a table, a model or a description, in UTF-8.
 ///
 /// # Errors
-/// Those of [`read_small`], and a file that is no text.
+/// The errors of [`read_small`], and a file that is no text.
 pub fn read_small_text(file: &Path) -> std::io::Result<String> {
     String::from_utf8(read_small(file)?)
         .map_err(|error| std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error()))

@@ -134,9 +134,9 @@ impl Sieve {
     }
 
     /// Names everything that was left out; the first ones as notes too.
-    pub fn report(self, told: &mut Vec<Note>) -> Vec<Unusable> {
+    pub fn report(self, noted: &mut Vec<Note>) -> Vec<Unusable> {
         let unusable: Vec<Unusable> = self.faults.iter().map(in_words).collect();
-        told.extend(notes(&unusable));
+        noted.extend(notes(&unusable));
         unusable
     }
 }

@@ -1,17 +1,8 @@
 //! Situations that users reported, as made inputs (`../shared/data/reports`, whose README says what is right of each).
 
 use dashpot_records::{Campaign, Options, PeakOptions, Positive, Unit, load, peak_clicks, read_peaks};
-use std::path::{Path, PathBuf};
-
-/// The inputs of a situation; `None` where they are not on this machine.
-fn reports(name: &str) -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/reports").join(name);
-    if !path.exists() {
-        dashpot_test_support::skipped(format!("there is no {}", path.display()));
-        return None;
-    }
-    Some(path)
-}
+use dashpot_test_support::reported;
+use std::path::Path;
 
 fn read(path: &Path) -> Campaign {
     load(&[path.to_path_buf()], &Options::default(), &|_| ()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
@@ -30,7 +21,7 @@ fn strongest(campaign: &Campaign) -> f64 {
 
 #[test]
 fn mdf_groups_of_two_rates_are_joined() {
-    let Some(path) = reports("mdf_groups_of_two_rates") else { return };
+    let Some(path) = reported("mdf_groups_of_two_rates") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
     assert!(told(&campaign).contains("joined at the times of the slower channels"), "{}", told(&campaign));
@@ -41,7 +32,7 @@ fn mdf_groups_of_two_rates_are_joined() {
 
 #[test]
 fn a_tdms_that_broke_off_says_so() {
-    let Some(path) = reports("tdms_cut_off") else { return };
+    let Some(path) = reported("tdms_cut_off") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
     let cut = campaign.notes.iter().filter(|note| note.kind == "cut_off" && note.is_loud()).count();
@@ -50,7 +41,7 @@ fn a_tdms_that_broke_off_says_so() {
 
 #[test]
 fn rows_of_an_earlier_run_are_skipped_and_millis_are_time() {
-    let Some(path) = reports("stale_serial_block") else { return };
+    let Some(path) = reported("stale_serial_block") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
     assert!(told(&campaign).contains("the first 7 rows"), "{}", told(&campaign));
@@ -69,7 +60,7 @@ fn rows_of_an_earlier_run_are_skipped_and_millis_are_time() {
 
 #[test]
 fn a_late_velocity_is_not_used() {
-    let Some(path) = reports("late_velocity_column") else { return };
+    let Some(path) = reported("late_velocity_column") else { return };
     let smoothed = |wanted: &str| {
         let mut options = Options::default();
         options.columns.insert("velocity".parse().unwrap(), wanted.into());
@@ -88,7 +79,7 @@ fn a_late_velocity_is_not_used() {
 
 #[test]
 fn crank_angle_and_speed_are_a_clock() {
-    let Some(path) = reports("crank_angle") else { return };
+    let Some(path) = reported("crank_angle") else { return };
     let campaign = read(&path);
     let frequencies: Vec<f64> = campaign.records.iter().map(|r| r.frequency).collect();
     let wanted = std::fs::read_to_string(path.join("run2.csv")).unwrap();
@@ -107,7 +98,7 @@ fn crank_angle_and_speed_are_a_clock() {
 #[test]
 fn settings_are_recognised_in_a_channel_and_in_names() {
     for name in ["current_column", "currents_in_names"] {
-        let Some(path) = reports(name) else { return };
+        let Some(path) = reported(name) else { return };
         let campaign = read(&path);
         for record in &campaign.records {
             let setting = record.setting.as_ref().unwrap_or_else(|| panic!("{name}: {}", record.name));
@@ -123,7 +114,7 @@ fn settings_are_recognised_in_a_channel_and_in_names() {
 
 #[test]
 fn a_table_of_clicks_gives_a_curve_a_click() {
-    let Some(path) = reports("click_table") else { return };
+    let Some(path) = reported("click_table") else { return };
     let file = path.join("clicks.csv");
     assert_eq!(peak_clicks(&file).unwrap(), [0.0, 10.0, 20.0]);
     let mut options = PeakOptions::default();
@@ -144,7 +135,7 @@ fn a_table_of_clicks_gives_a_curve_a_click() {
 
 #[test]
 fn a_stump_beside_a_gap_is_left_out() {
-    let Some(path) = reports("gap_in_one_test") else { return };
+    let Some(path) = reported("gap_in_one_test") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 5, "{:?}", campaign.records.iter().map(|r| &r.name).collect::<Vec<_>>());
     assert!(told(&campaign).contains("hold no whole cycle and were left out"), "{}", told(&campaign));
@@ -152,7 +143,7 @@ fn a_stump_beside_a_gap_is_left_out() {
 
 #[test]
 fn a_log_with_rests_is_seven_tests() {
-    let Some(path) = reports("one_log_with_dwells") else { return };
+    let Some(path) = reported("one_log_with_dwells") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 7);
     let mut amplitudes: Vec<f64> = campaign.records.iter().map(|r| r.amplitude).collect();
@@ -163,7 +154,7 @@ fn a_log_with_rests_is_seven_tests() {
 
 #[test]
 fn a_staircase_of_speeds_is_a_test_a_speed() {
-    let Some(path) = reports("staircase_pair") else { return };
+    let Some(path) = reported("staircase_pair") else { return };
     for (name, friction) in [("a", 190.0), ("b", 135.0)] {
         let campaign = read(&path.join(name));
         let speeds: Vec<f64> = campaign.records.iter().map(|r| 1e3 * r.peak_velocity).collect();

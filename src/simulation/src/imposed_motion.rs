@@ -202,7 +202,7 @@ impl ImposedMotion {
     /// Drives a damper that depends on a setting: `setting` is the command in the step that ends at a time, s.
     ///
     /// # Errors
-    /// Those of [`ImposedMotion::drive`].
+    /// The errors of [`ImposedMotion::drive`].
     pub fn drive_family(
         &self,
         family: &Family,

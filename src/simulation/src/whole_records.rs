@@ -49,7 +49,7 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
 /// Errors of a fit over its own records, corrected by the measurement error that it found.
 ///
 /// # Errors
-/// Those of [`deviation`].
+/// The errors of [`deviation`].
 pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     without(&fit.measured, &fit.params, records)
 }

@@ -233,7 +233,7 @@ impl Family {
     /// Prepares a family where it is kept.
     ///
     /// # Errors
-    /// Those of [`Family::check`]; nothing is changed then.
+    /// The errors of [`Family::check`]; nothing is changed then.
     pub fn set(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
         Family::check(params, axis)?;
         self.set_checked(params, axis)

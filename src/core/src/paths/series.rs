@@ -78,7 +78,7 @@ impl Derivatived {
 
 /// Force of the series path in a stage.
 #[inline(always)]
-pub(crate) fn derivatived<const ON: u32>(
+pub(crate) fn with_derivatives<const ON: u32>(
     e: &Paths<impl Tables>,
     deflection: f64,
     rate: f64,

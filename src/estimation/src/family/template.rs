@@ -4,15 +4,16 @@ use super::pattern::{site_of, sites, varies};
 use super::problem::{FamilyHypothesis, SettingTests};
 use super::structure::FamilyStructure;
 use crate::first_guess;
-use crate::hypothesis::{Free, Hypothesis, number};
+use crate::hypothesis::{Free, Hypothesis};
 use crate::refit::{Effort, refit};
 use crate::segment::Segment;
 use crate::structure::component::Component;
 use crate::structure::context::Structure;
-use crate::unknowns::{CurveName, Unknown, Unknowns, anchor, towards_zero};
+use crate::structure::curve_points::{forces_at, with_velocities};
+use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::curve::MAX_POINTS;
+use dashpot_core::list;
 use dashpot_core::parameter::{Number, table};
-use dashpot_core::{Model, Params, list};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
@@ -36,28 +37,6 @@ pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
     own
 }
 
-/// Forces of the FV curve of a parameter set at some velocities; `None` where it makes no model.
-fn curve_at(params: &Params, velocities: &[f64]) -> Option<Vec<f64>> {
-    let curve = Model::new(params).ok()?.elements().paths.fv_curve;
-    Some(velocities.iter().map(|v| curve.evaluate(*v).value).collect())
-}
-
-/// The hypothesis with its FV table at other velocities, from where it stands; `None` where it makes no model.
-fn on_velocities(from: &Hypothesis, theta: &[f64], velocities: &[f64]) -> Option<Hypothesis> {
-    let mut params = from.params(theta);
-    let force = curve_at(&params, velocities)?;
-    params.set_list(list!("fv_velocity"), velocities).ok()?;
-    params.set_list(list!("fv_force"), &force).ok()?;
-    let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
-    let rises = Unknowns::rises(&params, CurveName::Fv).into_iter().map(|rise| number(&params, rise));
-    let kept = from.clone().starting_at(theta).numbers;
-    let first = kept.iter().position(|n| is_point(&n.free)).unwrap_or(kept.len());
-    let mut numbers = kept[..first].to_vec();
-    numbers.extend(rises);
-    numbers.extend(kept[first..].iter().filter(|n| !is_point(&n.free)).cloned());
-    Some(Hypothesis { base: params, numbers, heating: None })
-}
-
 /// A family with the effects of one structure, of which every number varies that can. Numbers start from the structure of each setting where it
 /// has them; then each setting is refitted by itself.
 pub fn varying_family(
@@ -66,13 +45,13 @@ pub fn varying_family(
     settings: &[SettingTests],
 ) -> Option<(FamilyHypothesis, Vec<Component>)> {
     let velocities = velocities(settings, from);
-    let template = on_velocities(&from.hypothesis, &from.refit.theta, &velocities)?;
+    let template = Hypothesis { heating: None, ..with_velocities(&from.hypothesis, &from.refit.theta, &velocities)? };
     let zero = anchor(&velocities);
     let starts: Option<Vec<Vec<f64>>> = at_settings
         .par_iter()
         .zip(settings)
         .map(|(own, of)| {
-            let forces = curve_at(&own.hypothesis.params(&own.refit.theta), &velocities)?;
+            let forces = forces_at(&own.hypothesis.params(&own.refit.theta), &velocities)?;
             let start: Vec<f64> = template
                 .numbers
                 .iter()

@@ -76,9 +76,12 @@ impl Structure {
 
     /// Its effects with their forms, sorted.
     pub fn key(&self) -> Vec<Form> {
-        let mut key: Vec<Form> = self.components.iter().map(|c| (c.effect, c.form)).collect();
-        key.sort_unstable();
-        key
+        key(self.components.iter())
+    }
+
+    /// Its effects but one, as a key.
+    pub fn key_without(&self, place: usize) -> Vec<Form> {
+        key(self.components.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, component)| component))
     }
 
     /// Without one of its effects, refitted.
@@ -110,6 +113,13 @@ impl Structure {
         let (plain, finer) = (of(now), of(finer));
         if finer.log_posterior > plain.log_posterior { finer } else { plain }
     }
+}
+
+/// Effects with their forms, sorted.
+fn key<'c>(components: impl Iterator<Item = &'c Component>) -> Vec<Form> {
+    let mut key: Vec<Form> = components.map(|c| (c.effect, c.form)).collect();
+    key.sort_unstable();
+    key
 }
 
 /// Points of the FV curve and of the spring table are numbers too.

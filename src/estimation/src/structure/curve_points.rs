@@ -7,9 +7,8 @@ use crate::refit::{Effort, Refit, refit};
 use crate::samples::Test;
 use crate::sensitivity::Accuracy;
 use crate::unknowns::{CurveName, Unknown, Unknowns, anchor};
-use dashpot_core::Model;
 use dashpot_core::curve::MAX_POINTS;
-use dashpot_core::list;
+use dashpot_core::{Model, Params, list};
 use nalgebra::DVector;
 
 /// Fall of χ² that a further point must bring, and share of the excess that all of them must.
@@ -108,14 +107,24 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
 
 /// A hypothesis with more points on its FV curve; `None` where that is full.
 fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
+    let mut velocities = from.base.list(list!("fv_velocity")).to_vec();
+    velocities.extend_from_slice(points);
+    velocities.sort_by(f64::total_cmp);
+    with_velocities(from, theta, &velocities)
+}
+
+/// Forces of the FV curve of a parameter set at some velocities, N; `None` where it makes no model.
+pub(crate) fn forces_at(params: &Params, velocities: &[f64]) -> Option<Vec<f64>> {
+    let curve = Model::new(params).ok()?.elements().paths.fv_curve;
+    Some(velocities.iter().map(|v| curve.evaluate(*v).value).collect())
+}
+
+/// A hypothesis with its FV curve, as it stands, at other velocities; `None` where the table has no room or makes no model.
+pub(crate) fn with_velocities(from: &Hypothesis, theta: &[f64], velocities: &[f64]) -> Option<Hypothesis> {
     let mut params = from.params(theta);
-    let curve = Model::new(&params).ok()?.elements().paths.fv_curve;
-    let mut velocity = params.list(list!("fv_velocity")).to_vec();
-    velocity.extend_from_slice(points);
-    velocity.sort_by(f64::total_cmp);
-    let force: Vec<f64> = velocity.iter().map(|v| curve.evaluate(*v).value).collect();
-    params.set_list(list!("fv_velocity"), &velocity).ok()?;
-    params.set_list(list!("fv_force"), &force).ok()?;
+    let forces = forces_at(&params, velocities)?;
+    params.set_list(list!("fv_velocity"), velocities).ok()?;
+    params.set_list(list!("fv_force"), &forces).ok()?;
     let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     let rises = Unknowns::rises(&params, CurveName::Fv).into_iter().map(|rise| number(&params, rise));
     let kept = from.clone().starting_at(theta).numbers;

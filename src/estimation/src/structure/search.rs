@@ -8,7 +8,7 @@ use super::context::{Form, SearchContext, Structure};
 use super::evidence::log_sum_exp;
 use super::expansion::{Expansion, Trial, expand};
 use super::prior_odds::{are_alternatives, is_rare};
-use super::starts::Start;
+use super::starts::StartModel;
 use crate::cancel;
 use crate::refit::Effort;
 use crate::vocabulary::{Candidate, Unnamed};
@@ -63,9 +63,13 @@ const ROUNDS: usize = 24;
 impl StructureSearch {
     /// Searches from starts made of the records alone, then from the given model where that is more probable. So the
     /// answer depends on the given model only where it helps. `None` where no start makes a finite force.
-    pub fn run(context: &SearchContext, given: Option<Start>, from_records: Vec<Start>) -> Option<StructureSearch> {
+    pub fn run(
+        context: &SearchContext,
+        given: Option<StartModel>,
+        from_records: Vec<StartModel>,
+    ) -> Option<StructureSearch> {
         let tests = context.tests;
-        let fit = |(hypothesis, components): Start| Structure::fit(hypothesis, components, tests, Effort::JUDGE);
+        let fit = |(hypothesis, components): StartModel| Structure::fit(hypothesis, components, tests, Effort::JUDGE);
         let given = given.and_then(fit);
         let starts: Vec<Structure> = from_records.into_par_iter().filter_map(fit).collect();
         let best = most_probable(starts.iter()).or(given.as_ref())?.refined(tests, Effort::JUDGE);
@@ -191,13 +195,13 @@ impl StructureSearch {
     /// Tries the rivals of every contested effect in its place. Returns whether one was better.
     fn swap(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, done: &mut BTreeSet<Vec<Form>>) -> bool {
         for place in 0..self.best.components.len() {
+            if !done.insert(self.best.key_without(place)) {
+                continue;
+            }
             let Some(less) = self.best.without(place, context.tests, Effort::JUDGE) else { continue };
             let is_needed = self.best.log_posterior - less.log_posterior > CONTESTED
                 && self.best.components.len() > 1
                 && self.best.components[place].form.is_empty();
-            if !done.insert(less.key()) {
-                continue;
-            }
             let own = self.best.components[place].effect;
             let is_tried = |c: &Candidate| {
                 let is_promising = are_alternatives(own, c.effect) || !is_needed && forms.contains(&(c.effect, c.form));

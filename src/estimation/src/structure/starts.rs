@@ -15,17 +15,17 @@ use std::sync::Arc;
 const STIFFNESSES: [f64; 3] = [6e5, 2.5e6, 1e7];
 
 /// A model with its free numbers and components.
-pub type Start = (Hypothesis, Vec<Component>);
+pub type StartModel = (Hypothesis, Vec<Component>);
 
 /// The start that a given model makes.
-pub fn given(params: &Params, heating: &Arc<Heating>) -> Start {
+pub fn given(params: &Params, heating: &Arc<Heating>) -> StartModel {
     let hypothesis = Hypothesis { base: *params, numbers: base_numbers(params), heating: Some(heating.clone()) };
     let components = Component::of_model(&hypothesis);
     (hypothesis, components)
 }
 
 /// Models made from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and without one.
-pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<Start> {
+pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<StartModel> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     let first = guess(&segments);
     let scale = size(&segments).force();

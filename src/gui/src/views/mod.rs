@@ -117,8 +117,8 @@ impl View {
 }
 
 /// The name of an element or a parameter as the reports have it, without the identifier, which stands under the pointer.
-pub fn translate_name(identifier: &str, said: &dashpot_report::words::Words) -> String {
-    said.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
+pub fn translate_name(identifier: &str, words: &dashpot_report::words::Words) -> String {
+    words.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
 }
 
 /// Colour of a `#rrggbb` text of the report's palette.

@@ -134,7 +134,7 @@ pub fn fit_family(
     }
     let mut measured = measured(&joint, &joint_refit, &all);
     measured.sort_by_key(|m| m.name);
-    let measured: Vec<Measured> = measured.into_iter().map(|m| m.beside(&about.given)).collect();
+    let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(coverage_notes(&segments(records)));

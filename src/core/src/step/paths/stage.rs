@@ -521,7 +521,7 @@ impl Look {
                 };
                 (relaxing, relaxing_by_rate) = (e.bushing.relaxing(relaxed.at), e.bushing.relaxing(relaxed.by_rate));
             }
-            law = series::derivatived::<ON>(e, path.x - x, rate, relaxing);
+            law = series::with_derivatives::<ON>(e, path.x - x, rate, relaxing);
             at = springs(elements, x, u, path.x, side);
             let mass_rate = e.series_compliance.mass * per_g;
             let mut held = mass_rate + at.d_force_d_v + g * at.d_force_d_x + g * law.by_deflection + law.by_rate;
