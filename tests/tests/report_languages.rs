@@ -67,7 +67,7 @@ fn cases() -> &'static [Case] {
             let records = campaign(truth, &tests(), 5, 0.01);
             let refs: Vec<&Record> = records.iter().collect();
             let candidates = only(&["presliding_friction", "aeration", "channel_delay", "oil_compressibility"]);
-            let options = Options { max_effects, candidates, reference };
+            let options = Options { max_effects, candidates, reference, ..Options::default() };
             let found = diagnose(&refs, &choose_held_out(&refs, 0), &base(), &options, &|_, _| ()).unwrap();
             Case { records, found }
         };

@@ -191,6 +191,7 @@ impl Composed<'_> {
                 .against
                 .as_ref()
                 .map(|Against { structure, .. }| structure.hypothesis.params(&structure.refit.theta)),
+            priors: self.best.hypothesis.priors.clone(),
             corrections: self.corrections(),
             estimates: improved::estimates(&self.best, &deviations),
             measured: improved::measured(&self.best, &deviations),

@@ -83,6 +83,7 @@ fn alone<'a>(
         tests: &fitted,
         is_allowed: &may,
         changes: &[],
+        priors: &options.priors,
         most: options.max_effects,
         progress: &|done| progress(0.1 + 0.8 * done, phrases::EACH_EFFECT),
     };
@@ -108,7 +109,7 @@ fn against_reference<'a>(
     progress: &(dyn Fn(f64, Template) + Sync),
 ) -> Result<Composed<'a>, DiagnosisError> {
     progress(0.02, phrases::FITTING_REFERENCE);
-    let against = prepared.against(records, &options.reference, params)?;
+    let against = prepared.against(records, options, params)?;
     let Prepared { fitted, left, situation, .. } = prepared;
     let reference = &against.structure;
     let candidates = changes(&reference.hypothesis);
@@ -120,6 +121,7 @@ fn against_reference<'a>(
         tests: &fitted,
         is_allowed: &may,
         changes: &candidates,
+        priors: &options.priors,
         most: options.max_effects,
         progress: &|done| progress(0.2 + 0.7 * done, phrases::EACH_EFFECT),
     };

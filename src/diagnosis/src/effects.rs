@@ -262,6 +262,7 @@ pub fn meaning(effect: &str) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashpot_estimation::prior_set::PriorSet;
 
     #[test]
     fn every_effect_has_one_card_and_a_meaning() {
@@ -312,7 +313,7 @@ mod tests {
 
     #[test]
     fn the_list_of_texts_has_every_form_and_no_other() {
-        let reference = Hypothesis { base: Params::new(), numbers: Vec::new(), heating: None };
+        let reference = Hypothesis { base: Params::new(), numbers: Vec::new(), heating: None, priors: PriorSet::default() };
         let mut forms: BTreeSet<&str> = changes(&reference).iter().map(|c| c.form).collect();
         for preload in [false, true] {
             for measured in [false, true] {

@@ -95,6 +95,7 @@ impl Diagnosis {
                 &self.measured,
             ),
             clock_from: clock_from(&used),
+            priors: self.priors.clone(),
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),

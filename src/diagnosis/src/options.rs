@@ -2,6 +2,7 @@
 
 use super::effects::EFFECTS;
 use super::phrases;
+use dashpot_estimation::prior_set::PriorSet;
 use dashpot_records::{Record, Sentence};
 
 /// What a diagnosis may do.
@@ -13,11 +14,13 @@ pub struct Options {
     pub candidates: Option<Vec<String>>,
     /// Records of the same tests on a damper that is known to be good: what changed is then asked, not what is missing. Empty: none.
     pub reference: Vec<Record>,
+    /// What is known of this damper beside its records.
+    pub priors: PriorSet,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { max_effects: 3, candidates: None, reference: Vec::new() }
+        Options { max_effects: 3, candidates: None, reference: Vec::new(), priors: PriorSet::default() }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::changes::Change;
 use super::tree::Branch;
 use dashpot_core::Params;
+use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_records::sentence::Sentence;
 use serde::Serialize;
@@ -89,6 +90,9 @@ pub struct Diagnosis {
     /// What the improved model's file says of the measurement, so that its readers take it out of the same records again.
     #[serde(skip)]
     pub measured: Vec<dashpot_identification::Measured>,
+    /// What was known of the damper beside its records.
+    #[serde(skip)]
+    pub priors: PriorSet,
     /// What the rig added, by name: taken out of the comparison only.
     pub corrections: BTreeMap<&'static str, f64>,
 }

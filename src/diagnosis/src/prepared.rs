@@ -1,6 +1,6 @@
 //! Records made ready for a diagnosis, and the same against a reference.
 
-use super::options::DiagnosisError;
+use super::options::{DiagnosisError, Options};
 use super::{opposite, reference};
 use dashpot_core::Params;
 use dashpot_core::parameter::Element;
@@ -52,9 +52,10 @@ impl Prepared {
     pub fn against(
         &mut self,
         records: &[&Record],
-        reference: &[Record],
+        options: &Options,
         params: &Params,
     ) -> Result<Against, DiagnosisError> {
+        let reference = &options.reference;
         let good: Vec<&Record> = reference.iter().collect();
         let own = prepare(&good, &[], params);
         if own.fitted.is_empty() {
@@ -64,7 +65,7 @@ impl Prepared {
         // The given model, and what a plain model would be: a reference without friction in its model could not say that friction changed.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
-            (hypothesis, components)
+            (hypothesis.with_priors(&options.priors), components)
         };
         let has = |element: Element| params.is_on(element);
         let mut all = vec![no_heat(starts::given(params, &own.heating))];

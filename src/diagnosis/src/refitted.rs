@@ -1,6 +1,7 @@
 //! A model refitted as a diagnosis does it, and the samples that it looks at: for whoever hides an effect at a stated severity.
 
 use dashpot_core::Params;
+use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::refit;
 use dashpot_estimation::samples;
@@ -15,7 +16,7 @@ pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(
         let noise = noise[test.record];
         test.allowed.iter_mut().for_each(|a| *a = noise);
     }
-    let base = Hypothesis { base: *params, numbers: base_numbers(params), heating: None };
+    let base = Hypothesis { base: *params, numbers: base_numbers(params), heating: None, priors: PriorSet::default() };
     let found = refit::refit(&base, &tests, &base.start(), None, refit::Effort::FINE)?;
     Some((base.params(&found.theta), found.residual.as_slice().to_vec()))
 }

@@ -5,6 +5,7 @@ use super::heating::Heating;
 use super::measurement::{Artefact, earlier, finer, low_pass};
 use super::samples::Test;
 use crate::curve_part::CurvePart;
+use crate::prior_set::PriorSet;
 use crate::priors::in_search;
 use crate::scale::Scale;
 use crate::segment::Segment;
@@ -61,6 +62,8 @@ pub struct Hypothesis {
     pub numbers: Vec<Number>,
     /// Power that went into the damper, where its heating is computed.
     pub heating: Option<std::sync::Arc<Heating>>,
+    /// What is known of this damper, which replaces what all dampers show.
+    pub priors: PriorSet,
 }
 
 /// Weighted residuals (measured less computed, over the allowed error) of all tests, one after the other.
@@ -75,6 +78,22 @@ impl Hypothesis {
     /// The vector it starts from.
     pub fn start(&self) -> Vec<f64> {
         self.numbers.iter().map(|n| n.start).collect()
+    }
+
+    /// The hypothesis of a damper of which more is known.
+    pub fn with_priors(mut self, priors: &PriorSet) -> Hypothesis {
+        self.priors = priors.clone();
+        let numbers = std::mem::take(&mut self.numbers);
+        self.numbers = numbers.into_iter().map(|number| self.with_own_prior(number)).collect();
+        self
+    }
+
+    /// A free number with the prior that this damper has, where it has one.
+    pub fn with_own_prior(&self, mut number: Number) -> Number {
+        if let Free::Model(unknown) = &number.free {
+            number.prior = self.priors.in_search(unknown).or(number.prior);
+        }
+        number
     }
 
     /// The hypothesis with another start.

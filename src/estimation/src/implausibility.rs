@@ -1,7 +1,7 @@
 //! What the numbers of an explanation cost it where they are far from what dampers show.
 
 use crate::hypothesis::{Free, Hypothesis};
-use crate::priors::{of, price};
+use crate::priors::price;
 use crate::scale::Scale;
 use crate::unknowns::Unknown;
 use dashpot_core::number;
@@ -24,7 +24,7 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
             | Free::Cooling
             | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
-        if let Some(usual) = of(number, scale) {
+        if let Some(usual) = hypothesis.priors.usual(number, scale) {
             all.push((number, usual.off(value)));
         }
     }

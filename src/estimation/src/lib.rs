@@ -10,6 +10,7 @@
 //! | [`as_read`] | the same as the rig read them: late, with a zero and a gain of its own |
 //! | [`hypothesis`] | an explanation: a model with free numbers, and what the rig added |
 //! | [`priors`] | what dampers show of each number before any record is seen |
+//! | [`prior_set`] | what is known of one damper of each number |
 //! | [`measurement`] | what the rig adds to a record that the damper did not do |
 //! | [`heating`] | how warm the damper is in each test |
 //! | [`least_squares`], [`refit`] | bounded, robust least squares |
@@ -35,6 +36,7 @@ pub mod heating;
 pub mod hypothesis;
 pub mod implausibility;
 pub mod measurement;
+pub mod prior_set;
 pub mod priors;
 pub mod refit;
 pub mod samples;

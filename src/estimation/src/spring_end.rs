@@ -50,6 +50,7 @@ pub fn straighten(to: &mut Hypothesis, side: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::prior_set::PriorSet;
     use crate::hypothesis::number;
     use crate::unknowns::Unknowns;
 
@@ -61,7 +62,7 @@ mod tests {
         assert!((excess(&base, -1.0) - 100.0).abs() < 1e-9 && excess(&base, 1.0) < 1e-9);
         let rises = Unknowns::rises(&base, CurveName::Spring).into_iter();
         let numbers = rises.map(|rise| number(&base, rise)).collect();
-        let mut to = Hypothesis { base, numbers, heating: None };
+        let mut to = Hypothesis { base, numbers, heating: None, priors: PriorSet::default() };
         straighten(&mut to, -1.0);
         let straight = to.params(&to.start());
         for (x, force) in straight.list(list!("spring_displacement")).iter().zip(straight.list(list!("spring_force"))) {

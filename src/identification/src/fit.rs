@@ -14,6 +14,7 @@ use dashpot_estimation::first_guess::SLOW;
 use dashpot_estimation::heating::Heating;
 use dashpot_estimation::hypothesis::{Free, Hypothesis, Number as FreeNumber, number as free_number};
 use dashpot_estimation::measurement::Artefact;
+use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::refit::{self, Refit, refit};
 use dashpot_estimation::samples::{self, Test, segments};
 use dashpot_estimation::scale::Scale;
@@ -56,6 +57,8 @@ pub struct FitOptions {
     pub family: Family,
     /// Elements that may be used; all that dampers usually have where `None`.
     pub elements: Option<Vec<String>>,
+    /// What is known of this damper beside its records.
+    pub priors: PriorSet,
 }
 
 impl FitOptions {
@@ -138,6 +141,8 @@ pub struct Fit {
     pub measured: Vec<Measured>,
     /// When the clock by which gain and zero drift was nought, s since 1970; where the records bear their date and time.
     pub clock_from: Option<f64>,
+    /// What was known of the damper beside its records.
+    pub priors: PriorSet,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
     /// Names of the tests used.
@@ -301,6 +306,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         inventory,
         measured,
         clock_from: clock_from(records),
+        priors: options.priors.clone(),
         notes,
         tests: records.iter().map(|r| r.name.clone()).collect(),
         fingerprints: records.iter().map(|r| r.fingerprint()).collect(),
@@ -355,6 +361,9 @@ const USUAL: [&str; 15] = [
     "force_drift",
 ];
 
+/// The effect that a fit looks for where the dimensions of the oil column are known.
+const OIL_COLUMN: &str = "oil_compressibility";
+
 /// Elements that a fit can identify.
 pub fn identified() -> Vec<Element> {
     let mut all = vec![element!("fv_curve"), element!("viscous_friction")];
@@ -371,7 +380,9 @@ const SHORTEST: f64 = 60.0;
 fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options: &FitOptions, tests: &[Test]) -> bool {
     let effect = candidate.effect;
     let is_fault = candidate.is_artefact();
-    if !USUAL.contains(&effect) || candidate.unnamed.is_some() || candidate.form.starts_with("hydraulic") {
+    // With the oil column's dimensions known, oil and mount separate.
+    let is_known_column = effect == OIL_COLUMN && options.priors.find(number!("oil_stiffness")).is_some();
+    if !(USUAL.contains(&effect) || is_known_column) || candidate.unnamed.is_some() || candidate.form.starts_with("hydraulic") {
         return false;
     }
     if is_fault {
@@ -423,7 +434,7 @@ pub(crate) fn search_structure(
     let allowed = |element: Element| options.allows(element.name());
     let heating = Arc::new(Heating::new(records, tests));
     let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
-    let context = SearchContext { records, tests, is_allowed: &may, changes: &[], most: usize::MAX, progress: &|_| () };
+    let context = SearchContext { records, tests, is_allowed: &may, changes: &[], priors: &options.priors, most: usize::MAX, progress: &|_| () };
     let plain = starts::plain(tests, &heating, &allowed);
     let test = || tests.first().map_or(String::new(), |t| t.segment.name.clone());
     StructureSearch::run(&context, None, plain).ok_or_else(|| FitError::NotFinite { test: test() })
@@ -504,7 +515,7 @@ fn misfit_of(refit: &Refit, tests: &[Test]) -> f64 {
 }
 
 fn misfit(tests: &[Test], params: &Params) -> f64 {
-    let hypothesis = Hypothesis { base: *params, numbers: Vec::new(), heating: None };
+    let hypothesis = Hypothesis { base: *params, numbers: Vec::new(), heating: None, priors: PriorSet::default() };
     let residual = hypothesis.residual_by(Accuracy::Full, tests, &[]);
     let scored: usize = tests.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
     residual.map_or(f64::NAN, |r| (r.norm_squared() / scored.max(1) as f64).sqrt())
@@ -513,7 +524,7 @@ fn misfit(tests: &[Test], params: &Params) -> f64 {
 /// A model of the literature as its own least squares left it, with intervals.
 fn as_found(tests: &[Test], (base, list): (Params, Vec<Unknown>)) -> Found {
     let numbers = list.into_iter().map(|unknown| free_number(&base, unknown)).collect();
-    let hypothesis = Hypothesis { base, numbers, heating: None };
+    let hypothesis = Hypothesis { base, numbers, heating: None, priors: PriorSet::default() };
     let theta = hypothesis.start();
     let misfit = misfit(tests, &base);
     let at = hypothesis

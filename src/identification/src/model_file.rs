@@ -450,8 +450,8 @@ fn bounds(parameter: u16) -> String {
     })
 }
 
-/// The known name that a misspelt one most resembles.
-fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> String {
+/// The known name that a misspelt one most resembles, as the end of a sentence; empty where none does.
+pub fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> String {
     let shared = |other: &str| {
         let pairs = |s: &str| s.as_bytes().windows(2).map(<[u8]>::to_vec).collect::<Vec<_>>();
         let (a, b) = (pairs(name), pairs(other));

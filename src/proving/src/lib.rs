@@ -9,6 +9,7 @@
 //! | [`case`] | a case: what is hidden at which severity, and which model is diagnosed |
 //! | [`asked`] | the strengths of what somebody asks to hide |
 //! | [`laboratory`] | the same for campaigns of the second laboratory |
+//! | [`drawing`] | what a drawing of a damper of the second laboratory says |
 //! | [`severity`] | the strength that makes a severity |
 //! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
 //! | [`suite`] | the cases of the benchmark |
@@ -17,6 +18,7 @@
 
 pub mod asked;
 pub mod case;
+pub mod drawing;
 pub mod laboratory;
 pub mod measured;
 pub mod outcome;

@@ -90,7 +90,7 @@ pub fn diagnose<'py>(
     } else {
         select_hold_out(&of_damper.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
     };
-    let options = Options { max_effects, candidates, reference: good };
+    let options = Options { max_effects, candidates, reference: good, ..Options::default() };
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: f64, text: Template| progress.say(done, text.english());
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &file.params, &options, &say)?;

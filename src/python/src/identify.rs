@@ -63,7 +63,7 @@ pub fn fit(
         return Err(say::<FitError>("elements chooses the elements of the family thesis; the others have no choice"));
     }
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
-    let options = FitOptions { family, elements };
+    let options = FitOptions { family, elements, ..FitOptions::default() };
     let found = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let found =
             dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text.english()))?;

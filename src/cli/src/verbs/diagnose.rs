@@ -72,6 +72,9 @@ pub struct Args {
     /// tests or folders in its first column) and the column that tells the groups apart, such as tests.csv:clicks
     #[arg(long, value_name = "BY", conflicts_with_all = ["output", "svg", "hold_out", "next_tests"])]
     group: Option<String>,
+    /// Dimensions of the damper, a TOML file with the unit in every key: they make priors of what follows from them
+    #[arg(long, value_name = "D.toml")]
+    dimensions: Option<PathBuf>,
     /// Chooses which tests are left out
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
     seed: u64,
@@ -222,7 +225,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let note = model.identification.right(campaign.records.iter_mut().chain(&mut reference));
     note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));
     campaign.notes.extend(note);
-    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference };
+    let priors = super::dimensions::priors(args.dimensions.as_deref())?;
+    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), reference, priors };
     let diagnosed = examine(&model, &campaign, left, &options)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
     say(&reading::sign_in_words(&campaign.sign, &TERMINAL))?;
@@ -296,7 +300,12 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     print_sign(split.notes.iter().chain(good.iter().flat_map(|good| &good.campaign.notes)));
     let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&split.files).cloned().collect();
     files.extend(good.iter().flat_map(|good| good.campaign.files.clone()));
-    let options = Options { max_effects: args.max_effects, candidates: args.candidates.clone(), ..Options::default() };
+    let options = Options {
+        max_effects: args.max_effects,
+        candidates: args.candidates.clone(),
+        priors: super::dimensions::priors(args.dimensions.as_deref())?,
+        ..Options::default()
+    };
     let progress = Progress::new("diagnosing");
     let told = |done: f64, text: &str| progress.say(done, text);
     let answers = diagnose_groups((split, by), good, model, options, args.seed, &told)?;

@@ -60,6 +60,9 @@ pub struct Args {
     /// Tests to leave out, by name; * stands for anything
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     hold_out: Vec<String>,
+    /// Dimensions of the damper, a TOML file with the unit in every key: they make priors of what follows from them
+    #[arg(long, value_name = "D.toml")]
+    dimensions: Option<PathBuf>,
     #[command(flatten)]
     text: TextArgs,
 }
@@ -172,6 +175,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.setting.is_some() && excel.is_some() {
         bail!("--excel has the tables of a damper without a setting; those of a family are in --json");
     }
+    if args.dimensions.is_some() && (args.setting.is_some() || args.model != Kind::Model(Family::Thesis)) {
+        bail!("--dimensions gives priors to --model thesis without --setting; leave one of them out");
+    }
     let campaign = if args.setting.is_some() { args.data.load_over_setting()? } else { args.data.load()? };
     let options = FitOptions {
         family: match args.model {
@@ -179,6 +185,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             Kind::Comparison(name) => return literature(args, &campaign, name, on_stdout > 0),
         },
         elements: args.elements.clone(),
+        priors: super::dimensions::priors(args.dimensions.as_deref())?,
     };
     let records = kept(&campaign, &args.hold_out)?;
     if let Some(setting) = &args.setting {

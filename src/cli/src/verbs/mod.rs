@@ -7,6 +7,8 @@ mod data;
 pub mod demo;
 pub mod diagnose;
 mod digits;
+mod dimensions;
+pub mod explain;
 pub mod export;
 mod family;
 pub mod fit;

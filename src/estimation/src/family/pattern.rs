@@ -92,13 +92,14 @@ pub fn numbers(template: &Hypothesis, varies: &[bool], settings: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::prior_set::PriorSet;
     use crate::vocabulary::base_numbers;
     use dashpot_core::{Params, number};
 
     #[test]
     fn a_curve_is_one_site_and_gas_is_less_probable_than_friction() {
         let base = Params::new();
-        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let all = sites(&template);
         assert_eq!(all.iter().filter(|site| **site == Site::Curve).count(), 1);
         let of = |site: Site| log_prior(&template, &varies(&template, &[site]));
@@ -110,7 +111,7 @@ mod tests {
     #[test]
     fn numbers_that_vary_cost_more() {
         let base = Params::new();
-        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let count = |sites: &[Site], settings| numbers(&template, &varies(&template, sites), settings);
         assert_eq!(count(&[], 2), count(&[], 5));
         let gas = [Site::Number(number!("gas_force"))];

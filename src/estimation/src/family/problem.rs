@@ -1,5 +1,6 @@
 //! The least-squares problem of a damper at several settings: one block of residuals for each setting.
 
+use crate::prior_set::PriorSet;
 use crate::hypothesis::{Hypothesis, Number, Residual};
 use crate::refit::{Effort, Refit, options};
 use crate::samples::Test;
@@ -93,7 +94,7 @@ impl FamilyHypothesis {
 
     /// All free numbers as one hypothesis, for what asks for numbers and their priors alone; it makes no forces.
     pub fn joint(&self) -> Hypothesis {
-        Hypothesis { base: self.template.base, numbers: self.numbers(), heating: None }
+        Hypothesis { base: self.template.base, numbers: self.numbers(), heating: None, priors: PriorSet::default() }
     }
 
     /// The numbers of the template at a setting.
@@ -211,7 +212,7 @@ mod tests {
     #[test]
     fn shared_numbers_have_one_place_and_others_one_for_each_setting() {
         let base = Params::new();
-        let mut template = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let mut template = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         template.numbers.truncate(3);
         let starts = vec![vec![1.0, 2.0, 3.0], vec![9.0, 5.0, 9.0]];
         let family = FamilyHypothesis { template, varies: vec![false, true, false], starts };

@@ -6,6 +6,7 @@ use super::evidence::{Evidence, noise_chi2};
 use super::prior_odds::log_prior;
 use super::series_restart::{is_bent, unbent};
 use crate::hypothesis::{Free, Hypothesis};
+use crate::prior_set::PriorSet;
 use crate::refit::{Effort, Refit, refit};
 use crate::samples::Test;
 use crate::situation::Situation;
@@ -26,6 +27,8 @@ pub struct SearchContext<'a> {
     pub is_allowed: &'a (dyn Fn(&Candidate, &Situation) -> bool + Sync),
     /// Candidates beside the vocabulary: changes against a reference.
     pub changes: &'a [Candidate],
+    /// What is known of this damper.
+    pub priors: &'a PriorSet,
     /// Most effects that may be added.
     pub most: usize,
     /// Told how far the search is, 0 to 1.

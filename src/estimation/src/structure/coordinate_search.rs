@@ -49,6 +49,7 @@ pub fn settle(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::prior_set::PriorSet;
     use crate::hypothesis::number;
     use crate::unknowns::Unknown;
     use dashpot_core::Params;
@@ -61,7 +62,7 @@ mod tests {
         base.enable(element!("free_play"), false);
         base.set(number!("free_play_gap"), 1e-4).unwrap();
         let number = number(&base, Unknown::Log(number!("free_play_gap")));
-        let hypothesis = Hypothesis { base, numbers: vec![number], heating: None };
+        let hypothesis = Hypothesis { base, numbers: vec![number], heating: None, priors: PriorSet::default() };
         // The force jumps at a sample that the gap says, and is the same on either side of it.
         let jump = |theta: &[f64]| (4e5 * libm::exp(theta[0])) as usize;
         let residual = |theta: &[f64]| {

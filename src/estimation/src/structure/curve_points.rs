@@ -132,19 +132,20 @@ pub(crate) fn with_velocities(from: &Hypothesis, theta: &[f64], velocities: &[f6
     let mut numbers = kept[..first].to_vec();
     numbers.extend(rises);
     numbers.extend(kept[first..].iter().filter(|n| !is_point(&n.free)).cloned());
-    Some(Hypothesis { base: params, numbers, heating: from.heating.clone() })
+    Some(Hypothesis { base: params, numbers, heating: from.heating.clone(), priors: from.priors.clone() })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::prior_set::PriorSet;
     use crate::vocabulary::base_numbers;
     use dashpot_core::Params;
 
     #[test]
     fn more_points_are_the_same_curve_to_begin_with() {
         let base = Params::new();
-        let from = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let from = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let theta = from.start();
         let to = with_points(&from, &theta, &middles(&from)).unwrap();
         assert_eq!(to.base.list(list!("fv_velocity")).len(), 2 * base.list(list!("fv_velocity")).len() - 1);

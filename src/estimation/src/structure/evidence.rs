@@ -7,10 +7,12 @@
 //! logarithms any test could be as wrong as it likes. Below [`FORM`] a smaller residual says nothing more. Numbers cost half the
 //! logarithm of the number of tests each (Schwarz, Ann. Stat. 6, 1978), and what dampers rarely show costs its negative log prior.
 
-use crate::hypothesis::Hypothesis;
+use super::component::weight;
+use crate::hypothesis::{Free, Hypothesis, Number};
 use crate::implausibility::implausibility;
 use crate::refit::HUBER;
 use crate::samples::Test;
+use crate::scale::Scale;
 use nalgebra::DVector;
 
 /// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact. With a smaller value
@@ -33,6 +35,8 @@ pub struct Evidence {
     pub numbers: f64,
     /// Negative log prior of the values.
     pub implausibility: f64,
+    /// What the numbers need not cost since more is known of this damper than of others.
+    pub relief: f64,
 }
 
 /// Mean square residual of each test, in units of noise and curve discretization; residuals beyond [`HUBER`] count linearly.
@@ -63,11 +67,18 @@ impl Evidence {
         tests: &[Test],
         numbers: f64,
     ) -> Evidence {
+        let mean_squares = mean_squares(tests, residual);
+        let (scale, per_number) = (Scale::of(&hypothesis.base), per_number(mean_squares.len()));
+        let relief = |number: &Number| match &number.free {
+            Free::Model(unknown) => hypothesis.priors.relief(unknown, scale, weight(&number.free) * per_number),
+            _ => 0.0,
+        };
         Evidence {
-            mean_squares: mean_squares(tests, residual),
+            mean_squares,
             weights: tests.iter().map(|t| if t.frequency > 0.0 { 1.0 } else { ROAD }).collect(),
             numbers,
             implausibility: implausibility(hypothesis, theta),
+            relief: hypothesis.numbers.iter().map(relief).sum(),
         }
     }
 
@@ -87,13 +98,18 @@ impl Evidence {
     /// Cost of one free number: half the logarithm of the number of tests. With few tests it is what a number gains by chance (one, Akaike, IEEE
     /// Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
-        (0.5 * libm::log((self.mean_squares.len() as f64).max(1.0))).max(1.0)
+        per_number(self.mean_squares.len())
     }
 
     /// Log evidence.
     pub fn log_evidence(&self) -> f64 {
-        self.log_likelihood() - self.numbers * self.per_number() - self.implausibility
+        self.log_likelihood() - self.numbers * self.per_number() + self.relief - self.implausibility
     }
+}
+
+/// Cost of one free number with so many tests.
+fn per_number(tests: usize) -> f64 {
+    (0.5 * libm::log((tests as f64).max(1.0))).max(1.0)
 }
 
 /// Logarithm of the mean of exponentials.
@@ -131,7 +147,7 @@ mod tests {
 
     fn evidence(mean_squares: &[f64], numbers: f64) -> Evidence {
         let weights = vec![1.0; mean_squares.len()];
-        Evidence { mean_squares: mean_squares.to_vec(), weights, numbers, implausibility: 0.0 }
+        Evidence { mean_squares: mean_squares.to_vec(), weights, numbers, implausibility: 0.0, relief: 0.0 }
     }
 
     #[test]

@@ -25,7 +25,8 @@ pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &S
         }
     }
     for (fresh, value) in candidate.fresh.iter().zip(&start.values) {
-        to.numbers.push(fresh_number(&to.base, fresh, *value));
+        let number = to.with_own_prior(fresh_number(&to.base, fresh, *value));
+        to.numbers.push(number);
     }
     for (number, factor) in &start.moves {
         scale(&mut to, *number, *factor);

@@ -69,7 +69,9 @@ impl StructureSearch {
         from_records: Vec<StartModel>,
     ) -> Option<StructureSearch> {
         let tests = context.tests;
-        let fit = |(hypothesis, components): StartModel| Structure::fit(hypothesis, components, tests, Effort::JUDGE);
+        let fit = |(hypothesis, components): StartModel| {
+            Structure::fit(hypothesis.with_priors(context.priors), components, tests, Effort::JUDGE)
+        };
         let given = given.and_then(fit);
         let starts: Vec<Structure> = from_records.into_par_iter().filter_map(fit).collect();
         let best = most_probable(starts.iter()).or(given.as_ref())?.refined(tests, Effort::JUDGE);

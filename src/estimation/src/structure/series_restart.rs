@@ -120,6 +120,7 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::prior_set::PriorSet;
     use crate::segment::Segment;
     use crate::vocabulary::base_numbers;
     use dashpot_core::{Input, Params};
@@ -167,7 +168,7 @@ mod tests {
     #[test]
     fn a_series_element_that_took_the_shape_of_something_else_is_found_again() {
         let base = Params::new();
-        let truth = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let truth = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let tests = measured(&truth, &[(0.001, 25.0), (0.01, 8.0), (0.03, 4.0), (0.03, 1.0)]);
         assert!(!is_bent(&truth, &tests, &truth.start()));
         let place = |unknown| truth.place_of(&Free::Model(unknown)).unwrap();
@@ -185,7 +186,7 @@ mod tests {
     #[test]
     fn put_straight_the_curve_takes_the_velocity_that_the_series_damper_took() {
         let base = Params::new();
-        let of = Hypothesis { base, numbers: base_numbers(&base), heating: None };
+        let of = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let tests = measured(&of, &[(0.03, 1.0)]);
         let damping = of.place_of(&Free::Model(Unknown::Linear(number!("series_damping")))).unwrap();
         let mut bent = of.start();

@@ -4,6 +4,7 @@ use super::component::Component;
 use crate::first_guess::{guess, size};
 use crate::heating::Heating;
 use crate::hypothesis::Hypothesis;
+use crate::prior_set::PriorSet;
 use crate::samples::Test;
 use crate::segment::Segment;
 use crate::vocabulary::base_numbers;
@@ -19,7 +20,7 @@ pub type StartModel = (Hypothesis, Vec<Component>);
 
 /// The start that a given model makes.
 pub fn given(params: &Params, heating: &Arc<Heating>) -> StartModel {
-    let hypothesis = Hypothesis { base: *params, numbers: base_numbers(params), heating: Some(heating.clone()) };
+    let hypothesis = Hypothesis { base: *params, numbers: base_numbers(params), heating: Some(heating.clone()), priors: PriorSet::default() };
     let components = Component::of_model(&hypothesis);
     (hypothesis, components)
 }

@@ -58,6 +58,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         seal,
         seal_is_outside: true,
         oil: Box::new(Lumped { rebound, compression, column }),
+        built: None,
         slight,
         scale,
         own: OF_ALL.to_vec(),

@@ -12,6 +12,8 @@ pub use mount::Mount;
 pub use seal::Seal;
 
 use crate::draw::Draw;
+use flow::Valves;
+use monotube::Fluid;
 use serde::{Deserialize, Serialize};
 
 /// The kinds of damper.
@@ -97,6 +99,36 @@ pub struct Slight {
     pub gas: [f64; 2],
 }
 
+/// How a physical damper is built: what a drawing of it would say.
+#[derive(Debug, Clone)]
+pub struct Built {
+    /// Inner diameter of the tube in which the piston runs, m.
+    pub bore_m: f64,
+    /// Diameter of the rod, m.
+    pub rod_m: f64,
+    /// Length of the rebound chamber and of the oil below the piston at mid-stroke, m.
+    pub lengths_m: [f64; 2],
+    /// Absolute pressure of the gas at mid-stroke, bar.
+    pub gas_bar: f64,
+    /// Volume of the gas at mid-stroke, m³.
+    pub gas_m3: f64,
+    /// Bulk modulus of the oil without air, bar.
+    pub oil_bar: f64,
+    /// Volume of the air at 1 bar over that of the oil.
+    pub air: f64,
+    /// Valves of rebound and compression.
+    pub valves: [Valves; 2],
+    /// Areas on which they act, m².
+    pub areas_m2: [f64; 2],
+}
+
+impl Built {
+    /// Modulus of the oil with its air under the pressure of the gas, bar.
+    pub fn modulus_bar(&self) -> f64 {
+        1.0 / Fluid { oil: 1.0 / self.oil_bar, air: self.air }.compliance(self.gas_bar)
+    }
+}
+
 /// A damper.
 pub struct Plant {
     /// Which kind.
@@ -111,6 +143,8 @@ pub struct Plant {
     pub seal_is_outside: bool,
     /// The oil.
     pub oil: Box<dyn Oil>,
+    /// How it is built; `None` for a damper without chambers.
+    pub built: Option<Built>,
     /// Small mismatches.
     pub slight: Slight,
     /// What it is like.

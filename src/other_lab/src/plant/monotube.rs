@@ -1,6 +1,6 @@
 //! A monotube: piston between two chambers of oil with dissolved air, gas behind a floating piston.
 
-use super::{Beside, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
+use super::{Beside, Built, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
 /// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967), pressures in bar absolute.
@@ -109,6 +109,18 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         lengths: [d.between(0.11, 0.16), d.between(0.12, 0.18)],
         gas: [pressure, d.between(6e-5, 1.2e-4)],
     };
+    let diameter = |area: f64| (area / std::f64::consts::FRAC_PI_4).sqrt();
+    let built = Built {
+        bore_m: diameter(piston),
+        rod_m: diameter(rod),
+        lengths_m: oil.lengths,
+        gas_bar: oil.gas[0],
+        gas_m3: oil.gas[1],
+        oil_bar: 1.0 / oil.fluid.oil,
+        air: oil.fluid.air,
+        valves: [oil.rebound.clone(), oil.compression.clone()],
+        areas_m2: [piston - rod; 2],
+    };
     let mount = Mount::new(d, (8e5, 5e6), (500.0, 2500.0));
     let seal = Seal::new(d, (20.0, 60.0));
     let own = OF_ALL.into_iter().chain(oil.fluid.own(pressure)).collect();
@@ -127,6 +139,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         seal,
         seal_is_outside: false,
         oil: Box::new(oil),
+        built: Some(built),
         slight,
         scale,
         own,

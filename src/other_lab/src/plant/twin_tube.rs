@@ -2,7 +2,7 @@
 //! (Segel & Lang, Veh. Syst. Dyn. 10, 1981; Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998).
 
 use super::monotube::{BAR, Fluid, GAS};
-use super::{Beside, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, forces};
+use super::{Beside, Built, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, forces};
 use crate::draw::Draw;
 use crate::plant::flow::{Valves, check_valve};
 
@@ -105,6 +105,18 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         lengths: [d.between(0.11, 0.16), d.between(0.13, 0.2)],
         gas,
     };
+    let diameter = |area: f64| (area / std::f64::consts::FRAC_PI_4).sqrt();
+    let built = Built {
+        bore_m: diameter(piston),
+        rod_m: diameter(rod),
+        lengths_m: oil.lengths,
+        gas_bar: gas[0],
+        gas_m3: gas[1],
+        oil_bar: 1.0 / oil.fluid.oil,
+        air: oil.fluid.air,
+        valves: [oil.rebound.clone(), oil.base.clone()],
+        areas_m2: [annulus, rod],
+    };
     let mount = Mount::new(d, (5e5, 2.5e6), (400.0, 2000.0));
     let seal = Seal::new(d, (20.0, 70.0));
     let own = OF_ALL.into_iter().chain(oil.fluid.own(gas[0])).collect();
@@ -123,6 +135,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         seal,
         seal_is_outside: false,
         oil: Box::new(oil),
+        built: Some(built),
         slight,
         scale,
         own,

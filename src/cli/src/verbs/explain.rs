@@ -1,0 +1,52 @@
+//! `dashpot explain`: what a model says of gas, oil and valves of its damper.
+
+use super::model;
+use dashpot_dimensions::{Explanation, explain, read};
+use dashpot_output::Kind;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Explain a model by the dimensions of its damper: gas pressure, air, moduli, passages of the valves
+///
+/// Each quantity has a 95 % interval, from those of the model file, the dimensions, oil data of handbooks and the error of the model's form.
+/// What cannot be told is listed with the entry or the parameter that is missing. A number of the model that the dimensions contradict is
+/// reported with the ratio of the two.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Example:\n  dashpot explain damper.toml --dimensions dimensions.toml --json explained.json\n\nEvery entry of the dimensions is optional:\n  design = \"monotube\"          # or \"twin_tube\"\n  bore_mm = 36\n  rod_mm = 11\n  rebound_chamber_mm = 130     # at displacement zero\n  gas_pressure_bar = [14, 16]  # gauge; a range of 95 %"
+)]
+pub struct Args {
+    /// Model file
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+    /// Dimensions of the damper, a TOML file with the unit in every key
+    #[arg(long, value_name = "D.toml")]
+    dimensions: PathBuf,
+    /// Quantities, gaps and contradictions as JSON; - for standard output
+    #[arg(long, value_name = "F")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Json<'a> {
+    model: &'a Path,
+    dimensions: &'a Path,
+    #[serde(flatten)]
+    explanation: &'a Explanation,
+}
+
+/// Runs the verb.
+pub fn run(args: &Args) -> anyhow::Result<()> {
+    let json = args.json.as_deref();
+    dashpot_output::check_kinds([(json, Kind::Figures)])?;
+    let file = model::read(&args.model)?;
+    let explanation = explain(&file, &read(&args.dimensions)?);
+    for line in explanation.lines() {
+        dashpot_output::say(json, &line)?;
+    }
+    if let Some(path) = json {
+        let (model, dimensions) = (args.model.as_path(), args.dimensions.as_path());
+        dashpot_output::json(path, &Json { model, dimensions, explanation: &explanation })?;
+    }
+    Ok(())
+}

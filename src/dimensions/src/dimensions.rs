@@ -1,0 +1,96 @@
+//! A drawing that has been read: what it states, in SI units, and what follows where it states nothing.
+
+use crate::entry::{ENTRIES, Entry};
+use crate::geometry::{annulus, area};
+use crate::uncertain::{Uncertain, through};
+
+/// How the damper is built.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Design {
+    /// One tube; the gas stands behind a floating piston or on the oil.
+    Monotube,
+    /// A pressure tube with a base valve in a second tube, which is the reserve.
+    TwinTube,
+}
+
+/// What a drawing states; every entry is optional.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Dimensions {
+    /// How the damper is built.
+    pub design: Option<Design>,
+    entries: [Option<Uncertain>; ENTRIES.len()],
+}
+
+/// Bulk modulus of damper oil without air, Pa: 1.2 to 1.7 GPa warm and cold (Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998), and down to 0.9
+/// GPa hot (Dixon, The Shock Absorber Handbook, 2007, chapter 5). A narrower one makes contradictions of warm oil.
+const OIL_MODULUS: Uncertain = Uncertain { value: 1.25e9, low: 0.88e9, high: 1.75e9 };
+/// Density of damper oil, kg/m³: 825 to 890 at 15 °C, 4 % less at 70 °C (Dixon 2007, chapter 5).
+const OIL_DENSITY: Uncertain = Uncertain { value: 850.0, low: 800.0, high: 890.0 };
+/// Young's modulus of steel, Pa.
+const TUBE_MODULUS: Uncertain = Uncertain { value: 206e9, low: 200e9, high: 212e9 };
+/// Wall of pressure tubes, m: 1.2 to 1.5 mm in twin tubes, 2 to 2.5 mm in monotubes (Dixon 2007, chapter 1). It makes a tenth of the
+/// column's compliance.
+const TUBE_WALL: Uncertain = Uncertain { value: 1.8e-3, low: 1.1e-3, high: 3e-3 };
+/// Discharge coefficient of sharp and slightly rounded passages (Merritt, Hydraulic Control Systems, 1967, chapter 3; Dixon 2007,
+/// chapter 6). Areas go with its inverse.
+const DISCHARGE: Uncertain = Uncertain { value: 0.7, low: 0.6, high: 0.8 };
+/// Temperature of a workshop, °C.
+const WORKSHOP: Uncertain = Uncertain { value: 20.0, low: 15.0, high: 25.0 };
+
+impl Dimensions {
+    /// The entry as the drawing states it.
+    pub fn stated(&self, entry: Entry) -> Option<Uncertain> {
+        self.entries[entry as usize]
+    }
+
+    /// The drawing with one entry stated, in SI units (a temperature in °C).
+    pub fn with(mut self, entry: Entry, value: Uncertain) -> Dimensions {
+        self.entries[entry as usize] = Some(value);
+        self
+    }
+
+    /// The entry as stated, or what handbooks say of every damper; `None` where that differs from damper to damper.
+    pub fn known(&self, entry: Entry) -> Option<Uncertain> {
+        self.stated(entry).or_else(|| match entry {
+            Entry::OilModulus => Some(OIL_MODULUS),
+            Entry::OilDensity => Some(OIL_DENSITY),
+            Entry::TubeModulus => Some(TUBE_MODULUS),
+            Entry::TubeWall => Some(TUBE_WALL),
+            Entry::DischargeCoefficient => Some(DISCHARGE),
+            Entry::GasTemperature => Some(WORKSHOP),
+            Entry::GasVolume => {
+                let both = [self.stated(Entry::ReserveVolume)?, self.stated(Entry::ReserveOil)?];
+                bounded(&both, |x| x[0] - x[1])
+            }
+            Entry::OilVolume => {
+                let chambers = [Entry::Bore, Entry::Rod, Entry::ReboundChamber, Entry::CompressionChamber];
+                let mut all = chambers.into_iter().map(|entry| self.stated(entry)).collect::<Option<Vec<_>>>()?;
+                all.extend(self.stated(Entry::ReserveOil));
+                bounded(&all, |x| annulus(x[0], x[1]) * x[2] + area(x[0]) * x[3] + x.get(4).unwrap_or(&0.0))
+            }
+            _ => None,
+        })
+    }
+
+    /// Whether the drawing states nothing.
+    pub fn is_empty(&self) -> bool {
+        self.design.is_none() && self.entries.iter().all(Option::is_none)
+    }
+
+    /// Those of the entries about which nothing is known.
+    pub fn missing(&self, needed: &[Entry]) -> Vec<&'static str> {
+        needed.iter().filter(|entry| self.known(**entry).is_none()).map(|entry| entry.key()).collect()
+    }
+
+    /// The entries, where something is known of all of them.
+    pub fn all(&self, needed: &[Entry]) -> Option<Vec<Uncertain>> {
+        needed.iter().map(|entry| self.known(*entry)).collect()
+    }
+}
+
+/// A positive number that follows from entries; `None` where its interval reaches zero or has no end.
+fn bounded(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Option<Uncertain> {
+    let found = through(inputs, formula);
+    let (value, low, high) = (found.value?, found.low?, found.high?);
+    (low > 0.0).then_some(Uncertain { value, low, high })
+}

@@ -1,0 +1,13 @@
+//! Areas of rod and piston.
+
+use std::f64::consts::FRAC_PI_4;
+
+/// Area of a circle, m².
+pub fn area(diameter: f64) -> f64 {
+    FRAC_PI_4 * diameter * diameter
+}
+
+/// Area of the piston on the rod's side, m².
+pub fn annulus(bore: f64, rod: f64) -> f64 {
+    area(bore) - area(rod)
+}

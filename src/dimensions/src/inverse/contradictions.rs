@@ -1,0 +1,81 @@
+//! Where the numbers of a model contradict the drawing, and by how much.
+
+use super::model::{Identified, Standing};
+use super::report::{Contradiction, Explanation, digits};
+use crate::dimensions::Dimensions;
+use crate::entry::ENTRIES;
+use crate::forward::{Expectation, expectations};
+use crate::uncertain::Uncertain;
+use dashpot_core::number;
+
+/// Adds what contradicts: numbers whose interval does not meet that of the drawing.
+pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
+    let all = expectations(drawing);
+    let column = all.iter().find(|e| e.number == number!("oil_stiffness"));
+    let has_column = model.number(number!("oil_stiffness")) != Standing::Off;
+    for expectation in &all {
+        let Standing::Known(own) = model.number(expectation.number) else { continue };
+        // A column of one length at every place is a form, and no measurement.
+        if expectation.number == number!("oil_shortening") && own.value == 0.0 {
+            continue;
+        }
+        let is_series = expectation.number == number!("series_stiffness");
+        // Without an oil column the series spring holds eyes and oil: it may be softer than the eyes.
+        let is_below = own.high < expectation.expected.low && !(is_series && !has_column);
+        if is_below || own.low > expectation.expected.high {
+            to.contradictions.push(contradiction(own, expectation, drawing));
+        }
+    }
+    if let (Some(column), false, Standing::Known(own)) = (column, has_column, model.number(number!("series_stiffness")))
+        && own.low > column.expected.high
+    {
+        let own_of_series = Expectation { number: number!("series_stiffness"), noun: "series stiffness", ..column.clone() };
+        to.contradictions.push(contradiction(own, &own_of_series, drawing));
+    }
+}
+
+fn contradiction(own: Uncertain, expectation: &Expectation, drawing: &Dimensions) -> Contradiction {
+    let (model, dimensions) = (own.value, expectation.expected.value);
+    let unit = expectation.number.parameter().unit;
+    let with_unit = |value: f64| {
+        let digits = digits(value);
+        if unit == "-" { digits } else { format!("{digits} {unit}") }
+    };
+    let give = if expectation.from.len() == 1 && expectation.number != number!("gas_force") { "gives" } else { "give" };
+    let text = format!(
+        "The {} of the model, {}, is {} times the {} that {} {give}.",
+        expectation.noun,
+        with_unit(model),
+        two_digits(model / dimensions),
+        with_unit(dimensions),
+        facts(expectation, drawing),
+    );
+    Contradiction { parameter: expectation.number.name(), model, dimensions, ratio: model / dimensions, unit, text }
+}
+
+/// The entries with their values, as a drawing says them.
+fn facts(expectation: &Expectation, drawing: &Dimensions) -> String {
+    let rows = ENTRIES.iter().filter(|row| expectation.from.contains(&row.key));
+    let value = |key: &str| {
+        let row = ENTRIES.iter().find(|row| row.key == key)?;
+        Some(plain(drawing.stated(row.entry)?.value / row.to_si))
+    };
+    if let (true, Some(pressure), Some(rod)) =
+        (expectation.number == number!("gas_force"), value("gas_pressure_bar"), value("rod_mm"))
+    {
+        return format!("{pressure} bar on a rod of {rod} mm");
+    }
+    let all: Vec<String> =
+        rows.filter_map(|row| Some(format!("{} = {}", row.key, value(row.key)?))).collect();
+    all.join(", ")
+}
+
+/// A number as it was written, without the digits of its way through SI.
+fn plain(value: f64) -> String {
+    let text = format!("{value:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn two_digits(ratio: f64) -> String {
+    if ratio >= 10.0 { format!("{ratio:.0}") } else if ratio >= 1.0 { format!("{ratio:.1}") } else { format!("{ratio:.2}") }
+}

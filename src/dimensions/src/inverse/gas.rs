@@ -1,0 +1,84 @@
+//! Pressure and volume of the gas, by the force and the stiffness that it has.
+
+use super::errors;
+use super::model::{Identified, Standing};
+use super::report::{Explanation, Gap, Quantity};
+use crate::dimensions::Dimensions;
+use crate::entry::Entry;
+use crate::gas;
+use crate::uncertain::{Interval, Uncertain, through};
+use dashpot_core::number;
+
+/// Pa of a bar and m³ of a cm³.
+const BAR: f64 = 1e5;
+const CM3: f64 = 1e-6;
+
+/// Adds pressure and volume of the gas.
+pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
+    let pressure = pressure(model, drawing, to);
+    volume(model, drawing, pressure, to);
+}
+
+/// The gas force where the model has one.
+fn pressure(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
+    const NAME: &str = "gas_pressure";
+    let gap = |why: &str, parameters: Vec<&'static str>| Gap {
+        name: NAME,
+        why: why.to_owned(),
+        entries: drawing.missing(&[Entry::Rod]),
+        parameters,
+    };
+    let force = match model.number(number!("gas_force")) {
+        Standing::Known(force) => force,
+        Standing::Off => {
+            to.unknown.push(gap("the model has no gas force; a slow test shows it", vec!["gas_force"]));
+            return None;
+        }
+        Standing::Open => {
+            to.unknown.push(gap("the records leave the gas force open; a slow test shows it", vec!["gas_force"]));
+            return None;
+        }
+    };
+    let Some(rod) = drawing.known(Entry::Rod) else {
+        to.unknown.push(gap("the gas pushes on the area of the rod", Vec::new()));
+        return None;
+    };
+    let inputs = [force, rod, Uncertain::within_factor(1.0, errors::GAS_PRESSURE)];
+    let found = through(&inputs, |x| gas::pressure(x[0], x[1]) * x[2]);
+    let from = vec!["gas_force", Entry::Rod.key()];
+    to.quantities.push(Quantity::new(NAME, "bar gauge", found.scaled(1.0 / BAR), from, errors::GAS_PRESSURE));
+    match found {
+        Interval { value: Some(value), low: Some(low), high: Some(high) } => Some(Uncertain { value, low, high }),
+        _ => None,
+    }
+}
+
+fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>, to: &mut Explanation) {
+    const NAME: &str = "gas_volume";
+    let gap = |why: &str, parameters: Vec<&'static str>| Gap {
+        name: NAME,
+        why: why.to_owned(),
+        entries: drawing.missing(&[Entry::Rod]),
+        parameters,
+    };
+    let stiffness = match model.number(number!("gas_stiffness")) {
+        Standing::Known(stiffness) => stiffness,
+        Standing::Off => {
+            let why = "the model has no gas spring; slow strokes over the whole travel show it";
+            return to.unknown.push(gap(why, vec!["gas_stiffness"]));
+        }
+        Standing::Open => {
+            let why = "the records leave the gas stiffness open; slow strokes over the whole travel show it";
+            return to.unknown.push(gap(why, vec!["gas_stiffness"]));
+        }
+    };
+    let stated = drawing.stated(Entry::GasPressure);
+    let (Some(rod), Some(pressure)) = (drawing.known(Entry::Rod), stated.or(pressure)) else {
+        return to.unknown.push(gap("it follows from the pressure and the stiffness of the gas", Vec::new()));
+    };
+    let inputs = [pressure, stiffness, rod, Uncertain::within_factor(1.0, errors::GAS_VOLUME)];
+    let found = through(&inputs, |x| if x[1] > 0.0 { gas::volume(x[0], x[1], x[2]) * x[3] } else { f64::INFINITY });
+    let pressure = if stated.is_some() { Entry::GasPressure.key() } else { "gas_force" };
+    let from = vec!["gas_stiffness", pressure, Entry::Rod.key()];
+    to.quantities.push(Quantity::new(NAME, "cm³", found.scaled(1.0 / CM3), from, errors::GAS_VOLUME));
+}

@@ -1,0 +1,90 @@
+//! The identified numbers of a model file, as uncertain ones.
+
+use crate::uncertain::Uncertain;
+use dashpot_core::{element, list, number};
+use dashpot_core::parameter::Number;
+use dashpot_identification::model_file::{Interval, ModelFile};
+
+/// What a model file says of one of its numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Standing {
+    /// The element that has the number is off.
+    Off,
+    /// The records left it open, or the file does not state it.
+    Open,
+    /// It has an interval, or counts as exact where a file of no fit states it.
+    Known(Uncertain),
+}
+
+/// A model with its intervals.
+pub(super) struct Identified<'a>(pub &'a ModelFile);
+
+impl Identified<'_> {
+    /// What the model says of a number.
+    pub fn number(&self, number: Number) -> Standing {
+        let Identified(file) = self;
+        if number.row().element().is_some_and(|element| !file.params.is_on(element)) {
+            return Standing::Off;
+        }
+        let value = file.params.number(number);
+        let is_stated = file.given.contains(&number.row().index);
+        match file.identification.intervals.get(number.name()) {
+            _ if file.identification.not_identified.iter().any(|name| name == number.name()) => Standing::Open,
+            Some(Interval::Number([low, high])) if low.is_finite() && high.is_finite() => {
+                Standing::Known(Uncertain { value, low: low.min(value), high: high.max(value) })
+            }
+            _ if is_stated => Standing::Known(Uncertain::within(value, 0.0)),
+            _ => Standing::Open,
+        }
+    }
+
+    /// Whether the FV curve of the model is a table.
+    pub fn has_table(&self) -> bool {
+        self.0.params.is_on(element!("fv_curve")) && self.0.params.number(number!("fv_form")) == 0.0
+    }
+
+    /// Forces of one stroke over the speed, both positive and without the force at standstill, slowest first.
+    pub fn branch(&self, stroke: f64) -> Vec<(f64, Uncertain)> {
+        let Identified(file) = self;
+        let (velocities, forces) = (file.params.list(list!("fv_velocity")), file.params.list(list!("fv_force")));
+        let ends = match file.identification.intervals.get("fv_force") {
+            Some(Interval::List(ends)) if ends.len() == forces.len() => ends.as_slice(),
+            _ => &[],
+        };
+        let still = at_standstill(velocities, forces);
+        let mut points: Vec<(f64, Uncertain)> = velocities
+            .iter()
+            .zip(forces)
+            .enumerate()
+            .filter(|(_, (velocity, force))| **velocity * stroke > 0.0 && (**force - still) * stroke > 0.0)
+            .map(|(k, (velocity, force))| {
+                let value = (force - still).abs();
+                let half = |end: f64| if end.is_finite() { (end - force).abs() } else { 0.0 };
+                let [low, high] = ends.get(k).map_or([0.0; 2], |[low, high]| {
+                    if stroke > 0.0 { [half(*low), half(*high)] } else { [half(*high), half(*low)] }
+                });
+                // A point whose interval reaches zero is a small force, not one of the other sign.
+                let low = (value - low).max(SMALLEST * value);
+                (velocity.abs(), Uncertain { value, low, high: value + high })
+            })
+            .collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        points
+    }
+}
+
+/// Least force at the lower end of a point's interval, as a fraction of the point.
+const SMALLEST: f64 = 0.05;
+
+/// Force of an FV table at standstill.
+fn at_standstill(velocities: &[f64], forces: &[f64]) -> f64 {
+    let right = velocities.partition_point(|v| *v < 0.0);
+    match (right.checked_sub(1), velocities.get(right)) {
+        (_, Some(0.0)) | (None, Some(_)) => forces[right],
+        (Some(left), Some(v)) => {
+            let part = -velocities[left] / (v - velocities[left]);
+            forces[left] + part * (forces[right] - forces[left])
+        }
+        (_, None) => forces.last().copied().unwrap_or(0.0),
+    }
+}

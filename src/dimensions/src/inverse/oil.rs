@@ -1,0 +1,175 @@
+//! Moduli of the oil and the air in it, by the stiffness of the oil column.
+
+use super::errors;
+use super::model::{Identified, Standing};
+use super::report::{Explanation, Gap, Quantity};
+use crate::dimensions::Dimensions;
+use crate::entry::Entry;
+use crate::oil;
+use crate::uncertain::{Interval, Uncertain, through};
+use dashpot_core::number;
+
+/// Pa of a GPa.
+const GPA: f64 = 1e9;
+/// Entries of the chamber that yields in rebound.
+const CHAMBER: [Entry; 3] = [Entry::Bore, Entry::Rod, Entry::ReboundChamber];
+
+/// Adds the moduli and the air.
+pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
+    let effective = column(model, drawing, to);
+    without_tube(drawing, effective, to);
+    air(model, drawing, effective, to);
+}
+
+/// A stiffness, what it follows from, and how far the form of the model makes it wrong.
+struct Column {
+    inputs: Vec<Uncertain>,
+    /// Stiffness of the column, of the first of the inputs.
+    stiffness: fn(&[f64]) -> f64,
+    from: Vec<&'static str>,
+    error: f64,
+    note: &'static str,
+    /// Whether it is a lower bound alone.
+    is_bound: bool,
+}
+
+/// The column's stiffness: by the oil column of the model, by its series spring less the eyes, or as a bound by its series spring.
+fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
+    if let Standing::Known(own) = model.number(number!("oil_stiffness")) {
+        return Ok(Column {
+            inputs: vec![own],
+            stiffness: |x| x[0],
+            from: vec!["oil_stiffness"],
+            error: errors::MODULUS,
+            note: "",
+            is_bound: false,
+        });
+    }
+    let Standing::Known(series) = model.number(number!("series_stiffness")) else {
+        return Err(vec!["oil_stiffness", "series_stiffness"]);
+    };
+    let is_open = model.number(number!("oil_stiffness")) == Standing::Off;
+    match drawing.stated(Entry::EyeStiffness) {
+        Some(eyes) if is_open => Ok(Column {
+            inputs: vec![series, eyes],
+            stiffness: |x| in_line_with(x[0], x[1]),
+            from: vec!["series_stiffness", Entry::EyeStiffness.key()],
+            error: errors::SERIES_MODULUS,
+            note: "the series spring less the eyes",
+            is_bound: false,
+        }),
+        _ if is_open => Ok(Column {
+            inputs: vec![series],
+            stiffness: |x| x[0],
+            from: vec!["series_stiffness"],
+            error: errors::SERIES_MODULUS,
+            note: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them",
+            is_bound: true,
+        }),
+        _ => Err(vec!["oil_stiffness"]),
+    }
+}
+
+/// What is left of a spring when one in line with it is taken out; infinite where that one is the softer.
+fn in_line_with(whole: f64, part: f64) -> f64 {
+    if whole < part { 1.0 / (1.0 / whole - 1.0 / part) } else { f64::INFINITY }
+}
+
+fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
+    const NAME: &str = "oil_modulus_effective";
+    let missing = drawing.missing(&CHAMBER);
+    let found = match stiffness(model, drawing) {
+        Ok(found) if missing.is_empty() => found,
+        Ok(_) => {
+            let why = "the stiffness of the column is one of a chamber with area and length".to_owned();
+            to.unknown.push(Gap { name: NAME, why, entries: missing, parameters: Vec::new() });
+            return None;
+        }
+        Err(parameters) => {
+            let why = "the model has no oil column and no series spring that the records determine".to_owned();
+            to.unknown.push(Gap { name: NAME, why, entries: missing, parameters });
+            return None;
+        }
+    };
+    let mut inputs = drawing.all(&CHAMBER)?;
+    inputs.push(Uncertain::within_factor(1.0, found.error));
+    inputs.extend(&found.inputs);
+    let mut interval =
+        through(&inputs, |x| oil::modulus_of_rebound((found.stiffness)(&x[4..]), x[0], x[1], x[2]) * x[3]);
+    if found.is_bound {
+        (interval.value, interval.high) = (None, None);
+    }
+    let from = found.from.iter().copied().chain(CHAMBER.map(Entry::key)).collect();
+    let quantity = Quantity::new(NAME, "GPa", interval.scaled(1.0 / GPA), from, found.error);
+    to.quantities.push(Quantity { note: found.note, ..quantity });
+    match interval {
+        Interval { value: Some(value), low: Some(low), high: Some(high) } => Some(Uncertain { value, low, high }),
+        _ => None,
+    }
+}
+
+/// The oil's own modulus with its air, the tube taken out.
+fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
+    const NAME: &str = "oil_modulus";
+    let needed = [Entry::Bore, Entry::TubeWall];
+    let missing: Vec<_> =
+        needed.iter().filter(|entry| drawing.stated(**entry).is_none()).map(|entry| entry.key()).collect();
+    let (Some(effective), true) = (effective, missing.is_empty()) else {
+        let why = if effective.is_none() { "the effective modulus is not known" } else { "the tube expands with the oil" };
+        return to.unknown.push(Gap { name: NAME, why: why.to_owned(), entries: missing, parameters: Vec::new() });
+    };
+    let Some(mut inputs) = drawing.all(&[Entry::Bore, Entry::TubeWall, Entry::TubeModulus]) else { return };
+    inputs.push(effective);
+    let found = through(&inputs, |x| {
+        let compliance = 1.0 / x[3] - oil::tube_compliance(x[0], x[1], x[2]);
+        if compliance > 0.0 { 1.0 / compliance } else { f64::INFINITY }
+    });
+    let from = vec![NAME_OF_EFFECTIVE, Entry::Bore.key(), Entry::TubeWall.key()];
+    let quantity = Quantity::new(NAME, "GPa", found.scaled(1.0 / GPA), from, errors::MODULUS);
+    to.quantities.push(Quantity { note: "with the air in it", ..quantity });
+}
+
+const NAME_OF_EFFECTIVE: &str = "oil_modulus_effective";
+
+/// Free air: by the stroke that it yields, or by what it takes from the oil's modulus.
+fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
+    const NAME: &str = "air_content";
+    let chamber = [Entry::GasPressure, Entry::ReboundChamber];
+    if let Standing::Known(stroke) = model.number(number!("aeration_stroke")) {
+        let Some(mut inputs) = drawing.all(&chamber) else {
+            let why = "the stroke that air yields goes with its pressure and the length of the chamber".to_owned();
+            let entries = drawing.missing(&chamber);
+            return to.unknown.push(Gap { name: NAME, why, entries, parameters: Vec::new() });
+        };
+        inputs.extend([stroke, Uncertain::within_factor(1.0, errors::AIR)]);
+        let found =
+            through(&inputs, |x| oil::air_of_stroke(x[2].max(0.0), x[0] + oil::ATMOSPHERE, x[1]) * x[3] * 100.0);
+        let from = std::iter::once("aeration_stroke").chain(chamber.map(Entry::key)).collect();
+        return to.quantities.push(Quantity::new(NAME, "% at 1.013 bar absolute", found, from, errors::AIR));
+    }
+    let needed = [Entry::OilModulus, Entry::GasPressure, Entry::Bore];
+    let mut missing = drawing.missing(&needed);
+    if drawing.stated(Entry::OilModulus).is_none() {
+        missing.insert(0, Entry::OilModulus.key());
+    }
+    let (Some(effective), true) = (effective, missing.is_empty()) else {
+        let why = "it is what the modulus of the oil lacks, or the stroke of the element aeration".to_owned();
+        let parameters = if effective.is_none() { vec!["oil_stiffness or aeration_stroke"] } else { Vec::new() };
+        return to.unknown.push(Gap { name: NAME, why, entries: missing, parameters });
+    };
+    let Some(mut inputs) =
+        drawing.all(&[Entry::OilModulus, Entry::GasPressure, Entry::Bore, Entry::TubeWall, Entry::TubeModulus])
+    else {
+        return;
+    };
+    inputs.push(effective);
+    let mut found = through(&inputs, |x| {
+        let lacking = 1.0 / x[5] - 1.0 / x[0] - oil::tube_compliance(x[2], x[3], x[4]);
+        100.0 * lacking.max(0.0) / oil::air_compliance(1.0, x[1] + oil::ATMOSPHERE)
+    });
+    if found.low == Some(0.0) {
+        (found.value, found.low) = (None, None);
+    }
+    let from = vec![NAME_OF_EFFECTIVE, Entry::OilModulus.key(), Entry::GasPressure.key(), Entry::Bore.key()];
+    to.quantities.push(Quantity::new(NAME, "% at 1.013 bar absolute", found, from, errors::MODULUS));
+}

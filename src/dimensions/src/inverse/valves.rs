@@ -1,0 +1,200 @@
+//! Bleed, leak and blow-off, by the FV curve of each stroke.
+//!
+//! Below the knee the passages have the force a w + b w² (Merritt, Hydraulic Control Systems, 1967, chapter 3): b is that of an orifice,
+//! 1/a what leaks at creeping speed. What the bleed does not pass at the largest force passes the blow-off valve.
+
+use super::errors;
+use super::model::Identified;
+use super::report::{Explanation, Gap, Quantity};
+use crate::dimensions::{Design, Dimensions};
+use crate::entry::Entry;
+use crate::geometry::{annulus, area};
+use crate::orifice;
+use crate::uncertain::{Uncertain, through};
+
+/// m² of a mm², and m³/(s Pa) of a cm³/(s bar).
+const MM2: f64 = 1e-6;
+const CM3_PER_BAR: f64 = 1e-11;
+/// Fall of the slope, relative to the steepest, from which a valve has opened.
+const KNEE: f64 = 0.9;
+/// Most points of the bleed that count: more say the same.
+const POINTS: usize = 8;
+
+/// One stroke.
+struct Stroke {
+    sign: f64,
+    names: [&'static str; 3],
+}
+
+const STROKES: [Stroke; 2] = [
+    Stroke { sign: 1.0, names: ["rebound_bleed_area", "rebound_leak", "rebound_blow_off_area"] },
+    Stroke { sign: -1.0, names: ["compression_bleed_area", "compression_leak", "compression_blow_off_area"] },
+];
+
+/// Adds the passages of both strokes.
+pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
+    for stroke in &STROKES {
+        stroke.explain(model, drawing, to);
+    }
+}
+
+/// Number of points up to the end of the steepest segment: beyond it a valve has opened.
+fn bleed_points(points: &[(f64, Uncertain)]) -> usize {
+    let ends = std::iter::once((0.0, 0.0)).chain(points.iter().map(|(w, h)| (*w, h.value)));
+    let slopes: Vec<f64> =
+        ends.clone().zip(ends.skip(1)).map(|((w0, h0), (w1, h1))| (h1 - h0) / (w1 - w0).max(1e-12)).collect();
+    let mut steepest = 0.0f64;
+    for (count, slope) in slopes.iter().enumerate() {
+        steepest = steepest.max(*slope);
+        if *slope < KNEE * steepest {
+            return count;
+        }
+    }
+    slopes.len()
+}
+
+/// a and b of a w + b w² by least squares of relative errors, neither negative.
+fn bleed_law(speeds: &[f64], forces: &[f64]) -> (f64, f64) {
+    // With y = h/h = 1 the columns are w/h and w²/h.
+    let sums = speeds.iter().zip(forces).fold([0.0; 5], |s, (w, h)| {
+        let (p, q) = (w / h, w * w / h);
+        [s[0] + p * p, s[1] + p * q, s[2] + q * q, s[3] + p, s[4] + q]
+    });
+    let [pp, pq, qq, p, q] = sums;
+    let determinant = pp * qq - pq * pq;
+    let (a, b) = ((p * qq - q * pq) / determinant, (q * pp - p * pq) / determinant);
+    if !(determinant > 1e-12 * pp * qq) || b < 0.0 {
+        (p / pp, 0.0)
+    } else if a < 0.0 {
+        (0.0, q / qq)
+    } else {
+        (a, b)
+    }
+}
+
+impl Stroke {
+    /// Area on which the pressure difference of the stroke's valves acts, and by which the piston drives their flow.
+    fn area(&self, design: Option<Design>, bore: f64, rod: f64) -> f64 {
+        if self.sign < 0.0 && design == Some(Design::TwinTube) { area(rod) } else { annulus(bore, rod) }
+    }
+
+    fn explain(&self, model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
+        let [bleed, leak, blow_off] = self.names;
+        let points = model.branch(self.sign);
+        let mut entries = drawing.missing(&[Entry::Bore, Entry::Rod]);
+        if self.sign < 0.0 && drawing.design.is_none() {
+            entries.push(crate::entry::DESIGN);
+        }
+        let mut cannot = |name, why: &str, entries: &[&'static str], parameters: &[&'static str]| {
+            let (entries, parameters) = (entries.to_vec(), parameters.to_vec());
+            to.unknown.push(Gap { name, why: why.to_owned(), entries, parameters });
+        };
+        let has_table = model.has_table() && !points.is_empty();
+        if !has_table || !entries.is_empty() {
+            let parameters: &[_] = if has_table { &[] } else { &["fv_force"] };
+            for name in self.names {
+                cannot(name, "a passage follows from the FV table and the area of the piston", &entries, parameters);
+            }
+            return;
+        }
+        let count = bleed_points(&points);
+        let first = count.saturating_sub(POINTS);
+        let below: Vec<(f64, Uncertain)> = points[first..count].to_vec();
+        let Some(inputs) =
+            drawing.all(&[Entry::Bore, Entry::Rod, Entry::DischargeCoefficient, Entry::OilDensity])
+        else {
+            return;
+        };
+        let speeds: Vec<f64> = below.iter().map(|point| point.0).collect();
+        let design = drawing.design;
+        let from = |more: &'static str| {
+            vec!["fv_force", Entry::Bore.key(), Entry::Rod.key(), more]
+                .into_iter()
+                .filter(|key| !key.is_empty())
+                .collect::<Vec<_>>()
+        };
+        let with = |error: f64, more: &[Uncertain]| {
+            let mut all = inputs.clone();
+            all.push(Uncertain::within_factor(1.0, error));
+            all.extend(below.iter().map(|point| point.1));
+            all.extend(more);
+            all
+        };
+        let last = 5 + below.len();
+        if below.len() < 2 {
+            let why = "fewer than two points of the FV table lie below the knee of this stroke";
+            cannot(bleed, why, &[], &["fv_force at two slow speeds"]);
+            cannot(leak, why, &[], &["fv_force at two slow speeds"]);
+        } else {
+            let law = |x: &[f64]| bleed_law(&speeds, &x[5..last]);
+            let area_of = |x: &[f64]| self.area(design, x[0], x[1]);
+            let found = through(&with(errors::BLEED, &[]), |x| {
+                orifice::passage_of_quadratic(law(x).1, area_of(x), x[2], x[3]) * x[4]
+            });
+            let key = Entry::DischargeCoefficient.key();
+            let quantity = Quantity::new(bleed, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLEED);
+            to.quantities.push(bounded(quantity, "no orifice shows beside the leak"));
+            let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
+            let quantity =
+                Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
+            to.quantities.push(bounded(quantity, "no leak shows beside the orifice"));
+        }
+        let mut cannot = |why: &str| {
+            to.unknown.push(Gap {
+                name: blow_off,
+                why: why.to_owned(),
+                entries: Vec::new(),
+                parameters: vec!["fv_force at a fast speed"],
+            });
+        };
+        if count == points.len() {
+            return cannot("the FV table of this stroke has no knee: no valve has opened");
+        }
+        let (speed, force) = points[points.len() - 1];
+        let found = through(&with(errors::BLOW_OFF, &[force]), |x| {
+            let piston = self.area(design, x[0], x[1]);
+            let bled = match last - 5 {
+                0 => 0.0,
+                1 => speeds[0] * libm::sqrt(x[last] / x[5]),
+                _ => {
+                    let (a, b) = bleed_law(&speeds, &x[5..last]);
+                    orifice::bleed_speed(x[last], a, b)
+                }
+            };
+            orifice::passage_area(piston * (speed - bled).max(0.0), x[last] / piston, x[2], x[3]) * x[4]
+        });
+        if found.low == Some(0.0) && found.high == Some(0.0) {
+            return cannot("the bleed passes all of the flow");
+        }
+        let key = Entry::DischargeCoefficient.key();
+        to.quantities.push(Quantity {
+            note: "opening at the largest force of the table",
+            ..Quantity::new(blow_off, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLOW_OFF)
+        });
+    }
+}
+
+/// A quantity of which an end may be open: then the value is no number that counts.
+fn bounded(quantity: Quantity, note: &'static str) -> Quantity {
+    if quantity.high.is_some() { quantity } else { Quantity { value: None, note, ..quantity } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_law_of_a_bleed_comes_back_and_ends_at_the_knee() {
+        let (a, b) = (2000.0, 40_000.0);
+        let mut points: Vec<(f64, Uncertain)> = [0.02, 0.05, 0.09]
+            .map(|w| (w, Uncertain::within(a * w + b * w * w, 0.0)))
+            .to_vec();
+        points.push((0.3, Uncertain::within(900.0, 0.0)));
+        assert_eq!(bleed_points(&points), 3);
+        let speeds = [0.02, 0.05, 0.09];
+        let (found_a, found_b) = bleed_law(&speeds, &speeds.map(|w| a * w + b * w * w));
+        assert!((found_a / a - 1.0).abs() < 1e-9 && (found_b / b - 1.0).abs() < 1e-9);
+        assert_eq!(bleed_law(&speeds, &speeds.map(|w| a * w)).1.max(1e-6), 1e-6);
+        assert_eq!(bleed_law(&speeds, &speeds.map(|w| 9e4 * w * w * w)).0, 0.0);
+    }
+}

@@ -1,0 +1,30 @@
+//! The drawing of a damper: bore, rod, chambers, gas, oil, tube and eyes.
+//!
+//! Forward, it gives priors for the parameters of the model ([`forward`]). Inverse, a model that was identified gives gas pressure, moduli,
+//! passages and air with intervals ([`inverse`]). Both use one set of formulas, which know neither files nor models.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`entry`], [`dimensions`], [`read`](mod@read) | entries of the drawing, and the file |
+//! | [`uncertain`] | numbers with intervals, and formulas of them |
+//! | [`geometry`], [`oil`], [`gas`], [`orifice`] | the formulas |
+//! | [`forward`] | priors that follow from a drawing |
+//! | [`inverse`] | what a model says of its damper |
+
+pub mod dimensions;
+pub mod entry;
+pub mod error;
+pub mod forward;
+pub mod gas;
+pub mod geometry;
+pub mod inverse;
+pub mod oil;
+pub mod orifice;
+pub mod read;
+pub mod uncertain;
+
+pub use dimensions::{Design, Dimensions};
+pub use entry::Entry;
+pub use error::DimensionsError;
+pub use inverse::{Explanation, explain};
+pub use read::read;

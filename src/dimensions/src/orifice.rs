@@ -1,0 +1,41 @@
+//! Passages: Q = C_d a √(2 Δp / ρ), and laminar leaks.
+
+/// Area, m², of a sharp passage that passes a flow at a pressure difference.
+pub fn passage_area(flow: f64, difference: f64, coefficient: f64, density: f64) -> f64 {
+    flow / (coefficient * libm::sqrt(2.0 * difference / density))
+}
+
+/// b of the force b w² that a passage makes at the piston speed w, N s²/m², on a piston area.
+pub fn quadratic_force(passage: f64, area: f64, coefficient: f64, density: f64) -> f64 {
+    density * area * area * area / (2.0 * coefficient * coefficient * passage * passage)
+}
+
+/// Passage, m², of b as in [`quadratic_force`].
+pub fn passage_of_quadratic(b: f64, area: f64, coefficient: f64, density: f64) -> f64 {
+    libm::sqrt(density * area * area * area / (2.0 * b)) / coefficient
+}
+
+/// Flow per pressure, m³/(s Pa), of a laminar leak that makes the force a w on a piston area.
+pub fn leak_of_linear(a: f64, area: f64) -> f64 {
+    area * area / a
+}
+
+/// Speed, m/s, at which a w + b w² is a force.
+pub fn bleed_speed(force: f64, a: f64, b: f64) -> f64 {
+    2.0 * force / (a + libm::sqrt(a * a + 4.0 * b * force))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn passages_come_back_and_agree() {
+        let (area, cd, rho) = (1.1e-3, 0.7, 850.0);
+        let b = quadratic_force(4e-6, area, cd, rho);
+        assert!((passage_of_quadratic(b, area, cd, rho) / 4e-6 - 1.0).abs() < 1e-12);
+        let w = bleed_speed(500.0, 0.0, b);
+        assert!((passage_area(area * w, 500.0 / area, cd, rho) / 4e-6 - 1.0).abs() < 1e-9);
+        assert!((bleed_speed(300.0, 1000.0, 0.0) - 0.3).abs() < 1e-12);
+    }
+}

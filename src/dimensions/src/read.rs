@@ -1,0 +1,164 @@
+//! The file of dimensions: TOML with the unit in every key.
+
+use crate::dimensions::{Design, Dimensions};
+use crate::entry::{DESIGN, ENTRIES, Entry, EntryRow};
+use crate::error::DimensionsError;
+use crate::uncertain::Uncertain;
+use dashpot_identification::model_file::nearest;
+use std::collections::BTreeMap;
+use std::path::Path;
+use toml::{Spanned, Value};
+
+/// Least half-width of a pressure's 95 % interval, Pa: what a gauge of a workshop reads.
+const GAUGE: f64 = 5e3;
+
+/// Reads a file of dimensions.
+///
+/// # Errors
+/// [`DimensionsError`], which names file, line and key.
+pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|why| DimensionsError::Unreadable { file: path.to_path_buf(), why })?;
+    parse(&text, path)
+}
+
+/// Reads the text of a file; `path` is named in errors.
+///
+/// # Errors
+/// [`DimensionsError`], which names file, line and key.
+pub fn parse(text: &str, path: &Path) -> Result<Dimensions, DimensionsError> {
+    let file = || path.to_path_buf();
+    let entries: BTreeMap<Spanned<String>, Spanned<Value>> =
+        toml::from_str(text).map_err(|e| DimensionsError::Toml { file: file(), why: e.to_string().trim().to_owned() })?;
+    let mut found = Dimensions::default();
+    for (name, value) in &entries {
+        let line = 1 + text[..value.span().start].matches('\n').count();
+        let key = name.get_ref().as_str();
+        let wrong = |text: String| DimensionsError::Entry { file: file(), line, key: key.to_owned(), text };
+        if key == DESIGN {
+            found.design = Some(design(value.get_ref()).map_err(wrong)?);
+            continue;
+        }
+        let Some(row) = ENTRIES.iter().find(|row| row.key == key) else {
+            let known = ENTRIES.iter().map(|row| row.key).chain([DESIGN]);
+            return Err(wrong(match nearest(key, known.clone()) {
+                hint if hint.is_empty() => {
+                    format!(" is no entry of a drawing; the entries are {}", known.collect::<Vec<_>>().join(", "))
+                }
+                hint => format!(" is no entry of a drawing{hint}"),
+            }));
+        };
+        found = found.with(row.entry, number(row, value.get_ref()).map_err(wrong)?);
+    }
+    check(&found).map_err(|text| DimensionsError::Together { file: file(), text })?;
+    Ok(found)
+}
+
+fn design(value: &Value) -> Result<Design, String> {
+    match value.as_str() {
+        Some("monotube") => Ok(Design::Monotube),
+        Some("twin_tube") => Ok(Design::TwinTube),
+        _ => Err(format!(" = {value} is no design: it is \"monotube\" or \"twin_tube\"")),
+    }
+}
+
+/// A number, or the two ends of its 95 % interval.
+fn number(row: &EntryRow, value: &Value) -> Result<Uncertain, String> {
+    let (from, to) = row.bounds;
+    let one = |value: &Value| {
+        let number = value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).ok_or_else(|| {
+            format!(" = {value} is no number; give one, such as {key} = {from}, or its range [low, high]", key = row.key)
+        })?;
+        if number.is_finite() && (from..=to).contains(&number) {
+            Ok(number)
+        } else {
+            Err(format!(" = {number} lies outside {from} to {to}; look at the unit, which is the end of the key"))
+        }
+    };
+    let si = |x: f64| x * row.to_si;
+    if let Some(ends) = value.as_array() {
+        let [low, high] = ends.as_slice() else {
+            return Err(format!(" has {} numbers; give one, or its range [low, high]", ends.len()));
+        };
+        let (low, high) = (one(low)?, one(high)?);
+        if low > high {
+            return Err(format!(" = [{low}, {high}] has its upper end first; write [{high}, {low}]"));
+        }
+        // Between positive ends the middle is that of the logarithms, as factors scatter.
+        let middle = if low > 0.0 { libm::sqrt(low * high) } else { 0.5 * (low + high) };
+        return Ok(Uncertain { value: si(middle), low: si(low), high: si(high) });
+    }
+    let value = one(value)?;
+    Ok(match row.entry {
+        Entry::GasTemperature => Uncertain::within(value, 3.0),
+        Entry::GasPressure => Uncertain::within(si(value), (row.tolerance * si(value)).max(GAUGE)),
+        _ => Uncertain::within_factor(si(value), 1.0 + row.tolerance),
+    })
+}
+
+/// Entries that no damper can have together.
+fn check(found: &Dimensions) -> Result<(), String> {
+    let mm = |entry| found.stated(entry).map(|value: Uncertain| 1e3 * value.value);
+    if let (Some(bore), Some(rod)) = (mm(Entry::Bore), mm(Entry::Rod))
+        && rod >= bore
+    {
+        return Err(format!("rod_mm = {rod:.3} does not fit into bore_mm = {bore:.3}; exchange or correct the two"));
+    }
+    let cm3 = |entry| found.stated(entry).map(|value: Uncertain| 1e6 * value.value);
+    if let (Some(all), Some(oil)) = (cm3(Entry::ReserveVolume), cm3(Entry::ReserveOil))
+        && oil >= all
+    {
+        return Err(format!(
+            "reserve_oil_cm3 = {oil:.3} leaves no gas in reserve_volume_cm3 = {all:.3}; correct one of the two"
+        ));
+    }
+    if let (Some(all), Some(gas)) = (cm3(Entry::ReserveVolume), cm3(Entry::GasVolume))
+        && gas > all
+    {
+        return Err(format!(
+            "gas_volume_cm3 = {gas:.3} exceeds reserve_volume_cm3 = {all:.3}, which holds it; correct one of the two"
+        ));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Dimensions, String> {
+        parse(text, Path::new("D.toml")).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn units_end_here() {
+        let found = read("design = \"monotube\"\nbore_mm = 36\ngas_pressure_bar = [14, 16]\noil_modulus_gpa = 1.3\n").unwrap();
+        assert_eq!(found.design, Some(Design::Monotube));
+        assert!((found.stated(Entry::Bore).unwrap().value - 0.036).abs() < 1e-12);
+        let pressure = found.stated(Entry::GasPressure).unwrap();
+        assert!((pressure.low - 14e5).abs() < 1.0 && (pressure.high - 16e5).abs() < 1.0);
+        assert!((found.stated(Entry::OilModulus).unwrap().value - 1.3e9).abs() < 1.0);
+        assert!(read("").unwrap().is_empty());
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_file_line_and_key() {
+        for (text, part) in [
+            ("rod_mm = 12\nbor_mm = 36\n", "D.toml, line 2: bor_mm is no entry of a drawing; did you mean bore_mm?"),
+            ("color = 3\n", "the entries are bore_mm, rod_mm"),
+            ("bore_mm = 0.036\n", "D.toml, line 1: bore_mm = 0.036 lies outside 5 to 300"),
+            ("bore_mm = nan\n", "lies outside"),
+            ("bore_mm = \"36\"\n", "is no number"),
+            ("bore_mm = [36, 35]\n", "write [35, 36]"),
+            ("bore_mm = [36]\n", "has 1 numbers"),
+            ("design = \"tritube\"\n", "\"monotube\" or \"twin_tube\""),
+            ("bore_mm = 12\nrod_mm = 36\n", "D.toml: rod_mm = 36.000 does not fit into bore_mm = 12.000"),
+            ("reserve_volume_cm3 = 90\nreserve_oil_cm3 = 95\n", "leaves no gas"),
+            ("bore_mm = \n", "is not a TOML file"),
+            ("[oil]\nmodulus = 3\n", "oil is no entry"),
+        ] {
+            let said = read(text).expect_err(text);
+            assert!(said.contains(part), "{text}: {said}");
+        }
+    }
+}
