@@ -22,7 +22,7 @@ use dashpot_estimation::structure::inventory::{InventoryItem, Status, inventory}
 use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_estimation::vocabulary::Unnamed;
-use dashpot_identification::TEMPERATURE;
+use dashpot_identification::{TEMPERATURE, describe_priors};
 use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence};
 use std::collections::BTreeMap;
@@ -158,6 +158,8 @@ impl Composed<'_> {
         let (before, after) = (self.given.evidence.mean(), self.best.evidence.mean());
         let deviations = self.deviations();
         let findings = self.findings(&names, &inventory, (&tree, &judged.suspects), &probability, &deviations);
+        let estimates = improved::estimates(&self.best, &deviations);
+        let of_priors = describe_priors(&self.best.hypothesis.priors, &estimates);
         let mut diagnosis = Diagnosis {
             verdict: judged.verdict,
             summary,
@@ -181,6 +183,7 @@ impl Composed<'_> {
                 .chain(self.beside.iter().flatten())
                 .cloned()
                 .chain(or_warm_gas)
+                .chain(of_priors)
                 .collect(),
             about_the_reference,
             tests: Vec::new(),
@@ -193,7 +196,7 @@ impl Composed<'_> {
                 .map(|Against { structure, .. }| structure.hypothesis.params(&structure.refit.theta)),
             priors: self.best.hypothesis.priors.clone(),
             corrections: self.corrections(),
-            estimates: improved::estimates(&self.best, &deviations),
+            estimates,
             measured: improved::measured(&self.best, &deviations),
         };
         for (held_out, tests, before, after) in

@@ -313,7 +313,8 @@ mod tests {
 
     #[test]
     fn the_list_of_texts_has_every_form_and_no_other() {
-        let reference = Hypothesis { base: Params::new(), numbers: Vec::new(), heating: None, priors: PriorSet::default() };
+        let reference =
+            Hypothesis { base: Params::new(), numbers: Vec::new(), heating: None, priors: PriorSet::default() };
         let mut forms: BTreeSet<&str> = changes(&reference).iter().map(|c| c.form).collect();
         for preload in [false, true] {
             for measured in [false, true] {

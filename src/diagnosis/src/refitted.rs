@@ -1,8 +1,8 @@
 //! A model refitted as a diagnosis does it, and the samples that it looks at: for whoever hides an effect at a stated severity.
 
 use dashpot_core::Params;
-use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::hypothesis::Hypothesis;
+use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::refit;
 use dashpot_estimation::samples;
 use dashpot_estimation::vocabulary::base_numbers;

@@ -3,6 +3,7 @@
 use crate::dimensions::{Design, Dimensions};
 use crate::entry::Entry;
 use crate::gas;
+use crate::geometry::annulus;
 use crate::oil;
 use crate::uncertain::{Uncertain, through};
 use dashpot_core::number;
@@ -163,8 +164,9 @@ const RULES: &[Rule] = &[
         needs: &[GasPressure, Bore, Rod],
         states: &[GasPressure, Bore, Rod],
         design: None,
-        formula: |x| (x[0] + oil::ATMOSPHERE) * crate::geometry::annulus(x[1], x[2]),
-        form: 2.0,
+        // Air gathers where the gas has lost pressure: between that of the air and that of the drawing, the middle of the logarithms.
+        formula: |x| libm::sqrt((x[0] + oil::ATMOSPHERE) * oil::ATMOSPHERE) * annulus(x[1], x[2]),
+        form: 4.0,
         shape: Shape::Size,
         source: COLUMN,
     },

@@ -17,8 +17,8 @@ const GAUGE: f64 = 5e3;
 /// # Errors
 /// [`DimensionsError`], which names file, line and key.
 pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|why| DimensionsError::Unreadable { file: path.to_path_buf(), why })?;
+    let text =
+        std::fs::read_to_string(path).map_err(|why| DimensionsError::Unreadable { file: path.to_path_buf(), why })?;
     parse(&text, path)
 }
 
@@ -28,8 +28,8 @@ pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
 /// [`DimensionsError`], which names file, line and key.
 pub fn parse(text: &str, path: &Path) -> Result<Dimensions, DimensionsError> {
     let file = || path.to_path_buf();
-    let entries: BTreeMap<Spanned<String>, Spanned<Value>> =
-        toml::from_str(text).map_err(|e| DimensionsError::Toml { file: file(), why: e.to_string().trim().to_owned() })?;
+    let entries: BTreeMap<Spanned<String>, Spanned<Value>> = toml::from_str(text)
+        .map_err(|e| DimensionsError::Toml { file: file(), why: e.to_string().trim().to_owned() })?;
     let mut found = Dimensions::default();
     for (name, value) in &entries {
         let line = 1 + text[..value.span().start].matches('\n').count();
@@ -67,7 +67,10 @@ fn number(row: &EntryRow, value: &Value) -> Result<Uncertain, String> {
     let (from, to) = row.bounds;
     let one = |value: &Value| {
         let number = value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).ok_or_else(|| {
-            format!(" = {value} is no number; give one, such as {key} = {from}, or its range [low, high]", key = row.key)
+            format!(
+                " = {value} is no number; give one, such as {key} = {from}, or its range [low, high]",
+                key = row.key
+            )
         })?;
         if number.is_finite() && (from..=to).contains(&number) {
             Ok(number)
@@ -132,7 +135,8 @@ mod tests {
 
     #[test]
     fn units_end_here() {
-        let found = read("design = \"monotube\"\nbore_mm = 36\ngas_pressure_bar = [14, 16]\noil_modulus_gpa = 1.3\n").unwrap();
+        let found =
+            read("design = \"monotube\"\nbore_mm = 36\ngas_pressure_bar = [14, 16]\noil_modulus_gpa = 1.3\n").unwrap();
         assert_eq!(found.design, Some(Design::Monotube));
         assert!((found.stated(Entry::Bore).unwrap().value - 0.036).abs() < 1e-12);
         let pressure = found.stated(Entry::GasPressure).unwrap();

@@ -50,8 +50,8 @@ pub fn straighten(to: &mut Hypothesis, side: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::prior_set::PriorSet;
     use crate::hypothesis::number;
+    use crate::prior_set::PriorSet;
     use crate::unknowns::Unknowns;
 
     #[test]

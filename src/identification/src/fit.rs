@@ -1,5 +1,6 @@
 //! The whole way from records to an identified model.
 
+use super::expected::describe_priors;
 use super::intervals::{Estimate, Standing, estimates};
 use super::literature::piecewise_linear::SLOPES_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
@@ -293,6 +294,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     let Found { params, estimates, inventory, measured, mut notes, misfit } = found;
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
+    notes.extend(describe_priors(&options.priors, &estimates));
     if params.is_on(element!("gas_warming")) {
         let reference = params.number(number!("gas_warming_reference"));
         notes.push(Sentence::from(phrases::GAS_AT).with("temperature", format!("{reference:.1}")));
@@ -382,7 +384,10 @@ fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options
     let is_fault = candidate.is_artefact();
     // With the oil column's dimensions known, oil and mount separate.
     let is_known_column = effect == OIL_COLUMN && options.priors.find(number!("oil_stiffness")).is_some();
-    if !(USUAL.contains(&effect) || is_known_column) || candidate.unnamed.is_some() || candidate.form.starts_with("hydraulic") {
+    if !(USUAL.contains(&effect) || is_known_column)
+        || candidate.unnamed.is_some()
+        || candidate.form.starts_with("hydraulic")
+    {
         return false;
     }
     if is_fault {
@@ -434,7 +439,15 @@ pub(crate) fn search_structure(
     let allowed = |element: Element| options.allows(element.name());
     let heating = Arc::new(Heating::new(records, tests));
     let may = |candidate: &Candidate, situation: &Situation| is_usual(candidate, situation, about, options, tests);
-    let context = SearchContext { records, tests, is_allowed: &may, changes: &[], priors: &options.priors, most: usize::MAX, progress: &|_| () };
+    let context = SearchContext {
+        records,
+        tests,
+        is_allowed: &may,
+        changes: &[],
+        priors: &options.priors,
+        most: usize::MAX,
+        progress: &|_| (),
+    };
     let plain = starts::plain(tests, &heating, &allowed);
     let test = || tests.first().map_or(String::new(), |t| t.segment.name.clone());
     StructureSearch::run(&context, None, plain).ok_or_else(|| FitError::NotFinite { test: test() })

@@ -5,6 +5,7 @@
 //! fit did not see.
 
 mod as_the_fit_saw;
+mod expected;
 pub mod family;
 mod fit;
 mod intervals;
@@ -23,6 +24,7 @@ pub mod validation;
 
 pub use as_the_fit_saw::AS_THE_FIT_SAW;
 pub use dashpot_estimation::structure::inventory::InventoryItem;
+pub use expected::describe_priors;
 pub use fit::{Family, Fit, FitError, FitOptions, Stage, TEMPERATURE, fit};
 pub use intervals::{Estimate, Standing};
 pub use inventory_text::describe_item;

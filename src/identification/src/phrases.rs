@@ -21,6 +21,9 @@ dashpot_records::phrases! {
     TAKEN_UP: "a free FV curve takes a v² term up";
     HELD: "{name} could not be identified from this data; it is held at {value} {unit}";
     AT_BOUND: "{name} ran into the bound of its range at {value} {unit}: the data asks for something this element cannot do";
+    // What was known of the damper beside its records.
+    EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
+    CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
     // What the campaign cannot show.
     WORSE_THAN_FV: "this model fits worse than the plain FV curve ({error} against {plain} of the allowed error)";
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";

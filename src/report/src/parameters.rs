@@ -9,6 +9,7 @@ use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
+use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::priors::{self, Usual};
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
@@ -69,6 +70,11 @@ impl Remark {
 
 /// What was assumed of a number that the data could not determine, and from what; `why` its element is off, where it is.
 pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words: &Words) -> String {
+    assumed_by(name, value, (params, &PriorSet::default()), why, words)
+}
+
+/// What was assumed of a number of a damper with priors of its own.
+fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: Option<&str>, words: &Words) -> String {
     let Some(row) = parameter::find(name).filter(|row| !matches!(row.parameter.shape, Shape::List(_))) else {
         return words.not_identified.to_owned();
     };
@@ -83,8 +89,12 @@ pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words
     let median = prior.map(|prior| match prior.usual {
         Usual::Size(median, _) | Usual::Strength(median, _) | Usual::Place(median, _) => median,
     });
+    let of_damper = own.rows().iter().find(|own| *own.number.row() == row);
     // Where the value is neither, a fit left it there: between what dampers show and what the records hardly say.
     let source = match (prior, median) {
+        _ if of_damper.is_some_and(|own| (value / own.center() - 1.0).abs() < NEAR) => {
+            words.fill(words.assumed_dimensions, &[("source", of_damper.map_or("", |own| own.facts()))])
+        }
         (Some(prior), Some(median)) if is(median) => words.fill(words.assumed_usual, &[("source", prior.citation())]),
         _ if row.parameter.default.first().is_some_and(|default| is(*default)) => words.assumed_default.to_owned(),
         _ => words.assumed_held.to_owned(),
@@ -193,7 +203,7 @@ pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
         // What the records leave open has no number of theirs.
         value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
         source: words.say(&e.from),
-        assumed: assumed_of(e, &fit.params, words),
+        assumed: assumed_of_damper(e, (&fit.params, &fit.priors), words),
         ..of_estimate(e)
     };
     fit.estimates.iter().map(row).collect()
@@ -207,7 +217,7 @@ pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
             Some(finding) => words.fill(words.source_added, &[("effect", finding.effect)]),
             None => words.source_refitted.to_owned(),
         },
-        assumed: assumed_of(e, &found.improved, words),
+        assumed: assumed_of_damper(e, (&found.improved, &found.priors), words),
         ..of_estimate(e)
     };
     found.estimates.iter().map(row).collect()
@@ -226,12 +236,20 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
     }
 }
 
+/// Distance from the center of a damper's own prior, relative to it, within which a number that the records leave open stands there.
+const NEAR: f64 = 0.1;
+
 /// What was assumed of an estimate that the data could not determine.
 pub fn assumed_of(e: &Estimate, params: &Params, words: &Words) -> Option<String> {
+    assumed_of_damper(e, (params, &PriorSet::default()), words)
+}
+
+/// What was assumed of an estimate of a damper with priors of its own.
+pub fn assumed_of_damper(e: &Estimate, of: (&Params, &PriorSet), words: &Words) -> Option<String> {
     // A point of a curve that the records leave loose was fitted all the same: its interval says how loose.
     if e.index.is_some() {
         return (e.standing == Standing::NotIdentified).then(|| words.not_identified.to_owned());
     }
     let why = words.say(&e.from);
-    (e.standing == Standing::NotIdentified).then(|| assumed(e.name, e.value, params, Some(&why), words))
+    (e.standing == Standing::NotIdentified).then(|| assumed_by(e.name, e.value, of, Some(&why), words))
 }

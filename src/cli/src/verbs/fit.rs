@@ -16,7 +16,7 @@ use dashpot_identification::{
 use dashpot_output as output;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
-use dashpot_report::parameters::assumed_of;
+use dashpot_report::parameters::assumed_of_damper;
 use dashpot_report::quality;
 use dashpot_report::whole_records::in_words;
 use dashpot_report::words::TERMINAL;
@@ -200,7 +200,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for e in found.estimates.iter().filter(|e| e.index.is_none()) {
         say(&match (&e.standing, e.low, e.high) {
             (Standing::NotIdentified, ..) => {
-                format!("  {:<30} {}", e.name, assumed_of(e, &found.params, &TERMINAL).unwrap_or_default())
+                format!(
+                    "  {:<30} {}",
+                    e.name,
+                    assumed_of_damper(e, (&found.params, &found.priors), &TERMINAL).unwrap_or_default()
+                )
             }
             (_, Some(low), Some(high)) => {
                 let (value, low, high) = (short(e.value), short(low), short(high));

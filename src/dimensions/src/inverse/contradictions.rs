@@ -29,7 +29,8 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     if let (Some(column), false, Standing::Known(own)) = (column, has_column, model.number(number!("series_stiffness")))
         && own.low > column.expected.high
     {
-        let own_of_series = Expectation { number: number!("series_stiffness"), noun: "series stiffness", ..column.clone() };
+        let own_of_series =
+            Expectation { number: number!("series_stiffness"), noun: "series stiffness", ..column.clone() };
         to.contradictions.push(contradiction(own, &own_of_series, drawing));
     }
 }
@@ -65,8 +66,7 @@ fn facts(expectation: &Expectation, drawing: &Dimensions) -> String {
     {
         return format!("{pressure} bar on a rod of {rod} mm");
     }
-    let all: Vec<String> =
-        rows.filter_map(|row| Some(format!("{} = {}", row.key, value(row.key)?))).collect();
+    let all: Vec<String> = rows.filter_map(|row| Some(format!("{} = {}", row.key, value(row.key)?))).collect();
     all.join(", ")
 }
 
@@ -77,5 +77,11 @@ fn plain(value: f64) -> String {
 }
 
 fn two_digits(ratio: f64) -> String {
-    if ratio >= 10.0 { format!("{ratio:.0}") } else if ratio >= 1.0 { format!("{ratio:.1}") } else { format!("{ratio:.2}") }
+    if ratio >= 10.0 {
+        format!("{ratio:.0}")
+    } else if ratio >= 1.0 {
+        format!("{ratio:.1}")
+    } else {
+        format!("{ratio:.2}")
+    }
 }

@@ -1,8 +1,8 @@
 //! The identified numbers of a model file, as uncertain ones.
 
 use crate::uncertain::Uncertain;
-use dashpot_core::{element, list, number};
 use dashpot_core::parameter::Number;
+use dashpot_core::{element, list, number};
 use dashpot_identification::model_file::{Interval, ModelFile};
 
 /// What a model file says of one of its numbers.
@@ -36,6 +36,12 @@ impl Identified<'_> {
             _ if is_stated => Standing::Known(Uncertain::within(value, 0.0)),
             _ => Standing::Open,
         }
+    }
+
+    /// Whether the fit of the model had a prior of the dimensions for a parameter: its notes say so.
+    pub fn had_prior(&self, name: &str) -> bool {
+        let starts = [format!("{name} was expected at"), format!("{name} contradicts the dimensions")];
+        self.0.identification.notes.iter().any(|note| starts.iter().any(|start| note.starts_with(start)))
     }
 
     /// Whether the FV curve of the model is a table.

@@ -51,8 +51,8 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
     let is_open = model.number(number!("oil_stiffness")) == Standing::Off;
     match drawing.stated(Entry::EyeStiffness) {
         Some(eyes) if is_open => Ok(Column {
-            inputs: vec![series, eyes],
-            stiffness: |x| in_line_with(x[0], x[1]),
+            inputs: vec![series, eyes, Uncertain::within_factor(1.0, errors::EYES)],
+            stiffness: |x| in_line_with(x[0], x[1] * x[2]),
             from: vec!["series_stiffness", Entry::EyeStiffness.key()],
             error: errors::SERIES_MODULUS,
             note: "the series spring less the eyes",
@@ -101,7 +101,7 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     }
     let from = found.from.iter().copied().chain(CHAMBER.map(Entry::key)).collect();
     let quantity = Quantity::new(NAME, "GPa", interval.scaled(1.0 / GPA), from, found.error);
-    to.quantities.push(Quantity { note: found.note, ..quantity });
+    to.quantities.push(Quantity { note: found.note.to_owned(), ..quantity });
     match interval {
         Interval { value: Some(value), low: Some(low), high: Some(high) } => Some(Uncertain { value, low, high }),
         _ => None,
@@ -115,7 +115,8 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
     let missing: Vec<_> =
         needed.iter().filter(|entry| drawing.stated(**entry).is_none()).map(|entry| entry.key()).collect();
     let (Some(effective), true) = (effective, missing.is_empty()) else {
-        let why = if effective.is_none() { "the effective modulus is not known" } else { "the tube expands with the oil" };
+        let why =
+            if effective.is_none() { "the effective modulus is not known" } else { "the tube expands with the oil" };
         return to.unknown.push(Gap { name: NAME, why: why.to_owned(), entries: missing, parameters: Vec::new() });
     };
     let Some(mut inputs) = drawing.all(&[Entry::Bore, Entry::TubeWall, Entry::TubeModulus]) else { return };
@@ -126,7 +127,7 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
     });
     let from = vec![NAME_OF_EFFECTIVE, Entry::Bore.key(), Entry::TubeWall.key()];
     let quantity = Quantity::new(NAME, "GPa", found.scaled(1.0 / GPA), from, errors::MODULUS);
-    to.quantities.push(Quantity { note: "with the air in it", ..quantity });
+    to.quantities.push(Quantity { note: "with the air in it".to_owned(), ..quantity });
 }
 
 const NAME_OF_EFFECTIVE: &str = "oil_modulus_effective";

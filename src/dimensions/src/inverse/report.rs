@@ -21,8 +21,8 @@ pub struct Quantity {
     /// Factor by which the model's form may be off in 95 of 100 dampers; it is in the interval.
     pub model_error: f64,
     /// What else is to know, or nothing.
-    #[serde(skip_serializing_if = "str::is_empty")]
-    pub note: &'static str,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub note: String,
 }
 
 /// A quantity that cannot be told.
@@ -104,7 +104,7 @@ impl Quantity {
         model_error: f64,
     ) -> Quantity {
         let Interval { value, low, high } = found;
-        Quantity { name, value, low, high, unit, from, model_error, note: "" }
+        Quantity { name, value, low, high, unit, from, model_error, note: String::new() }
     }
 
     fn line(&self) -> String {

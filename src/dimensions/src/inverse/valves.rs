@@ -100,8 +100,7 @@ impl Stroke {
         let count = bleed_points(&points);
         let first = count.saturating_sub(POINTS);
         let below: Vec<(f64, Uncertain)> = points[first..count].to_vec();
-        let Some(inputs) =
-            drawing.all(&[Entry::Bore, Entry::Rod, Entry::DischargeCoefficient, Entry::OilDensity])
+        let Some(inputs) = drawing.all(&[Entry::Bore, Entry::Rod, Entry::DischargeCoefficient, Entry::OilDensity])
         else {
             return;
         };
@@ -135,8 +134,7 @@ impl Stroke {
             let quantity = Quantity::new(bleed, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLEED);
             to.quantities.push(bounded(quantity, "no orifice shows beside the leak"));
             let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
-            let quantity =
-                Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
+            let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
             to.quantities.push(bounded(quantity, "no leak shows beside the orifice"));
         }
         let mut cannot = |why: &str| {
@@ -168,7 +166,7 @@ impl Stroke {
         }
         let key = Entry::DischargeCoefficient.key();
         to.quantities.push(Quantity {
-            note: "opening at the largest force of the table",
+            note: "opening at the largest force of the table".to_owned(),
             ..Quantity::new(blow_off, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLOW_OFF)
         });
     }
@@ -176,7 +174,7 @@ impl Stroke {
 
 /// A quantity of which an end may be open: then the value is no number that counts.
 fn bounded(quantity: Quantity, note: &'static str) -> Quantity {
-    if quantity.high.is_some() { quantity } else { Quantity { value: None, note, ..quantity } }
+    if quantity.high.is_some() { quantity } else { Quantity { value: None, note: note.to_owned(), ..quantity } }
 }
 
 #[cfg(test)]
@@ -186,9 +184,8 @@ mod tests {
     #[test]
     fn the_law_of_a_bleed_comes_back_and_ends_at_the_knee() {
         let (a, b) = (2000.0, 40_000.0);
-        let mut points: Vec<(f64, Uncertain)> = [0.02, 0.05, 0.09]
-            .map(|w| (w, Uncertain::within(a * w + b * w * w, 0.0)))
-            .to_vec();
+        let mut points: Vec<(f64, Uncertain)> =
+            [0.02, 0.05, 0.09].map(|w| (w, Uncertain::within(a * w + b * w * w, 0.0))).to_vec();
         points.push((0.3, Uncertain::within(900.0, 0.0)));
         assert_eq!(bleed_points(&points), 3);
         let speeds = [0.02, 0.05, 0.09];

@@ -1,7 +1,7 @@
 //! The least-squares problem of a damper at several settings: one block of residuals for each setting.
 
-use crate::prior_set::PriorSet;
 use crate::hypothesis::{Hypothesis, Number, Residual};
+use crate::prior_set::PriorSet;
 use crate::refit::{Effort, Refit, options};
 use crate::samples::Test;
 use crate::solve::{Bounds, Residuals, Rows, solve_knowing};
@@ -212,7 +212,8 @@ mod tests {
     #[test]
     fn shared_numbers_have_one_place_and_others_one_for_each_setting() {
         let base = Params::new();
-        let mut template = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
+        let mut template =
+            Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         template.numbers.truncate(3);
         let starts = vec![vec![1.0, 2.0, 3.0], vec![9.0, 5.0, 9.0]];
         let family = FamilyHypothesis { template, varies: vec![false, true, false], starts };

@@ -31,7 +31,8 @@ pub fn evidence(
     settings: &[SettingTests],
 ) -> Evidence {
     let count = numbers(&hypothesis.template, &hypothesis.varies, settings.len());
-    let mut all = Evidence { mean_squares: Vec::new(), weights: Vec::new(), numbers: count, implausibility: 0.0, relief: 0.0 };
+    let mut all =
+        Evidence { mean_squares: Vec::new(), weights: Vec::new(), numbers: count, implausibility: 0.0, relief: 0.0 };
     for (setting, (of, residual)) in settings.iter().zip(residuals).enumerate() {
         let own = Evidence::new(&hypothesis.template, &hypothesis.theta_at(theta, setting), residual, &of.tests, 0.0);
         all.mean_squares.extend(own.mean_squares);
@@ -44,7 +45,7 @@ pub fn evidence(
 /// Log prior of a family: of its effects, and of what depends on the setting.
 pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> f64 {
     let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
-    log_prior(&effects) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
+    log_prior(&effects, &hypothesis.template.priors) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
 }
 
 impl FamilyStructure {

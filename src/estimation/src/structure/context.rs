@@ -57,7 +57,7 @@ impl Structure {
         let numbers = numbers(&hypothesis, &components);
         let evidence = Evidence::new(&hypothesis, &refit.theta, &refit.residual, tests, numbers);
         let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
-        let log_posterior = evidence.log_evidence() + log_prior(&effects);
+        let log_posterior = evidence.log_evidence() + log_prior(&effects, &hypothesis.priors);
         Structure { hypothesis, refit, components, evidence, log_posterior }
     }
 

@@ -49,8 +49,8 @@ pub fn settle(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::prior_set::PriorSet;
     use crate::hypothesis::number;
+    use crate::prior_set::PriorSet;
     use crate::unknowns::Unknown;
     use dashpot_core::Params;
     use dashpot_core::{element, number};

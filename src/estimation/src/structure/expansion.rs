@@ -92,7 +92,7 @@ pub fn expand(
     let prior_with = |candidate: &Candidate| {
         let mut all = own.clone();
         all.push((candidate.effect, candidate.form, candidate.is_artefact()));
-        log_prior(&all)
+        log_prior(&all, context.priors)
     };
     let posterior = |place: usize, refit: &Refit| {
         let candidate = &list[screened[place].candidate];

@@ -1,5 +1,9 @@
 //! Prior log odds of an effect: how often dampers and rigs have it, before any record is seen.
 
+use crate::prior_set::PriorSet;
+use dashpot_core::number;
+use dashpot_core::parameter::Number;
+
 /// An effect that nearly every damper has: seven of eight.
 const COMMON: f64 = 2.0;
 /// An effect that every second damper has.
@@ -62,9 +66,20 @@ fn log_prior_odds_of_faults(count: usize) -> f64 {
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
+/// Effects that a damper has for certain where what they rest on is known of it: an oil column of known dimensions, a gas of known volume.
+const CERTAIN: [(&str, Number); 2] =
+    [("oil_compressibility", number!("oil_stiffness")), ("gas_spring", number!("gas_stiffness"))];
+
+/// What becomes more probable of an effect since the damper is known: the log odds that it gains.
+fn gain_of_knowledge(effect: &str, form: &str, priors: &PriorSet) -> f64 {
+    let is_known = |(name, number): &(&str, Number)| *name == effect && priors.find(*number).is_some();
+    let is_certain = form != "changed" && CERTAIN.iter().any(|row| is_known(row));
+    if is_certain { COMMON - log_prior_odds(effect, form) } else { 0.0 }
+}
+
 /// Whether an effect is a fault or a design of few.
-pub fn is_rare(effect: &str, form: &str) -> bool {
-    form != "changed" && log_prior_odds(effect, form) <= RARE
+pub fn is_rare(effect: &str, form: &str, priors: &PriorSet) -> bool {
+    form != "changed" && log_prior_odds(effect, form) + gain_of_knowledge(effect, form, priors) <= RARE
 }
 
 /// Effects of which one is enough: a second of a group is as rare as a fault.
@@ -76,8 +91,14 @@ pub fn are_alternatives(effect: &str, other: &str) -> bool {
     ALTERNATIVES.iter().any(|group| group.contains(&effect) && group.contains(&other))
 }
 
-/// Log prior odds of a set of effects: each with its name, its form and whether it is an error of the measurement.
-pub fn log_prior(effects: &[(&'static str, &'static str, bool)]) -> f64 {
+/// Log prior odds of a set of effects of a damper: each with its name, its form and whether it is an error of the measurement.
+pub fn log_prior(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
+    let known: f64 = effects.iter().map(|(effect, form, _)| gain_of_knowledge(effect, form, priors)).sum();
+    known + log_prior_of_all(effects)
+}
+
+/// Log prior odds of a set of effects of a damper of which nothing is known.
+fn log_prior_of_all(effects: &[(&'static str, &'static str, bool)]) -> f64 {
     let is_fault = |(_, form, fault): &&(&str, &str, bool)| *fault && *form != "changed";
     let faults = log_prior_odds_of_faults(effects.iter().filter(is_fault).count());
     let each: f64 = effects.iter().filter(|e| !is_fault(e)).map(|(effect, form, _)| log_prior_odds(effect, form)).sum();
@@ -100,7 +121,9 @@ mod tests {
     #[test]
     fn a_fault_of_the_rig_is_rarer_than_one_of_the_damper_and_the_next_less_so() {
         let of = |count: usize| {
-            log_prior(&[("channel_delay", "", true), ("force_drift", "", true), ("gain_drift", "", true)][..count])
+            log_prior_of_all(
+                &[("channel_delay", "", true), ("force_drift", "", true), ("gain_drift", "", true)][..count],
+            )
         };
         assert!(of(1) < RARE && of(1) > RARE - 1.0);
         assert!(of(2) < of(1) - 1.0 && of(3) < of(2) - 0.5 && of(2) - of(1) > of(1));
@@ -108,10 +131,23 @@ mod tests {
 
     #[test]
     fn a_second_friction_is_rare_and_a_first_one_common() {
-        let one = log_prior(&[("presliding_friction", "", false)]);
-        let two = log_prior(&[("presliding_friction", "", false), ("coulomb_friction", "", false)]);
+        let one = log_prior_of_all(&[("presliding_friction", "", false)]);
+        let two = log_prior_of_all(&[("presliding_friction", "", false), ("coulomb_friction", "", false)]);
         assert!(one > 0.0 && (two - one - RARE).abs() < 1e-12);
-        let apart = log_prior(&[("presliding_friction", "", false), ("bump_stop", "", false)]);
+        let apart = log_prior_of_all(&[("presliding_friction", "", false), ("bump_stop", "", false)]);
         assert!((apart - one - RARE).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_oil_column_of_known_dimensions_is_no_rare_fault() {
+        use crate::prior_set::DamperPrior;
+        use crate::usual::Usual;
+        let effects = [("oil_compressibility", "both chambers", false)];
+        let row = DamperPrior { number: number!("oil_stiffness"), usual: Usual::Size(9e6, 1.3), source: String::new() };
+        let (unknown, known) = (PriorSet::default(), PriorSet::new(vec![row]));
+        assert_eq!(log_prior(&effects, &unknown), RARE);
+        assert_eq!(log_prior(&effects, &known), COMMON);
+        assert!(is_rare("oil_compressibility", "", &unknown) && !is_rare("oil_compressibility", "", &known));
+        assert!(is_rare("aeration", "", &known));
     }
 }

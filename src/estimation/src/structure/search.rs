@@ -134,13 +134,14 @@ impl StructureSearch {
                 *forms = select_promising(&trials);
             }
             self.last = trials.clone();
-            let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form)).count();
+            let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count();
             // An error without a name competes: what it explains better gets no known name.
             let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
             let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
             let may = |t: &&Trial| {
                 t.unnamed.is_none()
-                    && (!is_rare(t.form.0, t.form.1) || rare < context.most && t.structure.log_posterior > unnamed)
+                    && (!is_rare(t.form.0, t.form.1, context.priors)
+                        || rare < context.most && t.structure.log_posterior > unnamed)
             };
             let added = trials.iter().find(may);
             if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - ADDED) {

@@ -20,7 +20,12 @@ pub type StartModel = (Hypothesis, Vec<Component>);
 
 /// The start that a given model makes.
 pub fn given(params: &Params, heating: &Arc<Heating>) -> StartModel {
-    let hypothesis = Hypothesis { base: *params, numbers: base_numbers(params), heating: Some(heating.clone()), priors: PriorSet::default() };
+    let hypothesis = Hypothesis {
+        base: *params,
+        numbers: base_numbers(params),
+        heating: Some(heating.clone()),
+        priors: PriorSet::default(),
+    };
     let components = Component::of_model(&hypothesis);
     (hypothesis, components)
 }

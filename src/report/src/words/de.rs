@@ -127,6 +127,7 @@ pub const DE: Words = Words {
     not_identified_assumed: "nicht bestimmbar: angenommen {value}, {source}",
     not_identified_off: "nicht bestimmbar: das Element ist aus ({why})",
     assumed_usual: "wie es Dämpfer zeigen ({source})",
+    assumed_dimensions: "nach den Maßen ({source})",
     assumed_default: "die Vorgabe des Modells",
     assumed_held: "wo die Anpassung ihn mangels Hinweisen ließ",
     notes_of_test: "Beim Einlesen und Bereinigen geändert oder bemerkt:",

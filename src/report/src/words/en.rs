@@ -127,6 +127,7 @@ pub const EN: Words = Words {
     not_identified_assumed: "not identified: assumed {value}, {source}",
     not_identified_off: "not identified: its element is off ({why})",
     assumed_usual: "what dampers show ({source})",
+    assumed_dimensions: "by the dimensions ({source})",
     assumed_default: "the default of the model",
     assumed_held: "where the fit left it, for lack of evidence",
     notes_of_test: "What reading and cleaning did or noticed:",

@@ -127,6 +127,7 @@ pub const FR: Words = Words {
     not_identified_assumed: "non identifié : supposé {value}, {source}",
     not_identified_off: "non identifié : l’élément est désactivé ({why})",
     assumed_usual: "ce que montrent les amortisseurs ({source})",
+    assumed_dimensions: "d’après les dimensions ({source})",
     assumed_default: "la valeur par défaut du modèle",
     assumed_held: "où l’ajustement l’a laissé, faute d’indices",
     notes_of_test: "Ce que la lecture et le nettoyage ont fait ou remarqué :",

@@ -249,6 +249,7 @@ words!(
     not_identified_assumed,
     not_identified_off,
     assumed_usual,
+    assumed_dimensions,
     assumed_default,
     assumed_held,
     // Single tests.

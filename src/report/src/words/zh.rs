@@ -127,6 +127,7 @@ pub const ZH: Words = Words {
     not_identified_assumed: "未辨识：假定 {value}，{source}",
     not_identified_off: "未辨识：其元件已关闭（{why}）",
     assumed_usual: "减振器的常见值（{source}）",
+    assumed_dimensions: "根据尺寸（{source}）",
     assumed_default: "模型的默认值",
     assumed_held: "因缺乏依据，取拟合停留处的值",
     notes_of_test: "读取和清理时所做或发现的：",

@@ -281,6 +281,18 @@ pub const ALL: &[Said] = &[
     ["small strokes", "kleine Hübe", "petites courses", "小行程"],
     ["large strokes", "große Hübe", "grandes courses", "大行程"],
     [
+        "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}",
+        "{name} wurde nach den Maßen des Dämpfers ({facts}) bei {value} {unit} erwartet (95 %: {low} bis {high})",
+        "{name} était attendu à {value} {unit} (95 % : {low} à {high}) d’après les dimensions de l’amortisseur : {facts}",
+        "根据减振器的尺寸（{facts}），{name} 预期为 {value} {unit}（95 %：{low} 至 {high}）",
+    ],
+    [
+        "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give",
+        "{name} widerspricht den Maßen des Dämpfers: {value} {unit} sind das {ratio}-Fache der {expected} {unit}, die aus {facts} folgen",
+        "{name} contredit les dimensions de l’amortisseur : {value} {unit}, soit {ratio} fois les {expected} {unit} que donnent {facts}",
+        "{name} 与减振器的尺寸矛盾：{value} {unit} 是由 {facts} 得出的 {expected} {unit} 的 {ratio} 倍",
+    ],
+    [
         "no temperature was recorded in all tests: gas that warms through a campaign lets the force at rest fall as well. The temperature tells the two apart",
         "nicht in allen Versuchen wurde eine Temperatur aufgezeichnet: Gas, das sich während der Messreihe erwärmt, lässt die Kraft in Ruhe ebenso fallen. Die Temperatur trennt beides",
         "aucune température n’a été enregistrée dans tous les essais : un gaz qui chauffe au fil de la campagne fait aussi baisser l’effort au repos. La température les distingue",

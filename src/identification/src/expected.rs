@@ -1,0 +1,72 @@
+//! What is said of priors of one damper: which were used, and which its records contradict.
+
+use crate::phrases;
+use crate::short::in_words;
+use crate::{Estimate, Standing};
+use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
+use dashpot_records::Sentence;
+
+/// A sentence for each number of a model that has a prior of its own: what was expected, or that the records contradict it.
+pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {
+    let own = |estimate: &Estimate| {
+        let row = priors.rows().iter().find(|row| row.number.name() == estimate.name)?;
+        Some(if contradicts(row, estimate) { contradiction(row, estimate) } else { expectation(row) })
+    };
+    estimates.iter().filter_map(own).collect()
+}
+
+/// Whether the interval of the records and that of the prior do not meet.
+fn contradicts(row: &DamperPrior, estimate: &Estimate) -> bool {
+    let (low, high) = row.interval();
+    let is_outside = |(from, to): (f64, f64)| to < low || from > high;
+    estimate.standing == Standing::Identified && estimate.low.zip(estimate.high).is_some_and(is_outside)
+}
+
+fn expectation(row: &DamperPrior) -> Sentence {
+    let (low, high) = row.interval();
+    Sentence::from(phrases::EXPECTED)
+        .with("name", row.number)
+        .with("value", in_words(row.center()))
+        .with("unit", row.number.parameter().unit)
+        .with("low", in_words(low))
+        .with("high", in_words(high))
+        .with("facts", row.facts())
+}
+
+fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
+    Sentence::from(phrases::CONTRADICTS)
+        .with("name", row.number)
+        .with("value", in_words(estimate.value))
+        .with("unit", row.number.parameter().unit)
+        .with("ratio", format!("{:.2}", estimate.value / row.center()))
+        .with("expected", in_words(row.center()))
+        .with("facts", row.facts())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::number;
+    use dashpot_estimation::priors::Usual;
+
+    #[test]
+    fn a_number_far_from_its_prior_contradicts_it_by_so_much() {
+        let number = number!("gas_force");
+        let source = "gas_pressure_bar, rod_mm: Dixon 2007, chapter 5".to_owned();
+        let priors = PriorSet::new(vec![DamperPrior { number, usual: Usual::Place(114.0, 8.0), source }]);
+        let estimate = |value: f64| Estimate {
+            name: "gas_force",
+            index: None,
+            value,
+            low: Some(value - 5.0),
+            high: Some(value + 5.0),
+            unit: "N",
+            from: Sentence::from(phrases::NO_TEST),
+            standing: Standing::Identified,
+        };
+        let said = |value: f64| describe_priors(&priors, &[estimate(value)])[0].to_string();
+        assert!(said(240.0).contains("240.0 N are 2.11 times the 114.0 N that gas_pressure_bar, rod_mm give"));
+        assert!(said(120.0).contains("was expected at 114.0 N (95 %: 98.32 to 129.7)"), "{}", said(120.0));
+        assert!(describe_priors(&PriorSet::default(), &[estimate(240.0)]).is_empty());
+    }
+}

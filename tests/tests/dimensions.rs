@@ -1,0 +1,129 @@
+//! The drawing of a damper through the command: what a model says of it, priors from it, and slips in it.
+
+use dashpot_tests::cli::{done, json, refused};
+use std::path::Path;
+
+/// A monotube whose numbers are those of 25 bar on a rod of 12 mm and of oil with 1.2 GPa.
+const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oil_compressibility\"]\ngas_force = 282.74\n\
+     oil_stiffness = 1.0554e7\noil_shortening = 7.69\nfv_velocity = [-1.0, -0.3, -0.1, -0.05, 0.0, 0.05, 0.1, 0.3, 1.0]\n\
+     fv_force = [-900.0, -500.0, -300.0, -100.0, 0.0, 200.0, 600.0, 1000.0, 1500.0]\n\n[identification.intervals]\n\
+     gas_force = [275.0, 290.0]\noil_stiffness = [1.0e7, 1.1e7]\n";
+const DRAWING: &str = "design = \"monotube\"\nbore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = 130\n\
+     tube_wall_mm = 50\ntube_modulus_gpa = 400\n";
+
+fn folder(model: &str, drawing: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("m.toml"), model).unwrap();
+    std::fs::write(folder.path().join("d.toml"), drawing).unwrap();
+    folder
+}
+
+fn explained(dir: &Path) -> serde_json::Value {
+    done(dir, &["explain", "m.toml", "--dimensions", "d.toml", "--json", "e.json"]);
+    json(&dir.join("e.json"))
+}
+
+fn quantity<'a>(of: &'a serde_json::Value, name: &str) -> &'a serde_json::Value {
+    of["quantities"].as_array().unwrap().iter().find(|q| q["name"] == name).unwrap_or_else(|| panic!("{name}: {of}"))
+}
+
+#[test]
+fn pressure_and_modulus_come_back_with_intervals() {
+    let folder = folder(MODEL, DRAWING);
+    let found = explained(folder.path());
+    for (name, truth, unit) in [("gas_pressure", 25.0, "bar gauge"), ("oil_modulus_effective", 1.2, "GPa")] {
+        let quantity = quantity(&found, name);
+        let number = |key: &str| quantity[key].as_f64().unwrap();
+        assert!((number("value") / truth - 1.0).abs() < 0.01, "{quantity}");
+        assert!(number("low") < truth && truth < number("high") && quantity["unit"] == unit, "{quantity}");
+        assert!(number("model_error") > 1.0 && !quantity["from"].as_array().unwrap().is_empty(), "{quantity}");
+    }
+    assert_eq!(found["contradictions"].as_array().unwrap().len(), 0, "{found}");
+    let told = done(folder.path(), &["explain", "m.toml", "--dimensions", "d.toml"]);
+    assert!(told.contains("gas pressure             25.0 bar gauge, 95 %: "), "{told}");
+}
+
+#[test]
+fn what_cannot_be_told_names_the_entry_or_the_parameter_that_is_missing() {
+    let folder = folder(MODEL, "bore_mm = 40\n");
+    let found = explained(folder.path());
+    let gap = |name: &str| {
+        let all = found["unknown"].as_array().unwrap();
+        all.iter().find(|gap| gap["name"] == name).unwrap_or_else(|| panic!("{name}: {found}")).clone()
+    };
+    assert_eq!(gap("gas_pressure")["entries"], serde_json::json!(["rod_mm"]));
+    assert_eq!(gap("gas_volume")["parameters"], serde_json::json!(["gas_stiffness"]));
+    assert_eq!(gap("compression_bleed_area")["entries"], serde_json::json!(["rod_mm", "design"]));
+    assert_eq!(gap("oil_modulus_effective")["entries"], serde_json::json!(["rod_mm", "rebound_chamber_mm"]));
+}
+
+#[test]
+fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_much() {
+    let folder = folder(
+        &MODEL.replace("282.74", "240.0").replace("[275.0, 290.0]", "[230.0, 250.0]"),
+        "rod_mm = 11\ngas_pressure_bar = 12\n",
+    );
+    let found = explained(folder.path());
+    let contradiction = &found["contradictions"][0];
+    assert_eq!(
+        contradiction["text"],
+        "The gas force of the model, 240 N, is 2.1 times the 114 N that 12 bar on a rod of 11 mm give."
+    );
+    assert_eq!(contradiction["parameter"], "gas_force");
+    assert!((contradiction["ratio"].as_f64().unwrap() - 240.0 / 114.04).abs() < 0.01, "{found}");
+}
+
+#[test]
+fn a_slip_in_the_drawing_is_named_and_nothing_is_written() {
+    for (text, part) in [
+        ("bor_mm = 40\n", "line 1: bor_mm is no entry of a drawing; did you mean bore_mm?"),
+        ("rod_mm = 12\nbore_mm = 4000\n", "line 2: bore_mm = 4000 lies outside 5 to 300"),
+        ("bore_mm = 10\nrod_mm = 12\n", "does not fit into bore_mm"),
+        ("bore_mm = \"wide\"\n", "is no number"),
+        ("[bore]\n", "bore is no entry"),
+        ("bore_mm 40\n", "is not a TOML file"),
+    ] {
+        let folder = folder(MODEL, text);
+        let told = refused(folder.path(), &["explain", "m.toml", "--dimensions", "d.toml", "--json", "e.json"]);
+        assert!(told.contains("d.toml") && told.contains(part), "{text}: {told}");
+        assert!(!folder.path().join("e.json").exists());
+    }
+    let folder = folder(MODEL, DRAWING);
+    let told = refused(folder.path(), &["explain", "m.toml", "--dimensions", "absent.toml"]);
+    assert!(told.contains("cannot read the dimensions absent.toml"), "{told}");
+    let told = refused(folder.path(), &["fit", ".", "-o", "o.toml", "--model", "fv", "--dimensions", "d.toml"]);
+    assert!(told.contains("--dimensions gives priors to --model thesis"), "{told}");
+}
+
+/// A short campaign is fitted with a drawing; the model file says what was expected, and that of a wrong one.
+#[test]
+fn a_fit_says_what_the_dimensions_made_it_expect_and_what_its_records_contradict() {
+    let folder = folder("", "rod_mm = 12\ngas_pressure_bar = 60\n");
+    let dir = folder.path();
+    std::fs::write(
+        dir.join("truth.toml"),
+        "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\ngas_force = 150.0\ncoulomb_force = 30.0\n",
+    )
+    .unwrap();
+    std::fs::create_dir(dir.join("records")).unwrap();
+    for (name, amplitude, frequency) in [("slow", 0.02, 0.04), ("middle", 0.02, 1.5), ("fast", 0.02, 6.0)] {
+        let step = 1.0 / (200.0 * frequency);
+        let rows = (0..=800).map(|k| f64::from(k) * step).map(|t| {
+            let phase = std::f64::consts::TAU * frequency * t;
+            format!("{t},{},{}\n", amplitude * phase.sin(), amplitude * std::f64::consts::TAU * frequency * phase.cos())
+        });
+        let text = format!("time_s,displacement_m,velocity_m_s\n{}", rows.collect::<String>());
+        std::fs::write(dir.join(format!("{name}.csv")), text).unwrap();
+        let record = format!("records/{name}.csv");
+        done(dir, &["simulate", "truth.toml", &format!("{name}.csv"), "-o", &record]);
+    }
+    let told = done(dir, &["fit", "records", "-o", "fitted.toml", "--dimensions", "d.toml"]);
+    assert!(told.contains("note: gas_force contradicts the dimensions of the damper"), "{told}");
+    std::fs::write(dir.join("d.toml"), "rod_mm = 12\ngas_pressure_bar = 13\n").unwrap();
+    let told = done(dir, &["fit", "records", "-o", "fitted.toml", "--dimensions", "d.toml"]);
+    assert!(told.contains("note: gas_force was expected at 147.0 N"), "{told}");
+    let file = std::fs::read_to_string(dir.join("fitted.toml")).unwrap();
+    assert!(file.contains("gas_pressure_bar, rod_mm"), "{file}");
+    let explained = done(dir, &["explain", "fitted.toml", "--dimensions", "d.toml"]);
+    assert!(explained.contains("the fit had a prior of the dimensions for it"), "{explained}");
+}
