@@ -1,11 +1,11 @@
 //! What the numbers of an explanation cost it where they are far from what dampers show.
 
-use crate::hypothesis::{Free, Hypothesis};
+use crate::hypothesis::{Free, Hypothesis, Number as FreeNumber};
 use crate::priors::price;
 use crate::scale::Scale;
 use crate::unknowns::Unknown;
-use dashpot_core::number;
 use dashpot_core::parameter::Number;
+use dashpot_core::{Params, number};
 
 /// How far off each number of an explanation is from what is usual; those without a prior are not in it.
 pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
@@ -28,10 +28,50 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
             all.push((number, usual.off(value)));
         }
     }
+    all.extend(fixed(hypothesis, &params));
     all
+}
+
+/// How far off the damper's own priors are the numbers that a form of an effect fixes: a twin tube's column is not alike in both directions.
+/// A number at zero is a form without it, and no value.
+fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<Item = (Number, f64)> + 'h {
+    let is_free = |number: Number| {
+        let own = |n: &FreeNumber| matches!(n.free, Free::Model(Unknown::Log(n) | Unknown::Linear(n)) if n == number);
+        hypothesis.numbers.iter().any(own)
+    };
+    let is_on = |number: Number| number.row().element().is_some_and(|element| params.is_on(element));
+    let rows = hypothesis.priors.rows().iter();
+    rows.filter(move |row| is_on(row.number) && !is_free(row.number) && params.number(row.number) != 0.0)
+        .map(|row| (row.number, row.usual.off(params.number(row.number))))
 }
 
 /// What the numbers of an explanation cost it, in units of the logarithm of the odds.
 pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     off(hypothesis, theta).iter().map(|(_, off)| price(*off)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::prior_set::{DamperPrior, PriorSet};
+    use crate::usual::Usual;
+    use dashpot_core::element;
+
+    #[test]
+    fn what_a_form_fixes_against_the_drawing_costs_something() {
+        let mut base = Params::new();
+        base.enable(element!("oil_compressibility"), true);
+        let row = |number, usual| DamperPrior { number, usual, source: String::new() };
+        let priors = PriorSet::new(vec![
+            row(number!("oil_compression"), Usual::Size(0.05, 1.4)),
+            row(number!("oil_shortening"), Usual::Place(8.0, 1.0)),
+        ]);
+        let of = |priors: &PriorSet| {
+            let hypothesis = Hypothesis { base, numbers: Vec::new(), heating: None, priors: PriorSet::default() }
+                .with_priors(priors);
+            implausibility(&hypothesis, &[])
+        };
+        assert_eq!(of(&PriorSet::default()), 0.0);
+        assert!((5.0..10.0).contains(&of(&priors)), "{}", of(&priors));
+    }
 }

@@ -1,5 +1,5 @@
 //! Whether dimensions make the names of oil, air and mount sharper, on dampers of the second laboratory: `cargo run --release -p
-//! dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY]`. Each damper is diagnosed without a drawing, with one of chambers, oil and
+//! dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY] [only=DAMPER]`. Each damper is diagnosed without a drawing, with one of chambers, oil and
 //! gas, and with one that states the eyes as well (the ways none, chambers, eyes; `without` leaves one out). In place of the first seed may stand `split=calibrate` or `split=check`.
 
 use dashpot_diagnosis::Options;
@@ -40,6 +40,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut scores: BTreeMap<(&str, &str, &str), Score> = BTreeMap::new();
     for k in 0..number(0, 2) {
         let kind = [Kind::Monotube, Kind::TwinTube][(k % 2) as usize];
+        if args.iter().any(|a| a.strip_prefix("only=").is_some_and(|only| only != kind.name())) {
+            continue;
+        }
         for (place, effect) in NAMES.iter().enumerate() {
             let seed = first + 10 * k + place as u64;
             let Some(drawing) = Drawing::new(kind, seed) else { continue };
