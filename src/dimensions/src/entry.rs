@@ -67,8 +67,8 @@ const fn row(
     EntryRow { entry, key, to_si, bounds, tolerance, meaning }
 }
 
-/// Tolerances are those of production (bore and rod to ISO 286 IT 9) and of filling; lengths end at valves and washers that no drawing
-/// adds up. A tighter one makes contradictions of what a caliper reads differently.
+/// The table of entries, in their order. Tolerances are those of production (bore and rod to ISO 286 IT 9) and of filling. Lengths end at
+/// valves and washers that no drawing adds up. A tighter one makes contradictions of what a caliper reads differently.
 pub const ENTRIES: [EntryRow; 17] = [
     row(Entry::Bore, "bore_mm", 1e-3, (5.0, 300.0), 0.005, "inner diameter of the tube in which the piston runs"),
     row(Entry::Rod, "rod_mm", 1e-3, (1.0, 150.0), 0.005, "diameter of the rod"),

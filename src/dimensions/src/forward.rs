@@ -223,11 +223,11 @@ impl Rule {
 pub fn priors(of: &Dimensions) -> PriorSet {
     let row = |expectation: Expectation| {
         let Expectation { number, expected, from, source, .. } = expectation;
-        let usual = match Rule::of(number)?.shape {
+        let distribution = match Rule::of(number)?.shape {
             Shape::Size => Usual::Size(expected.value, expected.factor()),
             Shape::Place => Usual::Place(expected.value, expected.deviation()),
         };
-        Some(DamperPrior { number, usual, source: format!("{}: {source}", from.join(", ")) })
+        Some(DamperPrior { number, expected: distribution, source: format!("{}: {source}", from.join(", ")) })
     };
     PriorSet::new(expectations(of).into_iter().filter_map(row).collect())
 }

@@ -24,7 +24,7 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
             | Free::Cooling
             | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
-        if let Some(usual) = hypothesis.priors.usual(number, scale) {
+        if let Some(usual) = hypothesis.priors.distribution(number, scale) {
             all.push((number, usual.off(value)));
         }
     }
@@ -32,7 +32,7 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
     all
 }
 
-/// How far off the damper's own priors are the numbers that a form of an effect fixes: a twin tube's column is not alike in both directions.
+/// How far the numbers that a form fixes are off the damper's own priors. A twin tube's column is not alike in both directions.
 /// A number at zero is a form without it, and no value.
 fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<Item = (Number, f64)> + 'h {
     let is_free = |number: Number| {
@@ -42,7 +42,7 @@ fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<It
     let is_on = |number: Number| number.row().element().is_some_and(|element| params.is_on(element));
     let rows = hypothesis.priors.rows().iter();
     rows.filter(move |row| is_on(row.number) && !is_free(row.number) && params.number(row.number) != 0.0)
-        .map(|row| (row.number, row.usual.off(params.number(row.number))))
+        .map(|row| (row.number, row.expected.off(params.number(row.number))))
 }
 
 /// What the numbers of an explanation cost it, in units of the logarithm of the odds.
@@ -61,7 +61,7 @@ mod tests {
     fn what_a_form_fixes_against_the_drawing_costs_something() {
         let mut base = Params::new();
         base.enable(element!("oil_compressibility"), true);
-        let row = |number, usual| DamperPrior { number, usual, source: String::new() };
+        let row = |number, expected| DamperPrior { number, expected, source: String::new() };
         let priors = PriorSet::new(vec![
             row(number!("oil_compression"), Usual::Size(0.05, 1.4)),
             row(number!("oil_shortening"), Usual::Place(8.0, 1.0)),

@@ -13,7 +13,7 @@ pub struct DamperPrior {
     /// Parameter.
     pub number: Number,
     /// What is expected of it, in its own unit.
-    pub usual: Usual,
+    pub expected: Usual,
     /// Where that comes from: what is known of the damper, a colon, and the publication of the formula.
     pub source: String,
 }
@@ -26,7 +26,7 @@ impl DamperPrior {
 
     /// The ends of its 95 % interval, in the parameter's own unit.
     pub fn interval(&self) -> (f64, f64) {
-        match self.usual {
+        match self.expected {
             Usual::Size(median, factor) | Usual::Strength(median, factor) => {
                 let factor = libm::pow(factor, Z);
                 (median / factor, median * factor)
@@ -37,14 +37,14 @@ impl DamperPrior {
 
     /// Its center, in the parameter's own unit.
     pub fn center(&self) -> f64 {
-        let (Usual::Size(center, _) | Usual::Strength(center, _) | Usual::Place(center, _)) = self.usual;
+        let (Usual::Size(center, _) | Usual::Strength(center, _) | Usual::Place(center, _)) = self.expected;
         center
     }
 
     /// Logarithm of how many times narrower it is than what all dampers show.
     fn sharpness(&self, unknown: &Unknown, scale: Scale) -> f64 {
         let spread = |usual: Usual| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
-        let shared = priors::of(self.number, scale).map_or(1.0, |usual| spread(usual) / spread(self.usual));
+        let shared = priors::of(self.number, scale).map_or(1.0, |usual| spread(usual) / spread(self.expected));
         libm::log(shared.max(1.0))
     }
 }
@@ -73,20 +73,20 @@ impl PriorSet {
     }
 
     /// What is expected of a parameter: of this damper, or else of all dampers of its size.
-    pub fn usual(&self, number: Number, scale: Scale) -> Option<Usual> {
-        self.find(number).map(|row| row.usual).or_else(|| priors::of(number, scale))
+    pub fn distribution(&self, number: Number, scale: Scale) -> Option<Usual> {
+        self.find(number).map(|row| row.expected).or_else(|| priors::of(number, scale))
     }
 
     /// Mean and standard deviation of a free number where a search moves it; `None` where nothing is known of this damper.
     pub fn in_search(&self, unknown: &Unknown) -> Option<(f64, f64)> {
         match unknown {
-            Unknown::Log(number) => self.find(*number).map(|row| row.usual.in_search(true)),
-            Unknown::Linear(number) => self.find(*number).map(|row| row.usual.in_search(false)),
+            Unknown::Log(number) => self.find(*number).map(|row| row.expected.in_search(true)),
+            Unknown::Linear(number) => self.find(*number).map(|row| row.expected.in_search(false)),
             Unknown::Above(..) | Unknown::Rise { .. } | Unknown::Entry(..) => None,
         }
     }
 
-    /// What a free number need not cost, in units of the logarithm of the odds, since its prior is narrower than that of all dampers.
+    /// Log odds that a free number need not cost, since its prior is narrower than that of all dampers.
     ///
     /// A number costs the logarithm of how many times wider its prior is than what the records leave of it (the Occam factor: MacKay, Neural
     /// Comput. 4, 1992); `cost` is that under the shared prior. A prior that is narrower than the records costs nothing, and gains nothing.
@@ -104,15 +104,15 @@ mod tests {
     fn set(factor: f64) -> PriorSet {
         let number = number!("oil_stiffness");
         let source = "bore_mm, rod_mm: Merritt 1967".to_owned();
-        PriorSet::new(vec![DamperPrior { number, usual: Usual::Size(9e6, factor), source }])
+        PriorSet::new(vec![DamperPrior { number, expected: Usual::Size(9e6, factor), source }])
     }
 
     #[test]
     fn a_row_replaces_that_of_all_dampers_and_no_other() {
         let own = set(1.3);
         let (oil, gas) = (number!("oil_stiffness"), number!("gas_force"));
-        assert_eq!(own.usual(oil, Scale::CAR), Some(Usual::Size(9e6, 1.3)));
-        assert_eq!(own.usual(gas, Scale::CAR), priors::of(gas, Scale::CAR));
+        assert_eq!(own.distribution(oil, Scale::CAR), Some(Usual::Size(9e6, 1.3)));
+        assert_eq!(own.distribution(gas, Scale::CAR), priors::of(gas, Scale::CAR));
         assert_eq!(own.rows()[0].facts(), "bore_mm, rod_mm");
         let (low, high) = own.rows()[0].interval();
         assert!(low < 9e6 / 1.6 && high > 9e6 * 1.6);

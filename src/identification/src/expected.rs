@@ -53,7 +53,7 @@ mod tests {
     fn a_number_far_from_its_prior_contradicts_it_by_so_much() {
         let number = number!("gas_force");
         let source = "gas_pressure_bar, rod_mm: Dixon 2007, chapter 5".to_owned();
-        let priors = PriorSet::new(vec![DamperPrior { number, usual: Usual::Place(114.0, 8.0), source }]);
+        let priors = PriorSet::new(vec![DamperPrior { number, expected: Usual::Place(114.0, 8.0), source }]);
         let estimate = |value: f64| Estimate {
             name: "gas_force",
             index: None,

@@ -1,5 +1,6 @@
-//! How often the intervals of `dashpot explain` hold the truth, on dampers of the second laboratory: `cargo run --release -p dashpot-proving
-//! --example explain_other -- COUNT FIRST_SEED [dimensions] [eyes]`. With `dimensions` the fit has the priors of bore, rod, chambers and oil;
+//! How often the intervals of `dashpot explain` hold the truth, on dampers of the second laboratory.
+//!
+//! `cargo run --release -p dashpot-proving --example explain_other -- COUNT FIRST_SEED [dimensions] [eyes]`. With `dimensions` the fit has the priors of bore, rod, chambers and oil;
 //! with `eyes` the drawing states the stiffness of the eyes as well. In place of the first seed may stand `split=calibrate` or `split=check`.
 
 use dashpot_core::list;

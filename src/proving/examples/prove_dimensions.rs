@@ -1,5 +1,6 @@
-//! Whether dimensions make the names of oil, air and mount sharper, on dampers of the second laboratory: `cargo run --release -p
-//! dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY] [only=DAMPER]`. Each damper is diagnosed without a drawing, with one of chambers, oil and
+//! Whether dimensions make the names of oil, air and mount sharper, on dampers of the second laboratory.
+//!
+//! `cargo run --release -p dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY] [only=DAMPER]`. Each damper is diagnosed without a drawing, with one of chambers, oil and
 //! gas, and with one that states the eyes as well (the ways none, chambers, eyes; `without` leaves one out). In place of the first seed may stand `split=calibrate` or `split=check`.
 
 use dashpot_diagnosis::Options;

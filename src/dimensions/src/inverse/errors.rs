@@ -1,7 +1,6 @@
-//! How far the form of the model makes each quantity wrong: factors that hold in 95 of 100 dampers, as measured on dampers of the second
-//! laboratory.
+//! How far the form of the model makes each quantity wrong: factors that hold in 95 of 100 dampers.
 //!
-//! They are set by the calibration seeds of `cargo run --release -p dashpot-proving --example explain_other`, and checked on others
+//! They are measured on dampers of the second laboratory. They are set by the calibration seeds of `cargo run --release -p dashpot-proving --example explain_other`, and checked on others
 //! (docs/book/src/dimensions.md). A factor that is too small makes intervals that miss; one that is too large makes intervals that say
 //! nothing.
 

@@ -3,7 +3,7 @@
 use super::errors;
 use super::model::{Identified, Standing};
 use super::report::{Explanation, Gap, Quantity};
-use crate::dimensions::Dimensions;
+use crate::dimensions::{Design, Dimensions};
 use crate::entry::Entry;
 use crate::oil;
 use crate::uncertain::{Interval, Uncertain, through};
@@ -11,8 +11,18 @@ use dashpot_core::number;
 
 /// Pa of a GPa.
 const GPA: f64 = 1e9;
-/// Entries of the chamber that yields in rebound.
-const CHAMBER: [Entry; 3] = [Entry::Bore, Entry::Rod, Entry::ReboundChamber];
+/// Entries of the chamber that yields in rebound, and of those that yield in compression of a twin tube.
+const CHAMBER: &[Entry] = &[Entry::Bore, Entry::Rod, Entry::ReboundChamber];
+const BOTH_CHAMBERS: &[Entry] = &[Entry::Bore, Entry::Rod, Entry::ReboundChamber, Entry::CompressionChamber];
+
+fn by_rebound(stiffness: f64, x: &[f64]) -> f64 {
+    oil::modulus_of_rebound(stiffness, x[0], x[1], x[2])
+}
+
+fn by_compression(stiffness: f64, x: &[f64]) -> f64 {
+    let in_rebound = stiffness / oil::compression_ratio(Design::TwinTube, x[0], x[1], [x[2], x[3]]);
+    oil::modulus_of_rebound(in_rebound, x[0], x[1], x[2])
+}
 
 /// Adds the moduli and the air.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
@@ -24,9 +34,13 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
 /// A stiffness, what it follows from, and how far the form of the model makes it wrong.
 struct Column {
     inputs: Vec<Uncertain>,
-    /// Stiffness of the column, of the first of the inputs.
+    /// Stiffness of the column, of the inputs.
     stiffness: fn(&[f64]) -> f64,
     from: Vec<&'static str>,
+    /// Entries of the chamber that yields.
+    chamber: &'static [Entry],
+    /// Modulus of a stiffness, by the entries of the chamber.
+    modulus: fn(f64, &[f64]) -> f64,
     error: f64,
     note: &'static str,
     /// Whether it is a lower bound alone.
@@ -35,11 +49,30 @@ struct Column {
 
 /// The column's stiffness: by the oil column of the model, by its series spring less the eyes, or as a bound by its series spring.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
+    // A twin tube's column is the softest part of it in compression; in rebound the eyes hide it.
+    if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
+        (drawing.design, model.number(number!("oil_stiffness")), model.number(number!("oil_compression")))
+        && ratio.value != 1.0
+        && drawing.missing(BOTH_CHAMBERS).is_empty()
+    {
+        return Ok(Column {
+            inputs: vec![own, ratio],
+            stiffness: |x| x[0] * x[1],
+            from: vec!["oil_stiffness", "oil_compression"],
+            chamber: BOTH_CHAMBERS,
+            modulus: by_compression,
+            error: errors::MODULUS,
+            note: "by the column in compression",
+            is_bound: false,
+        });
+    }
     if let Standing::Known(own) = model.number(number!("oil_stiffness")) {
         return Ok(Column {
             inputs: vec![own],
             stiffness: |x| x[0],
             from: vec!["oil_stiffness"],
+            chamber: CHAMBER,
+            modulus: by_rebound,
             error: errors::MODULUS,
             note: "",
             is_bound: false,
@@ -54,6 +87,8 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             inputs: vec![series, eyes, Uncertain::within_factor(1.0, errors::EYES)],
             stiffness: |x| in_line_with(x[0], x[1] * x[2]),
             from: vec!["series_stiffness", Entry::EyeStiffness.key()],
+            chamber: CHAMBER,
+            modulus: by_rebound,
             error: errors::SERIES_MODULUS,
             note: "the series spring less the eyes",
             is_bound: false,
@@ -62,6 +97,8 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             inputs: vec![series],
             stiffness: |x| x[0],
             from: vec!["series_stiffness"],
+            chamber: CHAMBER,
+            modulus: by_rebound,
             error: errors::SERIES_MODULUS,
             note: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them",
             is_bound: true,
@@ -77,8 +114,9 @@ fn in_line_with(whole: f64, part: f64) -> f64 {
 
 fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
     const NAME: &str = "oil_modulus_effective";
-    let missing = drawing.missing(&CHAMBER);
-    let found = match stiffness(model, drawing) {
+    let found = stiffness(model, drawing);
+    let missing = drawing.missing(found.as_ref().map_or(CHAMBER, |found| found.chamber));
+    let found = match found {
         Ok(found) if missing.is_empty() => found,
         Ok(_) => {
             let why = "the stiffness of the column is one of a chamber with area and length".to_owned();
@@ -91,15 +129,15 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
             return None;
         }
     };
-    let mut inputs = drawing.all(&CHAMBER)?;
+    let mut inputs = drawing.all(found.chamber)?;
+    let own = inputs.len();
     inputs.push(Uncertain::within_factor(1.0, found.error));
     inputs.extend(&found.inputs);
-    let mut interval =
-        through(&inputs, |x| oil::modulus_of_rebound((found.stiffness)(&x[4..]), x[0], x[1], x[2]) * x[3]);
+    let mut interval = through(&inputs, |x| (found.modulus)((found.stiffness)(&x[own + 1..]), &x[..own]) * x[own]);
     if found.is_bound {
         (interval.value, interval.high) = (None, None);
     }
-    let from = found.from.iter().copied().chain(CHAMBER.map(Entry::key)).collect();
+    let from = found.from.iter().copied().chain(found.chamber.iter().map(|entry| entry.key())).collect();
     let quantity = Quantity::new(NAME, "GPa", interval.scaled(1.0 / GPA), from, found.error);
     to.quantities.push(Quantity { note: found.note.to_owned(), ..quantity });
     match interval {

@@ -66,7 +66,7 @@ fn log_prior_odds_of_faults(count: usize) -> f64 {
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
-/// Effects that a damper has for certain where what they rest on is known of it: an oil column of known dimensions, a gas of known volume.
+/// Effects that a damper has for certain where the number that they rest on is known: an oil column, a gas.
 const CERTAIN: [(&str, Number); 2] =
     [("oil_compressibility", number!("oil_stiffness")), ("gas_spring", number!("gas_stiffness"))];
 
@@ -91,7 +91,7 @@ pub fn are_alternatives(effect: &str, other: &str) -> bool {
     ALTERNATIVES.iter().any(|group| group.contains(&effect) && group.contains(&other))
 }
 
-/// Log prior odds of a set of effects of a damper: each with its name, its form and whether it is an error of the measurement.
+/// Log prior odds of a damper's effects: each with its name, its form and whether it is an error of the measurement.
 pub fn log_prior(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let known: f64 = effects.iter().map(|(effect, form, _)| gain_of_knowledge(effect, form, priors)).sum();
     known + log_prior_of_all(effects)
@@ -143,7 +143,8 @@ mod tests {
         use crate::prior_set::DamperPrior;
         use crate::usual::Usual;
         let effects = [("oil_compressibility", "both chambers", false)];
-        let row = DamperPrior { number: number!("oil_stiffness"), usual: Usual::Size(9e6, 1.3), source: String::new() };
+        let row =
+            DamperPrior { number: number!("oil_stiffness"), expected: Usual::Size(9e6, 1.3), source: String::new() };
         let (unknown, known) = (PriorSet::default(), PriorSet::new(vec![row]));
         assert_eq!(log_prior(&effects, &unknown), RARE);
         assert_eq!(log_prior(&effects, &known), COMMON);
