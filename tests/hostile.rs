@@ -29,7 +29,8 @@ pub fn rounds(usual: usize) -> usize {
 /// # Panics
 /// Where that folder cannot be written.
 pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
-    const TABLES: [&str; 6] = ["campaign.toml", "limits.csv", "peaks.csv", "matrix.csv", "motion.csv", "car.toml"];
+    const TABLES: [&str; 7] =
+        ["campaign.toml", "limits.csv", "peaks.csv", "matrix.csv", "motion.csv", "car.toml", "dimensions.toml"];
     let Some(folder) = std::env::var_os("DASHPOT_SEEDS") else { return };
     let kind = TABLES.iter().position(|table| *table == name);
     let target = match name.rsplit('.').next().unwrap_or_default() {

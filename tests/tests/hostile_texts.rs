@@ -255,3 +255,31 @@ fn files_of_adams() {
         Ok(())
     });
 }
+
+/// One in so many drawings that were read explains a model: that costs more than reading it.
+const EXPLAINED: usize = 50;
+
+#[test]
+fn dimensions() {
+    let seeds = [
+        "design = \"monotube\"\nbore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = [128, 132]\ngas_pressure_bar = 25\ngas_volume_cm3 = 90\n",
+        "design = \"twin_tube\"\nbore_mm = 30\nrod_mm = 16\nreserve_volume_cm3 = 200\nreserve_oil_cm3 = 80\nair_percent = 1\n\
+         oil_modulus_gpa = 1.3\ntube_wall_mm = 1.5\neye_stiffness_n_mm = 2500\ndischarge_coefficient = 0.7\n",
+    ]
+    .map(str::to_owned);
+    let model = model_file::of_text(&whole_model(), Path::new("damper.toml")).unwrap();
+    let count = std::cell::Cell::new(0);
+    every_damage_is_read_or_refused("dimensions.toml", &seeds, &|file, bytes| {
+        std::fs::write(file, bytes).unwrap();
+        let drawing = dashpot_dimensions::read(file).map_err(|e| e.to_string())?;
+        count.set(count.get() + 1);
+        if count.get() % EXPLAINED == 1 {
+            let explanation = dashpot_dimensions::explain(&model, &drawing);
+            assert!(!explanation.lines().is_empty());
+            for expectation in dashpot_dimensions::forward::expectations(&drawing) {
+                assert!(expectation.expected.value.is_finite(), "{expectation:?}");
+            }
+        }
+        Ok(())
+    });
+}

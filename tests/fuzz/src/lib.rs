@@ -4,6 +4,7 @@
 use dashpot_core::{Params, model_file as kernel};
 use dashpot_hosts::adams::patch::{Damper, patch};
 use dashpot_hosts::adams::property;
+use dashpot_dimensions::read as dimensions;
 use dashpot_identification::limits;
 use dashpot_identification::literature::file as literature;
 use dashpot_identification::model_file::{self, prepared};
@@ -52,7 +53,7 @@ pub fn model(bytes: &[u8]) {
 pub fn settings(bytes: &[u8]) {
     let Some((kind, bytes)) = bytes.split_first() else { return };
     let text = std::str::from_utf8(bytes);
-    match kind % 6 {
+    match kind % 7 {
         0 => {
             let folder = FOLDER.path().join("campaign");
             if !folder.is_dir() {
@@ -76,9 +77,14 @@ pub fn settings(bytes: &[u8]) {
         4 => {
             let _ = read_motion(&written("motion.csv", bytes), &Options::default());
         }
-        _ => {
+        5 => {
             if let Ok(text) = text {
                 let _ = Car::read(text);
+            }
+        }
+        _ => {
+            if let Ok(text) = text {
+                let _ = dimensions::parse(text, Path::new("dimensions.toml"));
             }
         }
     }
