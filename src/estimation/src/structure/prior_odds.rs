@@ -73,7 +73,7 @@ const CERTAIN: [(&str, Number); 2] =
 /// What becomes more probable of an effect since the damper is known: the log odds that it gains.
 fn gain_of_knowledge(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     let is_known = |(name, number): &(&str, Number)| *name == effect && priors.find(*number).is_some();
-    let is_certain = form != "changed" && CERTAIN.iter().any(|row| is_known(row));
+    let is_certain = form != "changed" && CERTAIN.iter().any(is_known);
     if is_certain { COMMON - log_prior_odds(effect, form) } else { 0.0 }
 }
 
