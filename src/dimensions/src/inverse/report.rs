@@ -104,6 +104,8 @@ impl Quantity {
         model_error: f64,
     ) -> Quantity {
         let Interval { value, low, high } = found;
+        // Where one end is open, a value in the middle would say more than is known.
+        let value = value.filter(|_| low.is_some() && high.is_some());
         Quantity { name, value, low, high, unit, from, model_error, note: String::new() }
     }
 
