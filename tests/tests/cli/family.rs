@@ -47,7 +47,7 @@ fn a_family_is_fitted_validated_and_simulated() {
         write(&dir.join("rig"), current, &format!("_{current}A"));
     }
     write(&dir.join("between"), 0.9, "");
-    let fit = ["fit", "rig", "--setting", "current", "-o", "family.toml", "--json", "fit.json"];
+    let fit = ["fit", "rig", "--setting", "current", "-o", "family.toml", "--json", "fit.json", "--report", "fit.html"];
     let ran = run(dir, &fit);
     assert_eq!(ran.code, Some(0), "{ran:?}");
     assert!(!ran.err.contains("one model holds one"), "{}", ran.err);
@@ -81,6 +81,20 @@ fn a_family_is_fitted_validated_and_simulated() {
     }
     let report = std::fs::read_to_string(dir.join("rig.html")).unwrap();
     assert!(report.contains("Force at constant velocity, by setting") && report.contains("1.2 A"));
+    // Curves, errors and loops come first, and the rest is folded.
+    for name in ["rig.html", "fit.html"] {
+        let page = std::fs::read_to_string(dir.join(name)).unwrap();
+        let body = page.split("<main>").nth(1).unwrap();
+        let at = |text: &str| body.find(text).unwrap_or_else(|| panic!("{name} has no {text}"));
+        let first =
+            ["by setting", "Force over the setting", "Ratio of hardest", "<table", "id=\"setting-loops\"", "<details"];
+        let places: Vec<usize> = first.iter().map(|text| at(text)).collect();
+        assert!(places.is_sorted(), "{name}: {places:?}");
+        assert!(at("gas_force") < at("<table") && at("id=\"single-tests\"") > at("<details"), "{name}");
+        assert_eq!(body.contains("fit of it alone"), name == "fit.html", "{name}");
+    }
+    let message = refused(dir, &["fit", "rig", "-o", "one.toml", "--report", "one.html"]);
+    assert!(message.contains("--setting"), "{message}");
 
     // Records that say no setting, between those of the model.
     let message = refused(dir, &["validate", "family.toml", "between", "--json", "b.json"]);

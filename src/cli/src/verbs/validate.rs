@@ -13,10 +13,9 @@ use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
-use dashpot_report::ReportInput;
 use dashpot_report::against::{Rival, section};
 use dashpot_report::certificate::{self, CertificateInput};
-use dashpot_report::family;
+use dashpot_report::{FamilyReport, ReportInput};
 use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
 use std::path::PathBuf;
@@ -157,7 +156,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         if is_family {
             // A curve at one setting would stand for none of the others.
             input.curve.clear();
-            input.extra.extend(family::section(&model.definition(), &validation, input.words));
+            input.family = Some(FamilyReport { model: &model, fit: None });
         }
         input.extra.extend(section(&validation, &compared, &rivals, input.words));
         if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
@@ -225,7 +224,7 @@ pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<V
 }
 
 /// Compares a damper over a setting with records, each test at its own setting.
-fn compare_family<'a>(
+pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
     given: Option<f64>,
@@ -235,7 +234,7 @@ fn compare_family<'a>(
 }
 
 /// The errors at each setting as text, with what lies outside the settings of the model.
-fn settings_table(model: &ModelFile, validation: &Validation) -> String {
+pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     let axis = &model.axis;
     let name = if axis.name().is_empty() { "setting" } else { axis.name() };
     let mut out = format!("{name:<34}{:>6}{:>10}{:>9}{:>12}{:>10}", "tests", "mean N", "error %", "FV mean N", "FV %");
