@@ -1,6 +1,7 @@
 //! `dashpot diagnose`: where model and records disagree, and which effect is missing.
 
 use super::data::{DataArgs, name_of, named, print_sign};
+use super::diagnose_settings::{self, First};
 use super::{groups, model};
 use crate::page::PageArgs;
 use crate::progress::Progress;
@@ -28,55 +29,60 @@ use std::path::{Path, PathBuf};
 /// has seen; where two effects explain the records as well, or none does, the answer says so.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json --excel diagnosis.xlsx\n  dashpot diagnose damper.toml fleet/ --group folders --reference good/ --report fleet.html"
+    mut_arg("data", |data| data.required(false).required_unless_present("setting")),
+    after_help = "Examples:\n  dashpot diagnose damper.toml campaign/ -o improved.toml --report diagnosis.html --json diagnosis.json --excel diagnosis.xlsx\n  dashpot diagnose damper.toml fleet/ --group folders --reference good/ --report fleet.html\n  dashpot diagnose family.toml campaign/ --json diagnosis.json\n  dashpot diagnose campaign/ --setting current --report diagnosis.html"
 )]
 pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
-    model: PathBuf,
+    pub model: PathBuf,
     #[command(flatten)]
-    data: DataArgs,
+    pub data: DataArgs,
     /// Model file to write, with the named effects added
     #[arg(short, long, value_name = "MODEL")]
-    output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
     /// Findings as JSON; - for standard output
     #[arg(long, value_name = "F")]
-    json: Option<PathBuf>,
+    pub json: Option<PathBuf>,
     /// Report for people, one HTML file
     #[arg(long, value_name = "F.html")]
-    report: Option<PathBuf>,
+    pub report: Option<PathBuf>,
     /// Every table as a sheet of one Excel workbook, numbers as numbers
     #[arg(long, value_name = "F.xlsx")]
-    excel: Option<PathBuf>,
+    pub excel: Option<PathBuf>,
     /// The tests that would tell more, as a test matrix for the rig
     #[arg(long, value_name = "F.csv")]
-    next_tests: Option<PathBuf>,
+    pub next_tests: Option<PathBuf>,
     /// Folder for every figure of the report as an SVG file
     #[arg(long, value_name = "DIR")]
-    svg: Option<PathBuf>,
+    pub svg: Option<PathBuf>,
     /// Tests that no refit sees, by name; * stands for anything. Chosen over all amplitudes and speeds if not given
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
-    hold_out: Vec<String>,
+    pub hold_out: Vec<String>,
     /// Most effects to add
     #[arg(long, value_name = "N", default_value_t = 3, allow_negative_numbers = true)]
-    max_effects: usize,
+    pub max_effects: usize,
     /// Effects that may be named, separated by commas; all if not given
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
-    candidates: Option<Vec<String>>,
+    pub candidates: Option<Vec<String>>,
     /// Records of the same tests on a damper known to be good: a folder or file; may be given several times. The question is then what
     /// changed, and what the model's form leaves on both dampers alike is taken out of it: the surest way wherever there is one
     #[arg(long, value_name = "GOOD")]
-    reference: Vec<PathBuf>,
+    pub reference: Vec<PathBuf>,
     /// Many dampers or settings at once, each compared with the reference, or with the first where none is given. The word folders: every
     /// folder in DATA is one. Or a pattern of the tests' names with {} where the group stands, such as '*_c{}_*'. Or a list (CSV with a heading,
     /// tests or folders in its first column) and the column that tells the groups apart, such as tests.csv:clicks
     #[arg(long, value_name = "BY", conflicts_with_all = ["output", "svg", "hold_out", "next_tests"])]
-    group: Option<String>,
+    pub group: Option<String>,
+    /// Of a damper over a setting: the setting of tests that say none. Without a model, the name of the setting (current, clicks): the
+    /// damper over it is fitted to DATA first
+    #[arg(long, value_name = "VALUE|NAME", allow_hyphen_values = true)]
+    pub setting: Option<String>,
     /// Chooses which tests are left out
     #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
-    seed: u64,
+    pub seed: u64,
     #[command(flatten)]
-    page: PageArgs,
+    pub page: PageArgs,
 }
 
 /// Which tests are left out: those named, or some of every amplitude and speed.
@@ -200,6 +206,12 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         (args.excel.as_deref(), Kind::Workbook),
     ])?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
+    match (diagnose_settings::first_argument(args)?, &args.setting) {
+        (First::Family(family), _) => return diagnose_settings::of_model(args, *family),
+        (First::Data, Some(name)) => return diagnose_settings::of_data(args, name),
+        (First::Ordinary, Some(_)) => bail!("{} depends on no setting; leave --setting out", args.model.display()),
+        _ => {}
+    }
     let model = model::read(&args.model)?;
     if let Some(by) = &args.group {
         return of_groups(args, &model, by);

@@ -6,6 +6,7 @@ pub mod completions;
 mod data;
 pub mod demo;
 pub mod diagnose;
+mod diagnose_settings;
 mod digits;
 pub mod export;
 mod family;

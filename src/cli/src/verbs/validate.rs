@@ -55,7 +55,7 @@ pub struct Args {
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
     setting: Option<f64>,
     /// Windows that the damper must keep: a table with the columns quantity (force, gas_force, friction, hysteresis),
-    /// velocity_m_s, low, high; passes or fails the damper
+    /// velocity_m_s, low, high, and setting for a damper that depends on one; passes or fails the damper
     #[arg(long, value_name = "F.csv")]
     limits: Option<PathBuf>,
     /// The verdict on --limits as a page by itself
@@ -92,6 +92,9 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             args.model.display()
         );
     }
+    if let (false, Some(windows)) = (is_family, &windows) {
+        limits::check_without_setting(windows)?;
+    }
     let campaign = args.data.load_for(&model)?;
     let compared =
         if is_family { compare_family(&model, &campaign, args.setting)? } else { compare(&model, &campaign)? };
@@ -123,7 +126,12 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     if let Some(windows) = &windows {
         let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
         let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
-        let found = limits::judge(windows, &records, Some(&forces));
+        let found = if is_family {
+            let settings = comparison::settings_of(&model, &campaign, args.setting)?;
+            limits::judge_over_settings(windows, (&records, &settings), &forces)?
+        } else {
+            limits::judge(windows, &records, Some(&forces))
+        };
         dashpot_output::say(json, &crate::limits::table(&found))?;
         validation.limits = Some(found);
     }
