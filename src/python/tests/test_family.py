@@ -21,8 +21,8 @@ def test_a_family_at_a_setting_is_an_ordinary_damper() -> None:
     t = np.linspace(0.0, 1.0, 1001)
     x = 0.02 * np.sin(10.0 * t)
     constant = family.simulate(t, x, setting=0.8).force
-    # The hysteresis of the valve is nothing at a setting that was always there.
-    assert np.allclose(constant, family.at(0.8).simulate(t, x).force, rtol=0.0, atol=1e-6 * np.max(np.abs(constant)))
+    # The hysteresis of the valve is nothing at a setting that was always there. A family takes its steps otherwise: 2 mN at 1 ms.
+    assert np.allclose(constant, family.at(0.8).simulate(t, x).force, rtol=0.0, atol=1e-5 * np.max(np.abs(constant)))
     stepped = family.simulate(t, x, setting=np.where(t < 0.5, 0.8, 1.6)).force
     assert np.array_equal(stepped[:500], constant[:500]) and np.max(np.abs(stepped[520:] - constant[520:])) > 100.0
 
@@ -55,7 +55,7 @@ def test_a_steady_force_is_that_of_the_ordinary_damper_for_scalars_and_arrays() 
 def test_a_family_has_a_table_of_its_settings(tmp_path: Path) -> None:
     family = dashpot.Family.read(FILE)
     table = family.to_pandas()
-    assert list(table["current"]) == list(family.grid) and table["coulomb_force"].notna().all()
+    assert list(table["current"]) == list(family.grid) and table["stribeck_coulomb_force"].is_monotonic_increasing
     family.write(tmp_path / "again.toml")
     assert dashpot.Family.read(tmp_path / "again.toml").text == family.text
     assert "current" in repr(family) and "<table" in family._repr_html_()

@@ -1,7 +1,8 @@
 //! `dashpot diagnose` of a damper over a setting: each setting by itself, and one table over all.
 
 use super::data::{DataArgs, name_of, named, print_sign};
-use super::diagnose::{Args, Diagnosed, Json, examine};
+use super::diagnose_args::Args;
+use super::diagnosed::{Diagnosed, Json, examine};
 use super::model;
 use crate::progress::Progress;
 use anyhow::bail;

@@ -55,7 +55,7 @@ pub struct Args {
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
     setting: Option<f64>,
     /// Windows that the damper must keep: a table with the columns quantity (force, gas_force, friction, hysteresis),
-    /// velocity_m_s, low, high, and setting for a damper that depends on one; passes or fails the damper
+    /// velocity_m_s, low, high; passes or fails the damper. A column setting is for a damper that depends on one
     #[arg(long, value_name = "F.csv")]
     limits: Option<PathBuf>,
     /// The verdict on --limits as a page by itself

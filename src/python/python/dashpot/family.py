@@ -32,7 +32,7 @@ class Family:
     >>> family = dashpot.fit(campaign, setting="current")             # doctest: +SKIP
     >>> family.at(0.8).steady_force([0.1, 0.5])                       # doctest: +SKIP
     >>> family.steady_force(0.5, setting=[0.0, 0.8, 1.6])             # doctest: +SKIP
-    >>> family.simulate(t, displacement=x, setting=current).force     # doctest: +SKIP
+    >>> family.simulate(t, displacement_m=x, setting=current).force     # doctest: +SKIP
     >>> family.validate(campaign).settings                            # doctest: +SKIP
     """
 
@@ -93,14 +93,14 @@ class Family:
     def _repr_html_(self) -> str:
         return table(f"Damper over {self.name or 'a setting'} {self.unit}".rstrip(), self._rows())
 
-    def steady_force(self, velocity: npt.ArrayLike, *, setting: npt.ArrayLike | None = None) -> npt.NDArray[np.float64]:
+    def steady_force(self, velocity_m_s: npt.ArrayLike, *, setting: npt.ArrayLike | None = None) -> npt.NDArray[np.float64]:
         """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas.
 
         :param setting: one number or several; velocities and settings are combined by the rules of numpy. The start setting if not given.
         :raises ValueError: where shapes do not fit or a number is not finite.
         """
         given = np.asarray(self.start if setting is None else setting, dtype=float)
-        velocities, settings = np.broadcast_arrays(np.asarray(velocity, dtype=float), given)
+        velocities, settings = np.broadcast_arrays(np.asarray(velocity_m_s, dtype=float), given)
         return self._native.steady_force(velocities.ravel(), settings.ravel()).reshape(velocities.shape)
 
     @overload
@@ -135,12 +135,12 @@ class Family:
 
     def simulate(
         self,
-        time: npt.ArrayLike,
-        displacement: npt.ArrayLike | None = None,
-        velocity: npt.ArrayLike | None = None,
+        time_s: npt.ArrayLike,
+        displacement_m: npt.ArrayLike | None = None,
+        velocity_m_s: npt.ArrayLike | None = None,
         *,
         setting: npt.ArrayLike | None = None,
-        initial_position: float | None = None,
+        initial_position_m: float | None = None,
     ) -> Response:
         """The force for a motion, as :meth:`Model.simulate`, actuator included.
 
@@ -148,15 +148,15 @@ class Family:
         :raises MotionError: where a number overflows.
         :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """
-        times = column("time", time)
+        times = column("time_s", time_s)
         given = np.asarray(self.start if setting is None else setting, dtype=float)
-        settings = np.full(len(times), float(given)) if given.ndim == 0 else column("setting", setting)
+        settings = np.full(len(times), float(given)) if given.ndim == 0 else column("setting", given)
         channels = (
-            None if displacement is None else column("displacement", displacement),
-            None if velocity is None else column("velocity", velocity),
+            None if displacement_m is None else column("displacement_m", displacement_m),
+            None if velocity_m_s is None else column("velocity_m_s", velocity_m_s),
         )
-        real("initial_position", initial_position)
-        return Response(*self._native.simulate(times, *channels, settings, initial_position))
+        real("initial_position_m", initial_position_m)
+        return Response(*self._native.simulate(times, *channels, settings, initial_position_m))
 
 
 class FittedFamily(Family):

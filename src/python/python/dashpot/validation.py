@@ -220,10 +220,10 @@ class Validation(Papers, Result):
     left_out: Summary | None
     matrix: ErrorMatrix
     region_boundary_m_s: float
-    settings: tuple[SettingSummary, ...] = field(default=(), metadata={"omitted": True})
-    """Errors at each setting of a damper that depends on one."""
     limits: Certificate | None = field(default=None, metadata={"omitted": True})
     """Which limits the damper keeps, where some were given."""
+    settings: tuple[SettingSummary, ...] = field(default=(), metadata={"omitted": True})
+    """Errors at each setting of a damper that depends on one."""
     against: tuple[Against, ...] = field(default=(), metadata={"omitted": True})
     """The model and those of the literature that it was compared with, where some were named."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
