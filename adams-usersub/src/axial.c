@@ -39,7 +39,8 @@ int axial_parameters(int element, int npar, const double *par, int iflag, axial_
     }
     damper->variable = axial_variable(npar, par);
     if ((npar == 4 || npar == 7) && damper->variable == 0) {
-        message_stop(element, "the last USER value is %g; it must be the id of a VARIABLE with the setting", par[npar - 1]);
+        message_stop(element, "%d USER values, the last %g; behind string, length at zero displacement, temperature [, length unit, "
+                              "force unit, time unit] it must be the id of a VARIABLE with the setting", npar, par[npar - 1]);
         return -1;
     }
     /* Units stand between temperature and variable, or not at all. */
