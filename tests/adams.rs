@@ -155,6 +155,11 @@ impl Run {
         self.lines_of("partials_off")[0][0]
     }
 
+    /// The last partial of the force by the variable with the setting.
+    pub fn by_variable(&self) -> f64 {
+        self.lines_of("by_variable")[0][0]
+    }
+
     /// Cases of a GFORCE in space: ends, their speeds, guide's force, force on I, its own moment, error of the partials.
     pub fn in_space(&self) -> Vec<Vec<f64>> {
         self.lines_of("space")

@@ -2,6 +2,8 @@
 #include "messages.h"
 #include "solver.h"
 
+#include <math.h>
+
 static const double ORDINARY_TEMPERATURE = 20.0;
 
 int axial_begin(int kind, int element, int iflag)
@@ -30,17 +32,52 @@ int axial_begin(int kind, int element, int iflag)
 
 int axial_parameters(int element, int npar, const double *par, int iflag, axial_damper *damper)
 {
-    if (npar != 2 && npar != 3 && npar != 6) {
+    if (npar != 2 && npar != 3 && npar != 4 && npar != 6 && npar != 7) {
         message_stop(element, "%d USER values for the damper; it takes string, length at zero displacement [, temperature "
-                              "[, length unit, force unit, time unit]]", npar);
+                              "[, length unit, force unit, time unit] [, id of a VARIABLE with the setting]]", npar);
         return -1;
     }
-    damper->damper = damper_model_of(element, npar, par, 3, iflag == SOLVER_INITIALISE);
+    damper->variable = axial_variable(npar, par);
+    if ((npar == 4 || npar == 7) && damper->variable == 0) {
+        message_stop(element, "%d USER values, the last %g; behind string, length at zero displacement, temperature [, length unit, "
+                              "force unit, time unit] it must be the id of a VARIABLE with the setting", npar, par[npar - 1]);
+        return -1;
+    }
+    /* Units stand between temperature and variable, or not at all. */
+    damper->damper = damper_model_of(element, npar == 7 ? 6 : npar == 4 ? 3 : npar, par, 3, iflag == SOLVER_INITIALISE);
     if (!damper->damper)
         return -1;
     damper->zero_length = units_displacement(&damper->damper->units, par[1]);
     damper->temperature = npar > 2 ? par[2] : ORDINARY_TEMPERATURE;
     return 0;
+}
+
+int axial_variable(int npar, const double *par)
+{
+    double id = npar == 4 || npar == 7 ? par[npar - 1] : 0.0;
+    return id > 0.0 && id < 2e9 && id == floor(id) ? (int)id : 0;
+}
+
+int axial_setting(int element, int variable, double *setting)
+{
+    int failed = 0;
+    *setting = 0.0;
+    if (!solver()->sysfnc) {
+        message_stop(element, "the solver has no function c_sysfnc, which the setting of VARIABLE/%d needs", variable);
+        return -1;
+    }
+    solver()->sysfnc("VARVAL", &variable, 1, setting, &failed);
+    if (failed) {
+        message_stop(element, "the solver gives no value of VARIABLE/%d, which is to be the setting", variable);
+        return -1;
+    }
+    return 0;
+}
+
+void axial_setting_partial(int variable, double by_setting)
+{
+    int failed = 0;
+    solver()->syspar("VARVAL", &variable, 1, &by_setting, 1, &failed);
 }
 
 int axial_progress(const axial_damper *damper, double *accepted)
@@ -71,7 +108,8 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     const char *lacks = solver_lacks(SOLVER_FOR_LINE);
     const unit_scales *u;
     int markers[2], failed = 0, analysis, is_static, wanted, what;
-    double length = 0.0, speed = 0.0, accepted;
+    double length = 0.0, speed = 0.0, setting = 0.0, accepted;
+    int variable = axial_variable(npar, par);
     axial_damper damper;
     force_answer answer;
     request asked;
@@ -84,7 +122,7 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     what = axial_begin(kind, element, iflag);
     if (what == AXIAL_DONE)
         return;
-    /* These two calls are what the solver records as dependencies: the same on every path. */
+    /* These calls are what the solver records as dependencies: the same on every path. */
     markers[0] = i;
     markers[1] = j;
     s->sysfnc("DM", markers, 2, &length, &failed);
@@ -94,6 +132,8 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
         message_stop(element, "the solver gives no distance and speed between markers %d and %d", i, j);
         return;
     }
+    if (variable && axial_setting(element, variable, &setting))
+        return;
     if (axial_parameters(element, npar, par, iflag, &damper) || what == AXIAL_ASK_ONLY)
         return;
     u = &damper.damper->units;
@@ -104,6 +144,8 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
                                        is_static ? 0.0 : units_velocity(u, speed));
     asked.input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
     asked.input.temperature = damper.temperature;
+    if (variable)
+        asked.input = dashpot_input_with_setting(asked.input, setting);
     if (is_static)
         asked.time = accepted;
     wanted = axial_wants_partials();
@@ -115,5 +157,7 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
         double by_speed = is_static ? 0.0 : units_sforce(u, answer.by_velocity) * u->length / u->time;
         s->syspar("DM", markers, 2, &by_length, 1, &failed);
         s->syspar("VR", markers, 2, &by_speed, 1, &failed);
+        if (variable)
+            axial_setting_partial(variable, units_sforce(u, answer.by_setting));
     }
 }

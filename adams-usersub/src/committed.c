@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_DAMPERS = 256, STATE_NUMBERS = sizeof(dashpot_state) / sizeof(double), SAVED_FORMAT = 2 };
+enum { MOST_DAMPERS = 256, STATE_NUMBERS = sizeof(dashpot_state) / sizeof(double), SAVED_FORMAT = 3 };
 
 /* A trial is solved in steps no longer than this, s: a long step of the solver then costs accuracy of the motion
  * between its ends, not of the damper. */
@@ -94,7 +94,14 @@ static int32_t steady(const damper_model *damper, const dashpot_input *input, da
                       dashpot_output *output)
 {
     dashpot_state unused;
-    int32_t status = dashpot_state_init(&damper->model, input->displacement, state);
+    int32_t status;
+    if (input->known & DASHPOT_KNOWS_SETTING) {
+        dashpot_input still = dashpot_input_motion(input->displacement, 0.0);
+        still = dashpot_input_with_setting(still, input->setting);
+        status = dashpot_state_init_motion(&damper->model, &still, state);
+    } else {
+        status = dashpot_state_init(&damper->model, input->displacement, state);
+    }
     if (status < 0)
         return status;
     status = dashpot_step(&damper->model, state, input, 0.0, &unused, output);
@@ -199,6 +206,29 @@ static int32_t linear_partials(const damper_model *damper, const dashpot_input *
     return 0;
 }
 
+/* Step of the difference over the setting, as a part of its size and of 1. */
+static const double SETTING_NUDGE = 1e-6;
+
+static int32_t by_setting(const damper_model *damper, const committed *d, const request *asked, force_answer *answer)
+{
+    const double h = SETTING_NUDGE * (1.0 + fabs(asked->input.setting));
+    double f[2];
+    int k;
+    for (k = 0; k < 2; k++) {
+        request other = *asked;
+        dashpot_state state;
+        dashpot_output output;
+        int32_t status;
+        other.input.setting += k == 0 ? -h : h;
+        status = answer_from(damper, d, &other, &state, &output);
+        if (status < 0)
+            return status;
+        f[k] = output.force;
+    }
+    answer->by_setting = (f[1] - f[0]) / (2 * h);
+    return 0;
+}
+
 /* Partials of the whole answer, by differences of what the answer is computed from. */
 static int32_t partials(const damper_model *damper, const committed *d, const request *asked, force_answer *answer)
 {
@@ -222,7 +252,7 @@ static int32_t partials(const damper_model *damper, const committed *d, const re
     answer->by_displacement = by[0];
     answer->by_velocity = by[1];
     answer->by_side_force = by[2];
-    return 0;
+    return asked->input.known & DASHPOT_KNOWS_SETTING ? by_setting(damper, d, asked, answer) : 0;
 }
 
 int committed_force(int kind, int element, const damper_model *damper, const request *asked, double accepted,
@@ -317,7 +347,7 @@ void committed_save(int kind, int element)
     const char *lacks = solver_lacks(SOLVER_FOR_SAVING);
     const committed *d = damper_of(kind, element);
     int head[5];
-    double numbers[STATE_NUMBERS + 6];
+    double numbers[STATE_NUMBERS + 8];
     if (lacks) {
         message_stop(element, "the solver has no function %s, which saving needs", lacks);
         return;
@@ -336,8 +366,10 @@ void committed_save(int kind, int element)
     numbers[STATE_NUMBERS + 3] = d->trial.input.velocity;
     numbers[STATE_NUMBERS + 4] = d->trial.input.side_force;
     numbers[STATE_NUMBERS + 5] = d->trial.input.temperature;
+    numbers[STATE_NUMBERS + 6] = d->trial.input.known & DASHPOT_KNOWS_SETTING ? 1.0 : 0.0;
+    numbers[STATE_NUMBERS + 7] = d->trial.input.setting;
     s->serialize_integers(head, 5);
-    s->serialize_doubles(numbers, STATE_NUMBERS + 6);
+    s->serialize_doubles(numbers, STATE_NUMBERS + 8);
 }
 
 void committed_reload(int kind, int element)
@@ -346,7 +378,7 @@ void committed_reload(int kind, int element)
     const char *lacks = solver_lacks(SOLVER_FOR_SAVING);
     committed *d = damper_of(kind, element);
     int head[5] = {0, 0, 0, 0, 0};
-    double numbers[STATE_NUMBERS + 6];
+    double numbers[STATE_NUMBERS + 8];
     if (lacks) {
         message_stop(element, "the solver has no function %s, which reloading needs", lacks);
         return;
@@ -358,7 +390,7 @@ void committed_reload(int kind, int element)
         message_stop(element, "the saved state is of another version of this library; run again from the start");
         return;
     }
-    s->unserialize_doubles(numbers, STATE_NUMBERS + 6);
+    s->unserialize_doubles(numbers, STATE_NUMBERS + 8);
     committed_forget(kind, element);
     memcpy(&d->state, numbers, sizeof d->state);
     d->is_set = head[2];
@@ -370,4 +402,6 @@ void committed_reload(int kind, int element)
     d->trial.input.side_force = numbers[STATE_NUMBERS + 4];
     d->trial.input.temperature = numbers[STATE_NUMBERS + 5];
     d->trial.input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
+    if (numbers[STATE_NUMBERS + 6] != 0.0)
+        d->trial.input = dashpot_input_with_setting(d->trial.input, numbers[STATE_NUMBERS + 7]);
 }

@@ -24,6 +24,7 @@ typedef struct {
     double by_displacement;  /* N/m */
     double by_velocity;      /* N s/m */
     double by_side_force;    /* - */
+    double by_setting;       /* N by the unit of the setting; 0 where none was given */
 } force_answer;
 
 /* What the solver analyses. Statics: velocities are zero and time stands still. LINEAR: the force is that of steady motion without dry

@@ -2,7 +2,7 @@
  *
  *     GFORCE/1, I=11, JFLOAT=13, RM=14
  *     , FUNCTION=USER(j marker, joint's i marker, joint's j marker, string, length at zero displacement
- *                     [, temperature [, length unit, force unit, time unit]])\
+ *                     [, temperature [, length unit, force unit, time unit] [, id of a VARIABLE with the setting]])\
  *     , ROUTINE=dashpot_adams::Dashpot_gfosub
  *
  * J is the marker at the damper's other end, on the part of JFLOAT. The joint's markers are those of the joint or bushing
@@ -66,12 +66,23 @@ static void give_partials(const line_force *f, const int *ends, const int *joint
         solver()->syspar("TFORCE", joint, 3, by_guide, 18, &failed);
 }
 
+/* Along the axis: three numbers, as many as the force has components, and no moment. */
+static void give_setting_partial(const line_force *f, int variable, double by_setting)
+{
+    double partial[6];
+    int row, failed = 0;
+    memset(partial, 0, sizeof partial);
+    for (row = 0; row < 3; row++)
+        partial[row] = by_setting * f->axis[row];
+    solver()->syspar("VARVAL", &variable, 1, partial, 6, &failed);
+}
+
 void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int iflag, double *result)
 {
     const char *lacks = solver_lacks(SOLVER_FOR_SPACE);
     const unit_scales *u;
-    int ends[4], joint[3], j, what, analysis, is_static, wanted, k;
-    double from_j[3], accepted;
+    int ends[4], joint[3], j, what, analysis, is_static, wanted, variable, k;
+    double from_j[3], accepted, setting = 0.0;
     line_force f;
     axial_damper damper;
     force_answer answer;
@@ -112,6 +123,9 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
                      joint[0] ? ", or no force of the guiding joint" : "");
         return;
     }
+    variable = axial_variable(gforce->npar - OWN_VALUES, gforce->par + OWN_VALUES);
+    if (variable && axial_setting(gforce->id, variable, &setting))
+        return;
     if (axial_parameters(gforce->id, gforce->npar - OWN_VALUES, gforce->par + OWN_VALUES, iflag, &damper) ||
         what == AXIAL_ASK_ONLY)
         return;
@@ -137,6 +151,8 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
     asked.input.known |= DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE;
     asked.input.side_force = units_force(u, f.side);
     asked.input.temperature = damper.temperature;
+    if (variable)
+        asked.input = dashpot_input_with_setting(asked.input, setting);
     wanted = axial_wants_partials();
     if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, analysis, dflag != 0, wanted, &answer))
         return;
@@ -149,5 +165,7 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
         f.by_speed = is_static ? 0.0 : units_sforce(u, answer.by_velocity) * u->length / u->time;
         f.by_side = units_sforce(u, answer.by_side_force) * u->force;
         give_partials(&f, ends, joint);
+        if (variable)
+            give_setting_partial(&f, variable, units_sforce(u, answer.by_setting));
     }
 }

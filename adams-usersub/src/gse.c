@@ -135,7 +135,14 @@ static int32_t settled(const instant *now, double displacement, double x[MAX_STA
     const unit_scales *u = &now->damper->units;
     dashpot_state state;
     int i;
-    int32_t status = dashpot_state_init(&now->damper->model, displacement, &state);
+    int32_t status;
+    if (now->input.known & DASHPOT_KNOWS_SETTING) {
+        dashpot_input still = dashpot_input_motion(displacement, 0.0);
+        still = dashpot_input_with_setting(still, now->input.setting);
+        status = dashpot_state_init_motion(&now->damper->model, &still, &state);
+    } else {
+        status = dashpot_state_init(&now->damper->model, displacement, &state);
+    }
     memset(x, 0, MAX_STATES * sizeof(double));
     if (status < 0)
         return status;

@@ -1,7 +1,8 @@
 /* The damper as an SFORCE, in one line:
  *
  *     SFORCE/1, TRANSLATIONAL, I=11, J=12
- *     , FUNCTION=USER(string, length at zero displacement [, temperature [, length unit, force unit, time unit]])\
+ *     , FUNCTION=USER(string, length at zero displacement [, temperature [, length unit, force unit, time unit]
+ *                     [, id of a VARIABLE with the setting]])\
  *     , ROUTINE=dashpot_adams::Dashpot_sfosub
  */
 #include "axial.h"

@@ -34,6 +34,9 @@ static double RM_AXES[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0.0}, {0.48, 0.64
 static char routine[16], string_text[4096];
 static int with_mass, with_partials, has_string = 1, ns = 2, ni = 2, no = 7, npar_change, only_iflag = -1, threads, save_at_half,
     bad_first_step, linear_mode, has_units = 1, units_given, release = 2023, late, space, request_page, simulations = MOST_COMMANDS;
+/* A VARIABLE with the setting of the damper; 0: there is none. It goes from `setting` to `later` at the half of the run. */
+enum { VARIABLE_NONE = 0 };
+static double variable = VARIABLE_NONE, setting_first, setting_later = -1;
 static double request_element = 1, request_kind, temperature = 20, joint_marker = GUIDE_I, end_marker = 12, amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, told_length = -1;
 /* SI in one unit of the model. */
 static double length_unit = 1e-3, force_unit = 1, time_unit = 1;
@@ -44,17 +47,24 @@ static dataset model;
 static double clock_accepted;
 static int mode = 4, recording, partials_wanted;
 static __thread int is_threaded;
-static __thread double gse_x_now[MOST], gse_u_now[4];
+static __thread double gse_x_now[MOST], gse_u_now[5];
 static double body, body_speed, actuator, actuator_speed;
 static long calls, differencing, iterations, rejected, dependencies, threadsafe;
 static char dependency_log[2][512];
-static double partial_dm, partial_vr, partial_space[3][18], par_x[MOST * MOST], par_u[MOST * 4], partials_off;
-static int got_par_x, got_par_u, got_syspar;
+static double partial_dm, partial_vr, partial_variable, partial_space[3][18], par_x[MOST * MOST], par_u[MOST * 5], partials_off;
+static int got_par_x, got_par_u, got_syspar, got_variable;
 static double saved[256];
 static int saved_count, saved_read;
 
 /* ---- the utility functions ---- */
 #define UTILITY __attribute__((visibility("default")))
+
+static int is(const char *name) { return strcmp(routine, name) == 0; }
+
+/* The time that a call asks about, s. */
+static double instant;
+
+static double setting_now(void) { return setting_later >= 0 && instant > 0.5 * end_time ? setting_later : setting_first; }
 
 static double damper_length(void) { return LENGTH + body - actuator; }
 
@@ -135,6 +145,11 @@ UTILITY void c_sysfnc(const char *name, const int *ids, int n, double *value, in
 {
     depends(name, ids, n);
     *value = 0;
+    if (strcmp(name, "VARVAL") == 0) {
+        *failed = n != 1 || ids[0] != (int)variable;
+        *value = recording ? 0 : setting_now();
+        return;
+    }
     *failed = !(n >= 2 && ids[0] == I_MARKER && ids[1] == J_MARKER);
     if (*failed || recording)
         return;
@@ -170,6 +185,17 @@ UTILITY void c_syspar(const char *name, const int *ids, int n, const double *par
 {
     static const struct { const char *name; int ids, size; } known[] = {{"DM", 2, 1}, {"VR", 2, 1}, {"TDISP", 3, 18}, {"TVEL", 4, 18}, {"TFORCE", 3, 18}};
     int i = 0;
+    if (strcmp(name, "VARVAL") == 0) {
+        /* As many values as the element has components. */
+        *failed = n != 1 || ids[0] != (int)variable || np != (is("gfo") ? 6 : 1);
+        if (*failed) {
+            fprintf(stderr, "partials of %s: %d ids, %d values\n", name, n, np);
+            exit(1);
+        }
+        partial_variable = np == 1 ? partial[0] : in_rm(AXIS, 0) * partial[0] + in_rm(AXIS, 1) * partial[1] + in_rm(AXIS, 2) * partial[2];
+        got_variable = 1;
+        return;
+    }
     while (i < 5 && strcmp(known[i].name, name) != 0)
         i++;
     *failed = i == 5 || n != known[i].ids || np != known[i].size || ids[0] != (i == 4 ? GUIDE_I : I_MARKER);
@@ -250,7 +276,6 @@ static void (*sfosub)(const adams_sforce *, double, int, int, double *);
 static void (*gfosub)(const adams_gforce *, double, int, int, double *);
 static void (*reqsub)(const adams_request *, double, int, double *);
 
-static int is(const char *name) { return strcmp(routine, name) == 0; }
 
 static void *entry(void *library, const char *name)
 {
@@ -268,6 +293,7 @@ static void inputs(void)
     gse_u_now[1] = of_speed(body_speed - actuator_speed);
     gse_u_now[2] = of_force(side_force);
     gse_u_now[3] = temperature;
+    gse_u_now[4] = setting_now();
 }
 
 /* The structure of a GSE, written down number by number as 2017.2 and 2023.1 lay it out. */
@@ -310,13 +336,15 @@ static int line_values(double *par, int first)
     }
     par[n++] = first_par;
     par[n++] = of_length(LENGTH);
-    if (temperature != 20 || units_given)
+    if (temperature != 20 || units_given || variable != VARIABLE_NONE)
         par[n++] = temperature;
     if (units_given) {
         par[n++] = length_unit;
         par[n++] = force_unit;
         par[n++] = time_unit;
     }
+    if (variable != VARIABLE_NONE)
+        par[n++] = variable;
     return n + npar_change;
 }
 
@@ -386,6 +414,7 @@ static void place(double t, const double *y)
 {
     const double w = 2 * M_PI * frequency;
     int i;
+    instant = t;
     if (model.is_read) {
         dataset_place(&model, t, mode != 4, y);
         body = dataset_distance(&model) - LENGTH;
@@ -431,12 +460,16 @@ static void handed_jacobian(double t, const double *y, double J[MOST][MOST])
 {
     /* What of a partial in the model's units is one in mm, s, N. */
     const double by_mm = 1e-3 / length_unit, by_mm_s = by_mm * time_unit;
-    double ox[MOST * MOST], ou[MOST * 4], by_length, by_speed;
+    double ox[MOST * MOST], ou[MOST * 5], by_length, by_speed;
     int i, j, m = mechanical();
     place(t, y);
     partials_wanted = 1;
-    got_par_x = got_par_u = got_syspar = 0;
+    got_par_x = got_par_u = got_syspar = got_variable = 0;
     force(t, 0, 0);
+    if (variable != VARIABLE_NONE && !got_variable && !is("gse")) {
+        fprintf(stderr, "no partial by the variable\n");
+        exit(1);
+    }
     by_length = partial_dm;
     by_speed = partial_vr;
     if (is("gse")) {
@@ -918,7 +951,7 @@ static void set(const char *setting)
         {"frequency", 0, &frequency}, {"end", 0, &end_time}, {"hmax", 0, &hmax}, {"tolerance", 0, &tolerance},
         {"side", 0, &side_force}, {"par", 0, &first_par}, {"request", 0, &request_element}, {"told", 0, &told_length},
         {"given", &units_given, 0}, {"linear", &linear_mode, 0}, {"simulations", &simulations, 0}, {"release", &release, 0}, {"late", &late, 0}, {"space", &space, 0}, {"page", &request_page, 0},
-        {"kind", 0, &request_kind}, {"temperature", 0, &temperature}, {"joint", 0, &joint_marker}, {"other", 0, &end_marker},
+        {"kind", 0, &request_kind}, {"variable", 0, &variable}, {"setting", 0, &setting_first}, {"later", 0, &setting_later}, {"temperature", 0, &temperature}, {"joint", 0, &joint_marker}, {"other", 0, &end_marker},
         {"length_unit", 0, &length_unit}, {"force_unit", 0, &force_unit}, {"time_unit", 0, &time_unit}};
     size_t i, length = strcspn(setting, "=");
     if (strncmp(setting, "model=", 6) == 0) {
@@ -1048,6 +1081,7 @@ int main(int argc, char **argv)
     dynamics(&s, end_time);
     if (!is("gse"))
         request();
+    printf("by_variable %.17g\n", partial_variable);
     printf("partials_off %.17g\n", partials_off);
     printf("calls %ld differencing %ld iterations %ld rejected %ld threadsafe %ld\n", calls, differencing, iterations, rejected,
            threadsafe);

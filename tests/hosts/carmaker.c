@@ -1,4 +1,4 @@
-/* Calls the CarMaker shim as the simulator does. Argument: model file. */
+/* Calls the CarMaker shim as the simulator does. Arguments: model file, model file of a damper over a setting. */
 #include "carmaker_declarations.h"
 #include "check.h"
 #include "corner.h"
@@ -10,7 +10,7 @@
 int dashpot_carmaker_register(void);
 
 static tModelClassDescr one, four;
-static const char *file;
+static const char *file, *family;
 static int errors;
 
 int Model_Register(int kind, const char *name, tModelClassDescr *description)
@@ -23,12 +23,16 @@ int Model_Register(int kind, const char *name, tModelClassDescr *description)
 const char *iGetStrOpt(struct tInfos *inf, const char *key, const char *otherwise)
 {
     (void)inf;
-    return strstr(key, "Missing") ? otherwise : file;
+    return strstr(key, "Missing") ? otherwise : strstr(key, "Family") ? family : file;
 }
 
 double iGetDblOpt(struct tInfos *inf, const char *key, double otherwise)
 {
     (void)inf;
+    if (strstr(key, "DashpotCtrlIn"))
+        return strstr(key, "FamilyCtrl") || strstr(key, "FamilyBoth") ? 0.5 : otherwise;
+    if (strstr(key, "DashpotSetting"))
+        return strstr(key, "FamilyConst") || strstr(key, "FamilyBoth") ? 1.2 : otherwise;
     return strstr(key, "Length") ? 0.45 : strstr(key, "Far.position_offset") ? 12.0 : strstr(key, "Off.position_offset") ? -0.01 : otherwise;
 }
 
@@ -75,6 +79,61 @@ void LogErrF(int where, const char *format, ...)
 #define DELETE(class, model) class.Delete(model, "id")
 #endif
 
+/* A damper over a setting: from CtrlIn by its factor, constant, or that of its file; a key for either, not for both. */
+static void over_a_setting(void)
+{
+    struct tSusp_DamperCfgIF config = {0};
+    struct tSusp_DamperSystemCfgIF system_config = {0, 4};
+    static const char *const kinds[3] = {"FamilyCtrl", "FamilyConst", "FamilyStart"};
+    static dashpot_corner kernel;
+    dashpot_fault fault;
+    int which, k, before = errors;
+
+    for (which = 0; which < 3; which++) {
+        tSusp_DamperIF io = {0};
+        void *model = NEW(one.Susp_Damper, &config, kinds[which]);
+
+        CHECK(model && dashpot_corner_load(&kernel, family, &fault) == 0);
+        for (k = 0; k <= 500; k++) {
+            double t = k * 1e-3, w = 12.566370614359172, setting;
+            dashpot_input input;
+
+            io.length = 0.45 + 0.02 * sin(w * t);
+            io.vel = k ? 0.02 * w * cos(w * t) : 0.0;
+            io.CtrlIn = k < 250 ? 0.4 : 2.8;
+            setting = which == 0 ? 0.5 * io.CtrlIn : 1.2;
+            CALC(one.Susp_Damper, model, &io, k ? 1e-3 : 0.0);
+            input = dashpot_input_motion(io.length - 0.45, io.vel);
+            if (which < 2)
+                input = dashpot_input_with_setting(input, setting);
+            if (k == 0)
+                dashpot_corner_rest_at(&kernel, 0.0, which < 2 ? &setting : NULL);
+            dashpot_corner_step(&kernel, &input, k ? 1e-3 : 0.0);
+            CHECK(io.Force == -kernel.now.output.force);
+        }
+        DELETE(one.Susp_Damper, model);
+    }
+    CHECK(!NEW(one.Susp_Damper, &config, "FamilyBoth") && errors == before + 1);
+    {
+        /* Four corners, each at its own. */
+        tSusp_DamperSystemIF all = {{0.45, 0.45, 0.45, 0.45}, {0}, {0.0, 0.8, 1.6, 3.2}, {0}};
+        void *car = NEW(four.Susp_DamperSystem, &system_config, "FamilyCtrl");
+        int i;
+
+        CALC(four.Susp_DamperSystem, car, &all, 0.0);
+        for (i = 0; i < 4; i++)
+            all.vel[i] = 0.4;
+        for (k = 0; k < 50; k++) {
+            for (i = 0; i < 4; i++)
+                all.length[i] += 0.4e-3;
+            CALC(four.Susp_DamperSystem, car, &all, 1e-3);
+        }
+        for (i = 1; i < 4; i++)
+            CHECK(all.Force[i] < all.Force[i - 1] - 50.0);
+        DELETE(four.Susp_DamperSystem, car);
+    }
+}
+
 int main(int argc, char **argv)
 {
     struct tSusp_DamperCfgIF config = {0};
@@ -87,9 +146,10 @@ int main(int argc, char **argv)
     double energy = 0.0, rest;
     int k, i;
 
-    if (argc != 2)
+    if (argc != 3)
         return 2;
     file = argv[1];
+    family = argv[2];
     CHECK(dashpot_carmaker_register() == 0);
     CHECK(!NEW(one.Susp_Damper, &config, "Missing") && errors == 1);
     model = NEW(one.Susp_Damper, &config, "SuspF.Damp");
@@ -147,5 +207,6 @@ int main(int argc, char **argv)
     CHECK(dashpot_corner_rest(&kernel, -0.01) == 0 && io.Force == -kernel.now.output.force && io.Force != rest);
     DELETE(one.Susp_Damper, model);
     DELETE(four.Susp_DamperSystem, car);
+    over_a_setting();
     return failures != 0;
 }

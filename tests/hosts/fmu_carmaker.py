@@ -1,7 +1,8 @@
 """CarMaker's part, as its template files have it: an FMU taken as a damper by the links of the .pluginfo file beside it.
 
 Arguments: FMU, shared library, model file, length of the damper at the rig's zero. The interface variables are length and vel (extension
-positive) in, Force (positive where the damper pushes) out. The force has to be that of the library, and damp."""
+positive) in, Force (positive where the damper pushes) out; for a damper over a setting CtrlIn too, in the unit of the model file. The force has
+to be that of the library, and damp."""
 import math
 import sys
 from pathlib import Path
@@ -27,9 +28,11 @@ inputs = {value: key.split(".")[1] for key, value in info.items() if key.startsw
 outputs = {key.split(".")[1]: value for key, value in info.items() if key.startswith("IFVar.") and key.endswith(".Rel")}
 assert all(info[f"FMUIn.{name}.Link"] == "IFVar" and variables[name].causality == "input" for name in inputs.values())
 assert all(info[f"IFVar.{name}.Link"] == "FMUVar" and variables[to].causality == "output" for name, to in outputs.items())
-assert set(inputs) == {"length", "vel"} and set(outputs) == {"Force"}
+controlled = "setting" in variables
+assert set(inputs) == {"length", "vel", *(["CtrlIn"] if controlled else [])} and set(outputs) == {"Force"}
 
 place = [variables[inputs[name]].valueReference for name in ("length", "vel")]
+control = [variables[inputs["CtrlIn"]].valueReference] if controlled else []
 force = [variables[outputs["Force"]].valueReference]
 STEP, AMPLITUDE, OMEGA = 1e-3, 0.03, 2 * math.pi * 2
 
@@ -51,8 +54,12 @@ for told in (True, False):
     for k in range(1500):
         x, v = motion((k + 1) * STEP)
         put(place, [zero + x, v])
+        # A controller switches in the run.
+        setting = None if not controlled else 0.6 if k < 500 else 1.4
+        if setting is not None:
+            put(control, [setting])
         damper.doStep(k * STEP, STEP)
-        push, pull = get(force)[0], own.step(x, v, STEP)
+        push, pull = get(force)[0], own.step(x, v, STEP, setting)
         worst, top, power = max(worst, abs(push + pull)), max(top, abs(pull)), power + push * v
     damper.terminate()
     damper.freeInstance()

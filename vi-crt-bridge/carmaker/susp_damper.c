@@ -14,6 +14,10 @@
  * DashpotLength (length of the damper at its design position, m; without it, the length of the first call), position_offset
  * (extension of the damper there, from the rig's zero, m; 0 without it). Both with .FL and so on for the system.
  *
+ * A damper that depends on a setting (current, clicks) takes it from CarMaker's own input for controlled dampers, CtrlIn, where
+ * DashpotCtrlIn says how much of the setting, in the unit of the model file, one of CtrlIn is: 1 where a controller of yours
+ * writes amperes there. Without that key it stands at DashpotSetting, or at the start setting of the model file.
+ *
  * CarMaker counts length and velocity positive in extension and force positive where the damper pushes. A call with
  * dt = 0 (preparation, model check) is answered statically and leaves the states. */
 #include DASHPOT_CARMAKER_HEADER
@@ -37,6 +41,8 @@ struct damper {
     dashpot_corner corner;
     double design_length; /* NaN until it is known */
     double position_offset;
+    double per_control; /* setting by CtrlIn; NaN: CtrlIn is none */
+    double setting;     /* NaN: that of the model file */
     int running; /* a call has settled it */
 };
 
@@ -63,20 +69,31 @@ static int load(struct damper *damper, struct tInfos *inf, const char *kind, con
         LogErrF(EC_Init, "dashpot: %s is in m and lies between -1 and 1", key);
         return -1;
     }
+    snprintf(key, sizeof key, "%s.DashpotCtrlIn%s", kind, corner);
+    damper->per_control = iGetDblOpt(inf, key, NAN);
+    snprintf(key, sizeof key, "%s.DashpotSetting%s", kind, corner);
+    damper->setting = iGetDblOpt(inf, key, NAN);
+    if (!isnan(damper->per_control) && !isnan(damper->setting)) {
+        LogErrF(EC_Init, "dashpot: %s is a constant setting, and DashpotCtrlIn takes it from CtrlIn; give one of the two", key);
+        return -1;
+    }
     damper->running = 0;
     return 0;
 }
 
-static double force(struct damper *damper, double length, double velocity, double dt)
+static double force(struct damper *damper, double length, double velocity, double control, double dt)
 {
+    double setting = isnan(damper->per_control) ? damper->setting : damper->per_control * control;
     dashpot_input input;
 
     if (isnan(damper->design_length))
         damper->design_length = length;
     input = dashpot_input_motion(length - damper->design_length + damper->position_offset, velocity);
+    if (!isnan(setting))
+        input = dashpot_input_with_setting(input, setting);
     if (!damper->running || dt == 0.0) {
         /* Settled at every static call, so that the run starts from the equilibrium that was found. */
-        dashpot_corner_rest(&damper->corner, input.displacement);
+        dashpot_corner_rest_at(&damper->corner, input.displacement, isnan(setting) ? NULL : &setting);
         damper->running = 1;
     }
     dashpot_corner_step(&damper->corner, &input, dt);
@@ -119,7 +136,7 @@ static int one_calc(void *model, void *first, void *second, double dt)
 
     (void)second;
 #endif
-    io->Force = force(model, io->length, io->vel, dt);
+    io->Force = force(model, io->length, io->vel, io->CtrlIn, dt);
     return 0;
 }
 
@@ -167,7 +184,7 @@ static int four_calc(void *model, void *first, void *second, double dt)
     (void)second;
 #endif
     for (i = 0; i < 4; i++)
-        io->Force[i] = force(&damper[i], io->length[i], io->vel[i], dt);
+        io->Force[i] = force(&damper[i], io->length[i], io->vel[i], io->CtrlIn[i], dt);
     return 0;
 }
 

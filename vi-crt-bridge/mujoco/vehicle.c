@@ -5,9 +5,13 @@
  *   cc -O2 -I include -I vi-crt-bridge/bridge -I $M/include vi-crt-bridge/mujoco/vehicle.c \
  *      BRIDGE_SOURCES target/lib/libdashpot.a $M/libmujoco.so.* -Wl,-rpath,$M -lm -o vehicle
  *   ./vehicle damper.toml curve.toml         # the identified model, and an FV curve to compare with
+ *   ./vehicle damper.toml curve.toml semi_active.toml   # and a damper over a setting: soft, hard, and under a skyhook controller
  *
  * MuJoCo takes forces of the callback explicitly under every integrator. The callback may be called more than once at one
  * time (mj_forward, a Jacobian): the dampers go on only when the time does.
+ *
+ * The setting of each damper (current, clicks, in the unit of its model file) is what a controller writes into `userdata` of
+ * MuJoCo's data, a number for each corner; a model without userdata leaves its dampers at their start setting.
  *
  * Heights are from the static position, without gravity, so that the springs need no preload. */
 #include "dashpot_bridge.h"
@@ -37,7 +41,7 @@ static const char QUARTER[] =
     "<inertial pos='0 0 0' mass='40' diaginertia='1 1 1'/></body>"
 
 static const char VEHICLE[] =
-    "<mujoco><option timestep='0.001' gravity='0 0 0'><flag contact='disable'/></option><worldbody>"
+    "<mujoco><size nuserdata='4'/><option timestep='0.001' gravity='0 0 0'><flag contact='disable'/></option><worldbody>"
     "<body name='chassis'><joint name='heave' type='slide' axis='0 0 1'/><joint name='roll' type='hinge' axis='1 0 0'/>"
     "<joint name='pitch' type='hinge' axis='0 1 0'/><inertial pos='0 0 0' mass='1400' diaginertia='500 2200 2500'/>"
     CORNER("L1", "1.2", "0.78") CORNER("R1", "1.2", "-0.78") CORNER("L2", "-1.5", "0.78") CORNER("R2", "-1.5", "-0.78")
@@ -49,6 +53,7 @@ static struct {
     int corners, joint[4], body[4];
     dashpot_corner_output out[4];
     double rest[4], time;
+    int has_setting;
 } car;
 
 /* Both axles over a bump on the left, 40 mm high, passed in 60 ms. */
@@ -71,6 +76,10 @@ static void dampers(const mjModel *m, mjData *d)
         in[i].jounce = d->qpos[m->jnt_qposadr[car.joint[i]]];
         in[i].jounce_rate = d->qvel[m->jnt_dofadr[car.joint[i]]];
         in[i].known = DASHPOT_CORNER_KNOWS_JOUNCE;
+        if (car.has_setting) {
+            in[i].setting = d->userdata[i];
+            in[i].known |= DASHPOT_CORNER_KNOWS_SETTING;
+        }
     }
     if (d->time > car.time) {
         dashpot_bridge_step(car.bridge, d->time - car.time, in, car.out);
@@ -179,6 +188,45 @@ static double quarter(const char *file)
     return worst / peak;
 }
 
+/* A vehicle over the bump at constant settings and under an on-off skyhook controller in the host's loop. Returns the heave acceleration, m/s^2 rms. */
+static double semi_active(const char *file, const char *name, double soft, double hard)
+{
+    mjModel *m;
+    mjData *d;
+    dashpot_corner_input in[4];
+    double acceleration = 0.0;
+    int k, i;
+
+    begin(4, file);
+    memset(in, 0, sizeof in);
+    car.has_setting = 1;
+    m = load(VEHICLE);
+    d = mj_makeData(m);
+    for (i = 0; i < 4; i++) {
+        in[i].setting = d->userdata[i] = soft;
+        in[i].known = DASHPOT_CORNER_KNOWS_SETTING;
+    }
+    dashpot_bridge_init(car.bridge, in, car.out);
+    for (i = 0; i < 4; i++)
+        car.rest[i] = car.out[i].force;
+    for (k = 0; k < 3000; k++) {
+        for (i = 0; i < 4; i++) {
+            /* Where the damper works against the body's motion it is hard: the joint counts compression, so extension is its opposite. */
+            double rate = -d->qvel[m->jnt_dofadr[car.joint[i]]];
+
+            d->userdata[i] = d->qvel[0] * rate > 0.0 ? hard : soft;
+        }
+        mj_step(m, d);
+        acceleration += d->qacc[0] * d->qacc[0];
+    }
+    acceleration = sqrt(acceleration / 3000.0);
+    printf("semi-active, %s: heave acceleration %.4f m/s^2 rms\n", name, acceleration);
+    mj_deleteData(d);
+    mj_deleteModel(m);
+    dashpot_bridge_destroy(car.bridge);
+    return acceleration;
+}
+
 static void vehicle(const char *file, const char *name)
 {
     mjModel *m;
@@ -212,8 +260,8 @@ static void vehicle(const char *file, const char *name)
 
 int main(int argc, char **argv)
 {
-    if (argc != 3) {
-        fprintf(stderr, "usage: %s MODEL CURVE\n", argv[0]);
+    if (argc != 3 && argc != 4) {
+        fprintf(stderr, "usage: %s MODEL CURVE [MODEL_OVER_A_SETTING]\n", argv[0]);
         return 2;
     }
     mjcb_passive = dampers;
@@ -221,5 +269,13 @@ int main(int argc, char **argv)
         return 1;
     vehicle(argv[1], "model");
     vehicle(argv[2], "FV curve");
+    if (argc == 4) {
+        double hard = semi_active(argv[3], "hard", 1.6, 1.6), sky;
+
+        semi_active(argv[3], "soft", 0.0, 0.0);
+        sky = semi_active(argv[3], "skyhook", 0.0, 1.6);
+        if (!(sky < hard))
+            return 1;
+    }
     return 0;
 }

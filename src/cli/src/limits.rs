@@ -45,7 +45,7 @@ pub fn table(found: &Certificate) -> String {
 }
 
 fn row(one: &Checked) -> String {
-    let Limit { name, velocity_m_s, low_n, high_n, .. } = &one.limit;
+    let Limit { name, velocity_m_s, low_n, high_n, setting, .. } = &one.limit;
     let known =
         |value: Option<f64>, decimals: usize| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.decimals$}"));
     let verdict = match one.verdict {
@@ -57,7 +57,7 @@ fn row(one: &Checked) -> String {
     };
     format!(
         "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}\n",
-        name.chars().take(27).collect::<String>(),
+        setting.map_or_else(|| name.clone(), |value| format!("{name} at {value}")).chars().take(27).collect::<String>(),
         known(*velocity_m_s, 4),
         known(*low_n, 1),
         known(*high_n, 1),

@@ -13,6 +13,7 @@
 //! | [`regions`] | where model and records disagree |
 //! | [`reference`], [`changes`] | the form error that two dampers share, and what changed between them |
 //! | [`groups`] | many dampers, each against the same reference |
+//! | [`settings`] | one damper at several settings: what all of them show, and what only some do |
 //! | [`opposite`], [`warmer`] | how the two campaigns differ beside the damper |
 //! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
 //! | [`mod@refitted`] | for those who calibrate and evaluate |
@@ -39,6 +40,7 @@ mod prepared;
 mod reference;
 mod refitted;
 mod regions;
+pub mod settings;
 mod texts;
 mod tree;
 mod untestable;

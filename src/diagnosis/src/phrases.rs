@@ -28,6 +28,9 @@ dashpot_records::phrases! {
     HAS_EFFECT: "this damper shows {names}; the residual falls from {before} to {after} times noise and curve error{also}";
     NEW_EFFECT: "new on this damper: {names}; the residual falls from {before} to {after} times noise and curve error{also}";
     ALSO_CHANGED: "; also changed: {changes}";
+    AT_ALL_SETTINGS: "at every setting this damper shows {effect} ({sure} sure)";
+    AT_SOME_SETTINGS: "{effect} ({sure} sure) is missing in the model at {names}; at the other settings it is not named";
+    AT_NO_SETTING: "no effect is missing in the model that these records can name, at any setting";
     NEEDLESS: "nothing is missing; these records do not need {effects}";
     NOT_EXPLAINED: "{percent} of the disagreement is not explained by what was named: another form of it, or something else";
     TEST_AND_TIMES: "{test} ({times} times)";

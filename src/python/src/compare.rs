@@ -6,7 +6,7 @@ use crate::limits;
 use crate::model::Model;
 use crate::work;
 use dashpot_identification::AS_THE_FIT_SAW;
-use dashpot_identification::limits::{Limit, judge};
+use dashpot_identification::limits::{Limit, check_without_setting, judge};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{Compared, Validation};
 use dashpot_records::Record;
@@ -82,6 +82,7 @@ pub fn validate<'py>(
 ) -> PyResult<Validated<'py>> {
     rivals::named(&against).map_err(raise::<ValidationError>)?;
     let windows = limits.map(limits::of_rows).transpose()?;
+    check_without_setting(windows.as_deref().unwrap_or_default()).map_err(raise::<ValidationError>)?;
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
         let mut read = campaign.read.clone();

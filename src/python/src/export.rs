@@ -107,7 +107,7 @@ impl Wanted {
             env!("CARGO_PKG_VERSION"),
             self.model_file
         );
-        let plug_info = fmu::plug_info(stem, &made.guid, curve.as_ref(), &written)?;
+        let plug_info = fmu::plug_info((stem, &made.guid), false, curve.as_ref(), &written)?;
         Ok(Files { made, plug_info: Some(plug_info) })
     }
 }

@@ -1,15 +1,29 @@
 //! Model files of dampers that depend on a setting, as Python sees them.
 
-use crate::errors::{ModelError, MotionError, raise};
+use crate::campaign::Campaign;
+use crate::compare::figures;
+use crate::errors::{FitError, ModelError, MotionError, ValidationError, raise, say};
+use crate::limits;
 use crate::model::Model;
+use crate::work;
 use dashpot_core::family;
+use dashpot_identification::family::{FamilyEstimate, SettingDependence, SettingReport, fit_family as fit};
+use dashpot_identification::limits::judge_over_settings;
 use dashpot_identification::model_file::{self, ModelFile};
-use dashpot_records::MotionRecord;
+use dashpot_identification::{FitOptions, InventoryItem, Measured};
+use dashpot_records::hold_out::kept;
+use dashpot_records::{MotionRecord, Record, Sentence, SignFinding, Unusable};
+use dashpot_simulation::comparison::{compare_family, settings_of};
 use dashpot_simulation::imposed_motion::ImposedMotion;
+use dashpot_simulation::prediction::at_velocities;
 use numpy::{AllowTypeChange, PyArray1, PyArrayLike1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use serde::Serialize;
 use std::path::PathBuf;
+
+/// Forces of the model and of the FV curve alone at the samples of one test, N.
+type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// A damper over a setting.
 #[pyclass(frozen, module = "dashpot._native")]
@@ -49,6 +63,78 @@ impl Family {
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
         let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
         Model::from_text(text, &name)
+    }
+
+    /// Force of the damper that moves steadily at each velocity at its setting; as many settings as velocities.
+    fn steady_force<'py>(
+        &self,
+        py: Python<'py>,
+        velocity: PyArrayLike1<'py, f64, AllowTypeChange>,
+        setting: PyArrayLike1<'py, f64, AllowTypeChange>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (velocity, setting) = (velocity.as_array().to_vec(), setting.as_array().to_vec());
+        if velocity.len() != setting.len() {
+            return Err(PyValueError::new_err("setting needs one number for every velocity"));
+        }
+        for (name, values) in [("velocity", &velocity), ("setting", &setting)] {
+            if values.iter().any(|value| !value.is_finite()) {
+                return Err(PyValueError::new_err(format!("{name} needs finite numbers")));
+            }
+        }
+        let forces = py.detach(|| {
+            let definition = self.file.definition();
+            let mut order: Vec<usize> = (0..setting.len()).collect();
+            order.sort_by(|a, b| setting[*a].total_cmp(&setting[*b]));
+            let mut forces = vec![f64::NAN; velocity.len()];
+            // A damper is made ready once for each setting.
+            for run in order.chunk_by(|a, b| setting[*a] == setting[*b]) {
+                let model = model_file::prepared(&definition.params_at(setting[run[0]]))?;
+                for place in run {
+                    let found = at_velocities(&model, &[velocity[*place]]);
+                    forces[*place] = found.first().map_or(f64::NAN, |point| point[1]);
+                }
+            }
+            Ok::<_, model_file::NoModel>(forces)
+        });
+        Ok(PyArray1::from_vec(py, forces.map_err(raise::<ModelError>)?))
+    }
+
+    /// Compares the family with records, each at its own setting or at the `given` one; as `dashpot validate`.
+    #[pyo3(signature = (campaign, given=None, progress=None, limits=None))]
+    fn validate<'py>(
+        &self,
+        py: Python<'py>,
+        campaign: &Campaign,
+        given: Option<f64>,
+        progress: Option<Py<PyAny>>,
+        limits: Option<Vec<limits::Row>>,
+    ) -> PyResult<(String, Vec<Forces<'py>>, Campaign)> {
+        let windows = limits.map(limits::of_rows).transpose()?;
+        let file = &self.file;
+        let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
+            let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
+            let mut read = campaign.read.clone();
+            let note = file.identification.right(&mut read.records);
+            read.notes.extend(note);
+            // That the tests have several settings is what the damper is for.
+            read.notes.retain(|note| note.kind != "settings");
+            let compared = compare_family(file, &read, given, &say)?;
+            let settings = settings_of(file, &read, given)?;
+            let mut validation = figures(&read, &compared, None, &[])?;
+            validation.summarize_settings(&settings, file.axis.grid());
+            if let Some(windows) = &windows {
+                let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
+                let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
+                validation.limits = Some(judge_over_settings(windows, (&records, &settings), &forces)?);
+            }
+            let json = serde_json::to_string(&validation)?;
+            let forces: Vec<_> = compared.into_iter().map(|c| (c.model, c.fv_only)).collect();
+            Ok((json, forces, read))
+        })?;
+        let (json, forces, read) = done.map_err(raise::<ValidationError>)?;
+        let array = |values| PyArray1::from_vec(py, values);
+        let forces = forces.into_iter().map(|(model, fv_only)| (array(model), array(fv_only))).collect();
+        Ok((json, forces, Campaign { read }))
     }
 
     /// Times, displacements, velocities and forces for a motion with a setting for each of its times.
@@ -91,4 +177,64 @@ impl Family {
         };
         Ok([column(|a| a.time), column(|a| a.displacement), column(|a| a.velocity), column(|a| a.force)])
     }
+}
+
+/// What `dashpot fit --setting --json` writes, but for the name of the file.
+#[derive(Serialize)]
+struct FamilyFitJson<'a> {
+    setting: SettingJson<'a>,
+    tests: &'a [String],
+    parameters: &'a [FamilyEstimate],
+    depends_on_setting: &'a [SettingDependence],
+    inventory: &'a [InventoryItem],
+    measured: &'a [Measured],
+    settings: &'a [SettingReport],
+    notes: &'a [Sentence],
+    misfit: f64,
+    sign: &'a SignFinding,
+    unusable: &'a [Unusable],
+}
+
+#[derive(Serialize)]
+struct SettingJson<'a> {
+    name: &'a str,
+    unit: &'a str,
+    grid: &'a [f64],
+}
+
+/// Fits a damper over a setting; returns the text of its model file and the figures as JSON.
+#[pyfunction]
+#[pyo3(signature = (campaign, setting, elements=None, hold_out=Vec::new(), progress=None))]
+pub fn fit_family(
+    py: Python<'_>,
+    campaign: &Campaign,
+    setting: &str,
+    elements: Option<Vec<String>>,
+    hold_out: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, String)> {
+    if setting.is_empty() {
+        return Err(say::<FitError>("setting is the name of what the tests were set to, such as current; it is empty"));
+    }
+    let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
+    let options = FitOptions { elements, ..FitOptions::default() };
+    let found = work::run(py, progress, |progress| {
+        fit(&records, setting, &options, |stage| progress.say(stage.done, stage.text.english()))
+    })?;
+    let found = found.map_err(raise::<FitError>)?;
+    let said = FamilyFitJson {
+        setting: SettingJson { name: &found.setting.name, unit: &found.setting.unit, grid: found.settings_grid() },
+        tests: &found.tests,
+        parameters: &found.estimates,
+        depends_on_setting: &found.dependences,
+        inventory: &found.inventory,
+        measured: &found.measured,
+        settings: &found.settings,
+        notes: &found.notes,
+        misfit: found.misfit,
+        sign: &campaign.read.sign,
+        unusable: &campaign.read.unusable,
+    };
+    let json = serde_json::to_string(&said).map_err(raise::<FitError>)?;
+    Ok((dashpot_identification::family::model_file::write(&found), json))
 }

@@ -8,6 +8,7 @@
 //! | `campaign` | rig records |
 //! | `model` | model files, and the force for a motion |
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
+//! | `family` | dampers over a setting: fit, validate, simulate |
 //! | `literature` | models of the literature as files |
 //! | `groups` | diagnose many dampers against one |
 //! | `check` | chatter in a host |
@@ -65,7 +66,7 @@ mod _native {
     #[pymodule_export]
     use crate::export::export_fmu;
     #[pymodule_export]
-    use crate::family::Family;
+    use crate::family::{Family, fit_family};
     #[pymodule_export]
     use crate::groups::{Grouped, diagnose_groups};
     #[pymodule_export]

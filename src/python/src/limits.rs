@@ -8,13 +8,13 @@ use dashpot_records::Record;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// One limit as Python hands it over: name, quantity, velocity (m/s), low and high (N), amplitude (m). What has no bound is infinite or none.
-pub type Row = (String, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
+/// One limit as Python hands it over: name, quantity, velocity (m/s), low and high (N), amplitude (m), setting. What has no bound is infinite or none.
+pub type Row = (String, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
 /// Limits from rows; the first that cannot be kept is named by its place.
 pub fn of_rows(rows: Vec<Row>) -> PyResult<Vec<Limit>> {
     let limit = |(k, row): (usize, Row)| {
-        let (name, quantity, velocity_m_s, low, high, amplitude_m) = row;
+        let (name, quantity, velocity_m_s, low, high, amplitude_m, setting) = row;
         let made = Quantity::named(&quantity).and_then(|quantity| {
             let limit = Limit {
                 name: if name.is_empty() { quantity_name(quantity).to_owned() } else { name },
@@ -23,6 +23,7 @@ pub fn of_rows(rows: Vec<Row>) -> PyResult<Vec<Limit>> {
                 amplitude_m,
                 low_n: low.filter(|low| *low != f64::NEG_INFINITY),
                 high_n: high.filter(|high| *high != f64::INFINITY),
+                setting,
                 line: k as u64 + 1,
             };
             limit.check().map(|()| limit)
@@ -42,12 +43,12 @@ fn quantity_name(of: Quantity) -> &'static str {
 pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
     let found = limits::read(&path).map_err(raise::<ValidationError>)?;
     let row = |limit: Limit| {
-        let Limit { name, quantity, velocity_m_s, amplitude_m, low_n, high_n, .. } = limit;
+        let Limit { name, quantity, velocity_m_s, amplitude_m, low_n, high_n, setting, .. } = limit;
         let quantity = quantity_name(quantity);
         // A limit without a name is called by its quantity, as the file writes it.
         let name =
             if Quantity::named(&name).is_ok_and(|q| quantity_name(q) == quantity) { String::new() } else { name };
-        (name, quantity.to_owned(), velocity_m_s, low_n, high_n, amplitude_m)
+        (name, quantity.to_owned(), velocity_m_s, low_n, high_n, amplitude_m, setting)
     };
     Ok(found.into_iter().map(row).collect())
 }
@@ -92,6 +93,8 @@ impl Figures {
 
     /// Compares them with limits: `limits` in what `dashpot validate --limits --json` writes, without the model.
     fn judge(&self, limits: Vec<Row>) -> PyResult<String> {
-        serde_json::to_string(&self.of.judge(&of_rows(limits)?, None)).map_err(raise::<ValidationError>)
+        let limits = of_rows(limits)?;
+        limits::check_without_setting(&limits).map_err(raise::<ValidationError>)?;
+        serde_json::to_string(&self.of.judge(&limits, None)).map_err(raise::<ValidationError>)
     }
 }

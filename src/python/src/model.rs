@@ -1,6 +1,6 @@
 //! Model files as Python sees them.
 
-use crate::errors::{ModelError, MotionError, OutputError, raise};
+use crate::errors::{ModelError, MotionError, OutputError, raise, say};
 use crate::work;
 use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, Shape};
@@ -68,7 +68,15 @@ struct ModelJson<'a> {
 impl Model {
     /// From the text of a model file; `name` is what errors call it.
     pub fn from_text(text: String, name: &Path) -> PyResult<Model> {
-        let file = model_file::of_text(&text, name).map_err(raise::<ModelError>)?;
+        let file = model_file::of_text(&text, name).map_err(|error| {
+            match model_file::family_of_text(&text, name) {
+                Ok(file) if file.axis.is_some() => say::<ModelError>(format!(
+                    "{} is a damper over a setting: dashpot.Family.read reads it, and at(setting) is the ordinary damper there",
+                    name.display()
+                )),
+                _ => raise::<ModelError>(error),
+            }
+        })?;
         let prepared = model_file::prepared(&file.params).map_err(raise::<ModelError>)?;
         Ok(Model { file, prepared: Box::new(prepared), text, in_use: OnceLock::new() })
     }

@@ -18,6 +18,8 @@ pub struct Section {
     pub choices: Vec<Section>,
     /// Whether it is printed only where everything is.
     pub beyond: bool,
+    /// Whether it stands behind its title until that is clicked.
+    pub folded: bool,
 }
 
 /// One piece of a section.
@@ -85,12 +87,17 @@ pub struct Column {
 impl Section {
     /// A section without choices.
     pub fn new(id: impl Into<String>, title: impl Into<String>, blocks: Vec<Block>) -> Self {
-        Self { id: id.into(), title: title.into(), blocks, choices: Vec::new(), beyond: false }
+        Self { id: id.into(), title: title.into(), blocks, choices: Vec::new(), beyond: false, folded: false }
     }
 
     /// Leaves the section out of the short print.
     pub fn beyond(self) -> Self {
         Self { beyond: true, ..self }
+    }
+
+    /// Puts the section behind its title, out of the short print.
+    pub fn folded(self) -> Self {
+        Self { folded: true, ..self.beyond() }
     }
 
     /// The section and the parts to choose between, in reading order.

@@ -145,6 +145,10 @@ fn label(one: &Checked, words: &Words) -> String {
         Quantity::Hysteresis => words.hysteresis,
     };
     let stroke = limit.amplitude_m.map_or_else(String::new, |a| format!(" (±{} mm)", digits(1e3 * a, 3)));
+    let setting = limit
+        .setting
+        .map_or_else(String::new, |value| format!(" ({} {})", words.col_setting, words.number(&value.to_string())));
+    let stroke = format!("{stroke}{setting}");
     let is_named = !Quantity::NAMES.iter().any(|(name, _)| limit.name.eq_ignore_ascii_case(name));
     if is_named { format!("{}: {quantity}{stroke}", limit.name) } else { format!("{quantity}{stroke}") }
 }

@@ -37,6 +37,7 @@ mod workbook;
 pub use blocks::{Block, Figure, Section};
 pub use cells::Cell;
 pub use dashpot_output::replace_file;
+pub use family::FamilyReport;
 pub use made::{Made, MadeFrom};
 pub use page::Print;
 pub use parameters::ParameterRow;
@@ -76,6 +77,8 @@ pub struct ReportInput<'a> {
     pub identification: Vec<Block>,
     /// Further sections, placed before the single tests.
     pub extra: Vec<Section>,
+    /// The damper over a setting, whose curves come first; absent for an ordinary damper.
+    pub family: Option<FamilyReport<'a>>,
 }
 
 impl<'a> ReportInput<'a> {
@@ -102,6 +105,7 @@ impl<'a> ReportInput<'a> {
             parameters: parameters::of_model(model, words),
             identification: reading::blocks(campaign, &model.notes(), words),
             extra: Vec::new(),
+            family: None,
         })
     }
 }
@@ -164,12 +168,16 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     let (validation, words) = (input.validation, input.words);
     let mut sections = Vec::new();
     let limits = validation.limits.as_ref().map(|found| certificate::section(found, words));
+    let limits_id = limits.as_ref().map(|section| section.id.clone());
     let mut answer = summary::section(validation, words);
     // The verdict is the first sentence; its table follows the first picture, and is printed by the certificate.
     if let Some(Block::Verdict(passed, text)) = limits.as_ref().and_then(|section| section.blocks.first()) {
         answer.blocks.insert(0, Block::Verdict(*passed, text.clone()));
     }
+    let family = input.family.map(|family| family.sections(validation, input.tests, words));
     sections.push(answer);
+    let first = sections.len() + family.as_ref().map_or(0, Vec::len);
+    sections.extend(family.into_iter().flatten());
     if let Some(svg) = peaks::force_at_peak(validation, &input.curve, words) {
         let figure = Figure::new("force-at-peak", svg).saying(words.fv_caption);
         sections.push(Section::new("peaks", words.fv_section, vec![Block::Wide(figure)]));
@@ -189,8 +197,16 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
         let blocks = input.identification.clone();
         sections.push(Section::new("identification", words.identification_section, blocks).beyond());
     }
+    sections.extend(input.family.and_then(|family| family.tables(words)).map(Section::beyond));
     sections.extend(parameters::section(&input.parameters, words).map(Section::beyond));
     sections.push(made::section(&input.made, words).beyond());
+    if input.family.is_some() {
+        // Curves, errors and loops by setting are the report; a verdict on limits is one too.
+        let kept = limits_id.as_deref();
+        for section in sections.iter_mut().skip(first).filter(|section| Some(section.id.as_str()) != kept) {
+            *section = section.clone().folded();
+        }
+    }
     sections
 }
 
@@ -227,6 +243,7 @@ mod tests {
             parameters: vec![],
             identification: vec![Block::Warning("mass was not identifiable".into())],
             extra: vec![Section::new("later", "Later", vec![Block::Paragraph("to come".into())])],
+            family: None,
         })
     }
 

@@ -21,6 +21,10 @@ pub enum Print {
     Certificate,
 }
 
+/// Style of folded sections, for pages that have any.
+const FOLDED_CSS: &str =
+    "details.folded > summary > h2 { display: inline-block; margin: 12px 0; border: 0; color: var(--link); }\n";
+
 /// The whole document.
 pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, print: Print) -> String {
     let mut html = String::new();
@@ -29,10 +33,11 @@ pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, pr
         html,
         "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{GENERATOR}\n<title>{title}</title>\n\
-         <style>\n{}{}</style>\n</head>\n<body{}{}>\n<header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav>",
+         <style>\n{}{}{}</style>\n</head>\n<body{}{}>\n<header>\n<h1>{title}</h1>\n<p class=\"subtitle\">{}</p>\n<nav>",
         words.code,
         include_str!("page.css"),
         palette::page_css(),
+        if sections.iter().any(|part| part.folded) { FOLDED_CSS } else { "" },
         match print {
             Print::Brief => "",
             Print::Whole => " class=\"whole\"",
@@ -46,12 +51,13 @@ pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, pr
     }
     let _ = write!(html, "</nav>\n<p class=\"help\">{}</p>\n</header>\n<main>\n", escape(words.figure_help));
     for part in sections {
-        section(&mut html, part, words);
+        section(&mut html, part, (words, print));
     }
     if print == Print::Brief {
         let _ = writeln!(html, "<p class=\"brief\">{}</p>", escape(words.printed_brief));
     }
-    let _ = write!(html, "</main>\n<script>\n{}</script>\n</body>\n</html>\n", include_str!("page.js"));
+    let unfolds = if sections.iter().any(|part| part.folded) { include_str!("unfold.js") } else { "" };
+    let _ = write!(html, "</main>\n<script>\n{}{unfolds}</script>\n</body>\n</html>\n", include_str!("page.js"));
     html
 }
 
@@ -70,9 +76,19 @@ fn texts_of_script(words: &Words) -> String {
     texts.iter().map(|(name, text)| format!(" data-{name}=\"{}\"", escape(text))).collect()
 }
 
-fn section(html: &mut String, section: &Section, words: &Words) {
+fn section(html: &mut String, section: &Section, (words, print): (&Words, Print)) {
     let class = if section.beyond { " class=\"beyond\"" } else { "" };
-    let _ = writeln!(html, "<section id=\"{}\"{class}>\n<h2>{}</h2>", escape(&section.id), escape(&section.title));
+    let (id, title) = (escape(&section.id), escape(&section.title));
+    if section.folded {
+        // Paper cannot be clicked.
+        let open = if print == Print::Whole { " open" } else { "" };
+        let _ = writeln!(
+            html,
+            "<section id=\"{id}\"{class}>\n<details class=\"folded\"{open}><summary><h2>{title}</h2></summary>"
+        );
+    } else {
+        let _ = writeln!(html, "<section id=\"{id}\"{class}>\n<h2>{title}</h2>");
+    }
     section.blocks.iter().for_each(|part| block(html, part, words));
     if !section.choices.is_empty() {
         html.push_str("<div class=\"choices\">\n");
@@ -88,7 +104,7 @@ fn section(html: &mut String, section: &Section, words: &Words) {
         }
         html.push_str("</div>\n");
     }
-    html.push_str("</section>\n");
+    html.push_str(if section.folded { "</details>\n</section>\n" } else { "</section>\n" });
 }
 
 fn block(html: &mut String, block: &Block, words: &Words) {

@@ -1,6 +1,6 @@
 /* What Simulink's own simulink.c is in the block: the host that calls its call-backs, here one of ours. It calls them in the
  * order that Simulink documents, tries outputs several times within a step as an algebraic loop does, and compares with a
- * bridge. Arguments: model file, channel map. */
+ * bridge. Arguments: model file, channel map, model file of a damper over a setting, map with its channel. */
 #include "check.h"
 #include <math.h>
 #include <stdlib.h>
@@ -160,6 +160,33 @@ static void is_the_bridge(const char *models, uint32_t corners, const char *file
     dashpot_bridge_destroy(twin);
 }
 
+/* The last channel of a corner is its setting: another one gives another force. */
+static void follows_the_setting(const char *model, const char *map)
+{
+    static SimStruct S;
+    double forces[2];
+    int which, k, i, each;
+
+    for (which = 0; which < 2; which++) {
+        begin(&S, model, map, 0.0);
+        CHECK(!S.error && S.inputs == 3);
+        if (S.error)
+            return;
+        each = S.inputs;
+        for (k = 0; k <= 200; k++) {
+            motion(k * DT, S.inputs, each, S.u);
+            S.u[each - 1] = which ? 1.6 : 0.0;
+            mdlOutputs(&S, 0);
+            mdlUpdate(&S, 0);
+        }
+        forces[which] = S.y[0];
+        for (i = 0; i < S.outputs; i++)
+            CHECK(isfinite(S.y[i]));
+        end(&S);
+    }
+    CHECK(fabs(forces[1]) > fabs(forces[0]) + 50.0);
+}
+
 static void refused(const char *models, const char *map, double delayed, const char *says)
 {
     static SimStruct S;
@@ -180,7 +207,7 @@ int main(int argc, char **argv)
     const char *model = argv[1], *map = argv[2];
     int delayed;
 
-    if (argc != 3)
+    if (argc != 5)
         return 2;
     snprintf(two, sizeof two, "%s;%s", model, model);
     snprintf(three, sizeof three, "%s;%s", two, model);
@@ -190,6 +217,9 @@ int main(int argc, char **argv)
         is_the_bridge(two, 4, model, "", 2, delayed);
         is_the_bridge(four, 4, model, map, 3, delayed);
     }
+    for (delayed = 0; delayed < 2; delayed++)
+        is_the_bridge(argv[3], 1, argv[3], argv[4], 3, delayed);
+    follows_the_setting(argv[3], argv[4]);
     refused("none.toml", "", 0.0, "none.toml");
     refused(three, "", 0.0, "one model file, two");
     refused(model, "no-map.toml", 0.0, "no-map.toml");

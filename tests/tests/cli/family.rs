@@ -47,7 +47,7 @@ fn a_family_is_fitted_validated_and_simulated() {
         write(&dir.join("rig"), current, &format!("_{current}A"));
     }
     write(&dir.join("between"), 0.9, "");
-    let fit = ["fit", "rig", "--setting", "current", "-o", "family.toml", "--json", "fit.json"];
+    let fit = ["fit", "rig", "--setting", "current", "-o", "family.toml", "--json", "fit.json", "--report", "fit.html"];
     let ran = run(dir, &fit);
     assert_eq!(ran.code, Some(0), "{ran:?}");
     assert!(!ran.err.contains("one model holds one"), "{}", ran.err);
@@ -81,6 +81,20 @@ fn a_family_is_fitted_validated_and_simulated() {
     }
     let report = std::fs::read_to_string(dir.join("rig.html")).unwrap();
     assert!(report.contains("Force at constant velocity, by setting") && report.contains("1.2 A"));
+    // Curves, errors and loops come first, and the rest is folded.
+    for name in ["rig.html", "fit.html"] {
+        let page = std::fs::read_to_string(dir.join(name)).unwrap();
+        let body = page.split("<main>").nth(1).unwrap();
+        let at = |text: &str| body.find(text).unwrap_or_else(|| panic!("{name} has no {text}"));
+        let first =
+            ["by setting", "Force over the setting", "Ratio of hardest", "<table", "id=\"setting-loops\"", "<details"];
+        let places: Vec<usize> = first.iter().map(|text| at(text)).collect();
+        assert!(places.is_sorted(), "{name}: {places:?}");
+        assert!(at("gas_force") < at("<table") && at("id=\"single-tests\"") > at("<details"), "{name}");
+        assert_eq!(body.contains("fit of it alone"), name == "fit.html", "{name}");
+    }
+    let message = refused(dir, &["fit", "rig", "-o", "one.toml", "--report", "one.html"]);
+    assert!(message.contains("--setting"), "{message}");
 
     // Records that say no setting, between those of the model.
     let message = refused(dir, &["validate", "family.toml", "between", "--json", "b.json"]);
@@ -120,4 +134,126 @@ fn a_campaign_without_a_setting_is_refused_and_a_profile_gives_one() {
     assert!(ran.code == Some(0) && ran.err.contains("2 settings of current"), "{ran:?}");
     let message = refused(dir, &["fit", "rig", "--setting", "clicks", "-o", "other.toml"]);
     assert!(message.contains("a setting called current"), "{message}");
+}
+
+/// The family of [`damper`] as a model file.
+fn write_model(path: &Path) {
+    std::fs::write(path, dashpot_identification::model_file::flat_family(&damper(), |_| String::new())).unwrap();
+}
+
+#[test]
+fn a_family_is_diagnosed_at_each_of_its_settings() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    // One damper of the virtual rig at settings that change nothing, and a family without any dry friction.
+    done(dir, &["matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv"]);
+    for (seed, current) in ["3", "4", "5"].iter().zip(CURRENTS) {
+        done(dir, &["rig", "-o", &format!("rig/{current}A"), "--matrix", "small.csv", "--seed", seed]);
+    }
+    let poor = ["--elements", "fv_curve,series_compliance,gas_preload", "-o", "poor.toml"];
+    done(dir, &[&["fit", "rig", "--subfolders", "--setting", "current"][..], &poor].concat());
+    let options = ["--subfolders", "--candidates", "coulomb_friction,presliding_friction"];
+    let verb = ["diagnose", "poor.toml", "rig", "--json", "d.json", "--report", "d.html", "--excel", "d.xlsx"];
+    let said = done(dir, &[&verb[..], &options].concat());
+    // What all settings show is said once.
+    assert_eq!(said.matches("at every setting this damper shows presliding_friction").count(), 1, "{said}");
+    let found = json(&dir.join("d.json"));
+    let settings = found["settings"].as_array().unwrap();
+    assert_eq!(settings.len(), CURRENTS.len());
+    for (of, current) in settings.iter().zip(CURRENTS) {
+        assert_eq!(of["setting"], current);
+        assert_eq!(of["findings"][0]["effect"], "presliding_friction", "{of}");
+        assert!(of["inventory"].is_array() && of["over_whole_records"].is_object(), "{of}");
+    }
+    let effects = found["effects"].as_array().unwrap();
+    let friction = effects.iter().find(|of| of["effect"] == "presliding_friction").unwrap();
+    assert!(friction["at_all_settings"] == true && friction["settings"].as_array().unwrap().len() == 3, "{friction}");
+    let page = std::fs::read_to_string(dir.join("d.html")).unwrap();
+    assert!(page.contains("id=\"settings\"") && page.contains("id=\"setting-3\"") && page.contains("<details"));
+
+    // At one setting it says what it says of the damper there.
+    done(dir, &["setting", "poor.toml", "0.6", "-o", "one.toml"]);
+    done(dir, &["diagnose", "one.toml", "rig/0.6A", "--candidates", options[2], "--json", "one.json"]);
+    let one = json(&dir.join("one.json"));
+    for key in ["findings", "inventory"] {
+        let effects = |of: &serde_json::Value| -> Vec<serde_json::Value> {
+            of[key].as_array().unwrap().iter().map(|of| of["effect"].clone()).collect()
+        };
+        assert_eq!(effects(&one), effects(&settings[1]), "{key}");
+    }
+    // Against the same records nothing changed.
+    let same = [&["diagnose", "poor.toml", "rig", "--reference", "rig", "--json", "same.json"][..], &options].concat();
+    assert!(done(dir, &same).contains("at any setting"));
+    let missing = refused(dir, &[&["diagnose", "poor.toml", "rig", "--reference", "rig/0A"][..], &options].concat());
+    assert!(missing.contains("--reference") || missing.contains("does not say its current"), "{missing}");
+
+    // Without a model the family of the records is diagnosed.
+    let alone = ["diagnose", "rig", "--setting", "current", "--json", "a.json"];
+    done(dir, &[&alone[..], &options].concat());
+    assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 3);
+}
+
+#[test]
+fn what_a_diagnosis_over_settings_cannot_do_is_said_with_the_way_to_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    write(&dir.join("rig"), 0.6, "");
+    write_model(&dir.join("family.toml"));
+    for option in [["-o", "better.toml"], ["--next-tests", "next.csv"], ["--svg", "figures"], ["--group", "folders"]] {
+        let message = refused(dir, &[&["diagnose", "family.toml", "rig"][..], &option].concat());
+        assert!(message.contains(option[0]) && message.contains("dashpot setting"), "{message}");
+    }
+    let message = refused(dir, &["diagnose", "family.toml", "rig", "--json", "d.json"]);
+    assert!(message.contains("--setting") && message.contains("4mm_12Hz"), "{message}");
+    let message = refused(dir, &["diagnose", "family.toml", "rig", "--setting", "current"]);
+    assert!(message.contains("a number"), "{message}");
+    let message = refused(dir, &["diagnose", "rig", "--setting", "0.6"]);
+    assert!(message.contains("a name"), "{message}");
+    done(dir, &["setting", "family.toml", "0.6", "-o", "one.toml"]);
+    let message = refused(dir, &["diagnose", "one.toml", "rig", "--setting", "0.6"]);
+    assert!(message.contains("depends on no setting"), "{message}");
+    let given = ["diagnose", "family.toml", "rig", "--setting", "0.6", "--candidates", "free_play", "--json", "d.json"];
+    done(dir, &given);
+    assert_eq!(json(&dir.join("d.json"))["settings"][0]["setting"], 0.6);
+}
+
+#[test]
+fn limits_hold_at_the_setting_that_they_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    for current in CURRENTS {
+        write(&dir.join("rig"), current, &format!("_{current}A"));
+    }
+    write_model(&dir.join("family.toml"));
+    let v = 0.02 * std::f64::consts::TAU * 4.0;
+    let force = |current: f64| {
+        let at = dashpot_core::Model::new(&damper().params_at(current)).unwrap();
+        dashpot_simulation::prediction::at_velocities(&at, &[v])[0][1]
+    };
+    let row = |current: f64, low: f64, high: f64| {
+        format!("force,{v},{current},{},{}\n", low * force(current), high * force(current))
+    };
+    let write = |name: &str, rows: &str| {
+        std::fs::write(dir.join(name), format!("quantity,velocity_m_s,setting,low,high\n{rows}")).unwrap();
+    };
+    write("kept.csv", &(row(0.0, 0.9, 1.1) + &row(1.2, 0.9, 1.1)));
+    // The window of the soft setting at the hard one.
+    write("missed.csv", &(row(0.0, 0.9, 1.1) + &row(0.0, 0.9, 1.1).replace(",0,", ",1.2,")));
+    write("without.csv", &row(0.0, 0.9, 1.1).replace(",0,", ",,"));
+    let judge = |limits: &str, model: &str| {
+        let certificate = ["--certificate", "c.html", "--json", "v.json"];
+        run(dir, &[&["validate", model, "rig", "--limits", limits][..], &certificate].concat())
+    };
+    let kept = judge("kept.csv", "family.toml");
+    assert_eq!(kept.code, Some(0), "{kept:?}");
+    let found = json(&dir.join("v.json"));
+    assert_eq!(found["limits"]["limits"][1]["setting"], 1.2);
+    assert_eq!(found["limits"]["limits"][1]["measured"]["tests"][0], "20mm_4Hz_1.2A");
+    assert!(std::fs::read_to_string(dir.join("c.html")).unwrap().contains("setting 1.2"));
+    assert_eq!(judge("missed.csv", "family.toml").code, Some(1));
+    let without = judge("without.csv", "family.toml");
+    assert!(without.code == Some(2) && without.err.contains("dashpot setting"), "{without:?}");
+    done(dir, &["setting", "family.toml", "0.6", "-o", "one.toml"]);
+    let ordinary = judge("kept.csv", "one.toml");
+    assert!(ordinary.code == Some(2) && ordinary.err.contains("line 2"), "{ordinary:?}");
 }

@@ -330,3 +330,66 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
     }
     println!("{pairs:?}");
 }
+
+/// A damper over a setting: the fifth input of a GSE, a VARIABLE by its id for an SFORCE or GFORCE.
+#[test]
+fn a_variable_of_the_solver_is_the_setting() {
+    let folder = tempfile::tempdir().unwrap();
+    let solver = solver();
+    let text = std::fs::read_to_string(dashpot_tests::library::root().join("examples/semi_active.toml")).unwrap();
+    let path = written(folder.path(), &text);
+    let file = dashpot_identification::model_file::family_of_text(&text, &path).unwrap();
+    let mut family = Box::new(dashpot_core::family::Family::OFF);
+    family.set(&file.params, &file.axis).unwrap();
+    let last = |got: &[Accepted]| got.last().unwrap().sforce;
+    let mut ends: Vec<[f64; 3]> = Vec::new();
+    for routine in ROUTINES {
+        // How many states a GSE has to have it says itself.
+        let asked = run(&solver, routine, &with(&path, &["ns=1", "ni=5"])).text;
+        let states = asked
+            .split("needs NS=")
+            .nth(1)
+            .map_or("2", |rest| rest.split(|c: char| !c.is_ascii_digit()).next().unwrap());
+        let states = format!("ns={states}");
+        let settings = |setting: &str, more: &[&str]| {
+            let own = ["amplitude=15", "frequency=2", "end=0.4", "ni=5", "variable=31", setting, &states];
+            with(&path, &[&own[..], more].concat())
+        };
+        let mut constant = Vec::new();
+        for setting in [0.2, 1.4] {
+            let run = started(&solver, routine, &settings(&format!("setting={setting}"), &[]));
+            let got = run.accepted();
+            let model = Model::new(&file.definition().params_at(setting)).unwrap();
+            let share = deviation(&got, &kernel(&model, &got, 15.0, 2.0, Surroundings::NONE));
+            assert!(share < 2e-3, "{routine} at {setting}: {:.4} %", 100.0 * share);
+            constant.push(last(&got));
+        }
+        // Switched in the run: the actuator follows within the half that is left.
+        let switched = started(&solver, routine, &settings("setting=0.2", &["later=1.4"])).accepted();
+        let [soft, hard] = constant[..] else { panic!() };
+        assert!(
+            (last(&switched) - hard).abs() < 0.02 * (hard - soft).abs(),
+            "{routine}: {} of {soft} to {hard}",
+            last(&switched)
+        );
+        ends.push([soft, hard, last(&switched)]);
+        if routine != "gse" {
+            let repeated = started(&solver, routine, &settings("setting=0.2", &["later=1.4", "save=1"])).text;
+            let part = |from: &str, to: &str| -> Vec<String> {
+                let part = repeated.split(from).nth(1).unwrap().split(to).next().unwrap();
+                part.lines().filter(|line| line.starts_with("at ")).map(str::to_owned).collect()
+            };
+            assert!(part("first\n", "second\n") == part("second\n", "calls"), "{routine}");
+            let handed = started(&solver, routine, &settings("setting=0.6", &["mass=1", "partials=1"]));
+            assert!(handed.by_variable().is_finite() && handed.count("differencing") == 0, "{routine}");
+            let lost = run(&solver, routine, &settings("setting=0.6", &["npar=1"]));
+            assert!(lost.code == Some(3) && lost.text.contains("VARIABLE"), "{routine}: {}", lost.text);
+        }
+    }
+    let top = ends[0][1].abs();
+    for other in &ends[1..] {
+        for (a, b) in other.iter().zip(&ends[0]) {
+            assert!((a - b).abs() < 0.01 * top, "{ends:?}");
+        }
+    }
+}

@@ -25,6 +25,26 @@ fn it_runs_where_an_importer_is_careless() {
     }
 }
 
+/// CarMaker's input for controlled dampers is the setting of one that depends on one.
+#[test]
+fn it_is_a_controlled_damper_of_carmaker() {
+    let text = std::fs::read_to_string(root().join("examples/semi_active.toml")).expect("the example");
+    for fmi in ["2", "3"] {
+        let folder = tempfile::tempdir().expect("a directory");
+        let at = folder.path();
+        exported(at, &text, fmi, false, &["--carmaker", "0.4125", "--no-sources"]);
+        let library = directory().join("libdashpot.so");
+        let mut host = Command::new(python());
+        host.arg(root().join("tests/hosts/fmu_carmaker.py")).args([
+            "damper.fmu".as_ref(),
+            library.as_os_str(),
+            "model.toml".as_ref(),
+            "0.4125".as_ref(),
+        ]);
+        print!("{}", succeed(host.current_dir(at)));
+    }
+}
+
 /// By the file beside it, which has the form of the vendor's templates, the FMU is the damper that the library is.
 #[test]
 fn it_is_a_damper_of_carmaker() {

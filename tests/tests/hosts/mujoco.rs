@@ -34,12 +34,24 @@ fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     let flags: Vec<&str> = flags.iter().map(String::as_str).collect();
     let source = root().join("vi-crt-bridge/mujoco/vehicle.c");
     let program = bridge_host(source.to_str().expect("a path in UTF-8"), &flags, at);
-    let told = succeed(Command::new(program).arg(at.join("model.toml")).arg(at.join("curve.toml")));
+    let family = root().join("examples/semi_active.toml");
+    let told = succeed(Command::new(program).arg(at.join("model.toml")).arg(at.join("curve.toml")).arg(family));
     print!("{told}");
     let figures: Vec<f64> = told
         .lines()
-        .skip(1)
+        .filter(|line| line.starts_with("vehicle"))
         .map(|l| l.split("dissipated ").nth(1).and_then(|r| r.split(' ').next()).expect("a figure").parse().expect("J"))
         .collect();
+    let heave = |name: &str| -> f64 {
+        let line = told.lines().find(|line| line.starts_with(&format!("semi-active, {name}"))).expect("a line");
+        line.split("acceleration ")
+            .nth(1)
+            .and_then(|rest| rest.split(' ').next())
+            .expect("a figure")
+            .parse()
+            .expect("m/s^2")
+    };
+    // The setting that the host writes reaches the dampers.
+    assert!(heave("soft") < heave("hard") && heave("skyhook") < heave("hard"), "{told}");
     assert!(figures.len() == 2 && figures[0] != figures[1], "the model is not its curve: {told}");
 }

@@ -6,6 +6,11 @@ use std::process::Command;
 
 const SANITIZERS: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
 
+/// A damper over a setting.
+fn family() -> std::path::PathBuf {
+    root().join("examples/semi_active.toml")
+}
+
 fn runs(host: &str, shim: &str, defines: &[&str], map: Option<&str>) {
     let directory = tempfile::tempdir().expect("a directory");
     let model = directory.path().join("model.toml");
@@ -17,10 +22,18 @@ fn runs(host: &str, shim: &str, defines: &[&str], map: Option<&str>) {
     flags.extend(defines);
     let mut host = Command::new(bridge_host(host, &flags, directory.path()));
     host.arg(&model);
-    if let Some(map) = map {
-        host.arg(root().join("vi-crt-bridge").join(map));
-    }
-    succeed(&mut host);
+    let Some(map) = map else {
+        succeed(host.arg(family()));
+        return;
+    };
+    let map = root().join("vi-crt-bridge").join(map);
+    let program = host.get_program().to_owned();
+    succeed(host.arg(&map));
+    // The same map with a variable of the simulator for the setting of each corner.
+    let with_setting = directory.path().join("setting.toml");
+    let text = std::fs::read_to_string(&map).expect("a map") + "setting = \"CURRENT_{corner}\"\n";
+    std::fs::write(&with_setting, text).expect("a map");
+    succeed(Command::new(program).arg(family()).arg(&map).arg(with_setting));
 }
 
 #[test]
@@ -70,5 +83,9 @@ fn simulink_tries_steps_and_takes_them() {
     let mut flags = vec!["-DMATLAB_MEX_FILE", &folders[0], &folders[1]];
     flags.extend(SANITIZERS);
     let program = bridge_host(block.to_str().expect("a path in UTF-8"), &flags, at);
-    succeed(Command::new(program).arg(&model).arg(map(at)));
+    let setting = at.join("setting.toml");
+    let channels = "format = 1\nmotion_positive = \"compression\"\nforce_positive = \"compression\"\njounce = \"x_{corner}\"\n\
+                    jounce_rate = \"v_{corner}\"\nsetting = \"i_{corner}\"\nforce = \"f_{corner}\"\n";
+    std::fs::write(&setting, channels).expect("a map");
+    succeed(Command::new(program).arg(&model).arg(map(at)).arg(family()).arg(setting));
 }

@@ -171,9 +171,15 @@ impl DataArgs {
 
     /// Reads and cleans records of several settings that belong to one damper: that they do is no warning.
     pub fn load_over_setting(&self) -> anyhow::Result<Campaign> {
-        let mut campaign = self.read_noting(&self.data, &self.options()?, &|note| note.kind != "settings")?;
-        campaign.notes.retain(|note| note.kind != "settings");
+        let campaign = self.load_over_setting_like(&self.data)?;
         print_sign(&campaign.notes);
+        Ok(campaign)
+    }
+
+    /// Reads and cleans records of several settings by the same options, before they agree on their direction with others.
+    pub fn load_over_setting_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
+        let mut campaign = self.read_noting(paths, &self.options()?, &|note| note.kind != "settings")?;
+        campaign.notes.retain(|note| note.kind != "settings");
         Ok(campaign)
     }
 

@@ -1,14 +1,20 @@
 //! `dashpot fit --setting`: one damper over a setting.
 
-use super::data::name_of;
+use super::data::{DataArgs, name_of};
 use super::digits::short;
 use super::record_notes::print_record_notes;
+use super::validate::{compare_family, settings_table};
+use crate::page::TextArgs;
 use crate::progress::Progress;
 use dashpot_identification::family::{
     FamilyEstimate, FamilyFit, SettingAxis, SettingDependence, SettingError, SettingReport, fit_family, model_file,
 };
+use dashpot_identification::model_file::{ModelFile, family_of_text};
+use dashpot_identification::validation::validate;
 use dashpot_identification::{FitOptions, InventoryItem, Measured, Standing, describe_item};
 use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
+use dashpot_report::{FamilyReport, Print, ReportInput};
+use dashpot_simulation::comparison;
 use serde::Serialize;
 use std::path::Path;
 
@@ -37,17 +43,29 @@ struct Json<'a> {
     unusable: &'a [Unusable],
 }
 
+/// Where the results go.
+pub struct Outputs<'a> {
+    /// The model file.
+    pub model: &'a Path,
+    /// The figures.
+    pub json: Option<&'a Path>,
+    /// The report, with its language and date.
+    pub report: Option<(&'a Path, &'a TextArgs)>,
+}
+
 /// Fits the family, writes its model file and reports.
 pub fn run(
     (campaign, records): (&Campaign, &[&Record]),
     setting: &str,
     options: &FitOptions,
-    (output, json): (&Path, Option<&Path>),
+    (data, outputs): (&DataArgs, &Outputs),
 ) -> anyhow::Result<()> {
+    let (output, json) = (outputs.model, outputs.json);
     let progress = Progress::new("fitting");
     let found = fit_family(records, setting, options, |stage| progress.say(stage.done, stage.text.english()))?;
     drop(progress);
-    dashpot_output::write(output, model_file::write(&found))?;
+    let text = model_file::write(&found);
+    dashpot_output::write(output, &text)?;
     let is_on_stdout = [Some(output), json].into_iter().flatten().any(dashpot_output::is_stdout);
     let say = |text: &str| dashpot_output::say(if is_on_stdout { Some(Path::new("-")) } else { None }, text);
     print_record_notes(campaign, &say)?;
@@ -81,7 +99,52 @@ pub fn run(
             },
         )?;
     }
+    if let Some((path, page)) = outputs.report {
+        let model = family_of_text(&text, output)?;
+        write_report((campaign, &model, &found), (data, output), (path, page), &say)?;
+    }
     Ok(())
+}
+
+/// Validates the family over the whole records and writes the report.
+fn write_report(
+    (campaign, model, found): (&Campaign, &ModelFile, &FamilyFit),
+    (data, output): (&DataArgs, &Path),
+    (path, page): (&Path, &TextArgs),
+    say: &dyn Fn(&str) -> anyhow::Result<()>,
+) -> anyhow::Result<()> {
+    let mut campaign = campaign.clone();
+    let has_setting = |record: &Record| record.setting.as_ref().is_some_and(|of| of.name == found.setting.name);
+    // Only a test that was held out may say nothing of its setting: a fit asks for all others.
+    let without: Vec<String> =
+        campaign.records.iter().filter(|record| !has_setting(record)).map(|record| record.name.clone()).collect();
+    if !without.is_empty() {
+        say(&format!(
+            "note: {} held-out tests say no {} and are not in the report: {}",
+            without.len(),
+            found.setting.name,
+            without.join(", ")
+        ))?;
+        campaign.records.retain(has_setting);
+    }
+    campaign.notes.extend(model.identification.right(&mut campaign.records));
+    let compared = compare_family(model, &campaign, None)?;
+    let mut validation = validate(&compared)?;
+    validation.summarize_settings(&comparison::settings_of(model, &campaign, None)?, model.axis.grid());
+    validation.unusable.clone_from(&campaign.unusable);
+    say(&format!("over whole records:\n{}", settings_table(model, &validation)))?;
+    let mut input = ReportInput {
+        print: Print::Brief,
+        made: page.date.made(campaign.files.iter().cloned())?,
+        data: data.named(),
+        family: Some(FamilyReport { model, fit: Some(found) }),
+        model_file: name_of(output),
+        ..ReportInput::of(model, &campaign, &compared, &validation, page.words())?
+    };
+    // A curve at one setting would stand for none of the others.
+    input.curve.clear();
+    dashpot_report::write_atomic(&input, path)?;
+    say(&format!("report: {}", path.display()))
 }
 
 /// A value of the setting with its unit.

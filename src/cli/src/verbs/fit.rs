@@ -2,6 +2,7 @@
 
 use super::data::{DataArgs, name_of};
 use super::digits::short;
+use super::family::{self, Outputs};
 use super::record_notes::print_record_notes;
 use crate::page::TextArgs;
 use crate::progress::Progress;
@@ -32,7 +33,7 @@ use std::path::{Path, PathBuf};
 /// that drifts through the campaign are looked for too; they are told, and not put into the model.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json --excel fit.xlsx\n  dashpot fit semi_active/ --setting current -o family.toml --subfolders"
+    after_help = "Examples:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json --excel fit.xlsx\n  dashpot fit semi_active/ --setting current -o family.toml --subfolders --report family.html"
 )]
 pub struct Args {
     #[command(flatten)]
@@ -46,6 +47,9 @@ pub struct Args {
     /// Every table as a sheet of one Excel workbook, numbers as numbers
     #[arg(long, value_name = "F.xlsx")]
     excel: Option<PathBuf>,
+    /// Report of a damper over a setting (--setting): curves, errors and loops by setting. Of an ordinary damper dashpot validate writes it
+    #[arg(long, value_name = "F.html", requires = "setting")]
+    report: Option<PathBuf>,
     /// Kind of model: the thesis's, or one of the literature to compare it with. fv, piecewise and lag become model files that
     /// every verb and host runs; the others become files that only dashpot validate --against reads
     #[arg(long, value_name = "MODEL", value_parser = kinds(), default_value = "thesis")]
@@ -152,6 +156,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if excel.is_some_and(dashpot_output::is_stdout) {
         bail!("--excel needs a file name: standard output takes estimates (--json -) or the model (-o -)");
     }
+    let report = args.report.as_deref();
+    if report.is_some_and(dashpot_output::is_stdout) {
+        bail!("--report needs a file name: standard output takes estimates (--json -) or the model (-o -)");
+    }
     let kind = match args.model {
         Kind::Model(_) => output::Kind::Model,
         Kind::Comparison(_) => output::Kind::Comparison,
@@ -160,6 +168,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         (Some(args.output.as_path()), kind),
         (json, output::Kind::Figures),
         (excel, output::Kind::Workbook),
+        (report, output::Kind::Report),
     ])?;
     if excel.is_some() && matches!(args.model, Kind::Comparison(_)) {
         bail!(
@@ -189,7 +198,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     };
     let records = kept(&campaign, &args.hold_out)?;
     if let Some(setting) = &args.setting {
-        return super::family::run((&campaign, &records), setting, &options, (&args.output, json));
+        let report = report.map(|path| (path, &args.text));
+        let outputs = Outputs { model: &args.output, json, report };
+        return family::run((&campaign, &records), setting, &options, (&args.data, &outputs));
     }
     let found = identify(&records, &options, &args.output)?;
     let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);

@@ -13,10 +13,9 @@ use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
-use dashpot_report::ReportInput;
 use dashpot_report::against::{Rival, section};
 use dashpot_report::certificate::{self, CertificateInput};
-use dashpot_report::family;
+use dashpot_report::{FamilyReport, ReportInput};
 use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
 use std::path::PathBuf;
@@ -56,7 +55,7 @@ pub struct Args {
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
     setting: Option<f64>,
     /// Windows that the damper must keep: a table with the columns quantity (force, gas_force, friction, hysteresis),
-    /// velocity_m_s, low, high; passes or fails the damper
+    /// velocity_m_s, low, high; passes or fails the damper. A column setting is for a damper that depends on one
     #[arg(long, value_name = "F.csv")]
     limits: Option<PathBuf>,
     /// The verdict on --limits as a page by itself
@@ -93,6 +92,9 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             args.model.display()
         );
     }
+    if let (false, Some(windows)) = (is_family, &windows) {
+        limits::check_without_setting(windows)?;
+    }
     let campaign = args.data.load_for(&model)?;
     let compared =
         if is_family { compare_family(&model, &campaign, args.setting)? } else { compare(&model, &campaign)? };
@@ -124,7 +126,12 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     if let Some(windows) = &windows {
         let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
         let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
-        let found = limits::judge(windows, &records, Some(&forces));
+        let found = if is_family {
+            let settings = comparison::settings_of(&model, &campaign, args.setting)?;
+            limits::judge_over_settings(windows, (&records, &settings), &forces)?
+        } else {
+            limits::judge(windows, &records, Some(&forces))
+        };
         dashpot_output::say(json, &crate::limits::table(&found))?;
         validation.limits = Some(found);
     }
@@ -157,7 +164,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         if is_family {
             // A curve at one setting would stand for none of the others.
             input.curve.clear();
-            input.extra.extend(family::section(&model.definition(), &validation, input.words));
+            input.family = Some(FamilyReport { model: &model, fit: None });
         }
         input.extra.extend(section(&validation, &compared, &rivals, input.words));
         if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
@@ -225,7 +232,7 @@ pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<V
 }
 
 /// Compares a damper over a setting with records, each test at its own setting.
-fn compare_family<'a>(
+pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
     given: Option<f64>,
@@ -235,7 +242,7 @@ fn compare_family<'a>(
 }
 
 /// The errors at each setting as text, with what lies outside the settings of the model.
-fn settings_table(model: &ModelFile, validation: &Validation) -> String {
+pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     let axis = &model.axis;
     let name = if axis.name().is_empty() { "setting" } else { axis.name() };
     let mut out = format!("{name:<34}{:>6}{:>10}{:>9}{:>12}{:>10}", "tests", "mean N", "error %", "FV mean N", "FV %");

@@ -289,6 +289,14 @@ impl Session {
         }
     }
 
+    /// Goes to the damper at another setting, where the model depends on one.
+    pub fn move_to(&mut self, setting: f64) {
+        if self.step(|model| model.move_to(setting)) {
+            // Forces at the setting before are compared with nothing.
+            self.identified = None;
+        }
+    }
+
     /// Changes the model, or goes a step back or forth in it.
     fn step(&mut self, change: impl FnOnce(&mut Tuned) -> bool) -> bool {
         let Some(model) = &mut self.model else { return false };

@@ -1,7 +1,7 @@
 //! The model that is tuned, beside the one that was identified, with every step back.
 
 use crate::session::history::History;
-use dashpot_core::family::Axis;
+use dashpot_core::family::{Axis, Definition};
 use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params};
 use dashpot_estimation::priors::{self, Usual};
@@ -21,6 +21,8 @@ pub struct Tuned {
     pub identification: Identification,
     /// Places of the parameters that the file gave.
     given: Vec<usize>,
+    /// The damper over a setting, and the setting that the values are at; none of an ordinary damper.
+    over: Option<(Definition, f64)>,
     /// The text that a fit or a diagnosis made, while nothing was tuned since.
     text: Option<String>,
     /// Values as they are now, and were.
@@ -48,9 +50,15 @@ impl Tuned {
     /// # Errors
     /// The reader's sentence.
     pub fn read(path: &Path) -> Result<Tuned, String> {
-        let file = model_file::read(path).map_err(|e| e.to_string())?;
+        let mut file = model_file::read_family(path).map_err(|e| e.to_string())?;
+        // The window shows a damper over a setting at one: the start first.
+        let over = file.axis.is_some().then(|| (file.definition(), file.axis.start()));
+        if let Some((damper, setting)) = &over {
+            file.params = damper.params_at(*setting);
+        }
         Ok(Tuned {
             path: Some(path.to_owned()),
+            over,
             saved: Some(file.params),
             text: std::fs::read_to_string(path).ok(),
             ..Tuned::new(file)
@@ -58,10 +66,11 @@ impl Tuned {
     }
 
     fn new(file: ModelFile) -> Tuned {
-        // The reader took no damper over a setting.
+        // A damper over a setting is kept whole by who reads it.
         let ModelFile { params, identification, given, axis: _ } = file;
         Tuned {
             path: None,
+            over: None,
             identified: params,
             identification,
             given,
@@ -90,6 +99,33 @@ impl Tuned {
     pub fn name(&self) -> String {
         let file = self.path.as_ref().and_then(|p| p.file_name());
         file.map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+    }
+
+    /// The damper over a setting, and the setting that the values are at; none of an ordinary damper.
+    pub fn over_setting(&self) -> Option<(&Axis, f64)> {
+        self.over.as_ref().map(|(damper, setting)| (&damper.axis, *setting))
+    }
+
+    /// Goes to the damper at another setting. Not while it is tuned: the values belong to the setting that they were tuned at.
+    pub fn move_to(&mut self, setting: f64) -> bool {
+        if self.is_tuned() {
+            return false;
+        }
+        let Some((damper, at)) = &mut self.over else { return false };
+        if *at == setting {
+            return false;
+        }
+        *at = setting;
+        let params = damper.params_at(setting);
+        // Another damper of the same file: no step of tuning, and nothing to be saved.
+        let is_saved = self.saved.as_ref() == Some(&self.identified);
+        self.identified = params;
+        self.history = History::new(params);
+        self.refused = None;
+        if is_saved {
+            self.saved = Some(params);
+        }
+        true
     }
 
     /// Values as they are now.
@@ -223,14 +259,20 @@ impl Tuned {
             format!("{unit}{}{changed}", p.meaning)
         });
         // What the fit knew stays: which tests it saw, its plain curve, its intervals, which are those of the identified numbers.
-        let tables = self.text.as_ref().and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
+        // Those of a damper over a setting are of all its settings.
+        let text = self.text.as_ref().filter(|_| self.over.is_none());
+        let tables = text.and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
         let (announced, tables) = match tables {
             Some(tables) => ("[identification] are the damper; what follows is for people and tools", tables),
             None => ("[end] are the damper", "\n[end]\n"),
         };
+        let at = self.over.as_ref().map_or_else(String::new, |(damper, setting)| {
+            let name = if damper.axis.name().is_empty() { "setting" } else { damper.axis.name() };
+            format!("# Of a damper over a setting, at {name} = {setting} {}\n", damper.axis.unit())
+        });
         format!(
             "# A damper tuned by hand in dashpot. SI units; extension (rebound) and tension positive.\n\
-             # The lines up to {announced}.\n\n{flat}{tables}"
+             # The lines up to {announced}.\n{at}\n{flat}{tables}"
         )
     }
 
@@ -366,6 +408,27 @@ mod tests {
             identification: Identification::default(),
             given: Vec::new(),
         })
+    }
+
+    #[test]
+    fn a_damper_over_a_setting_moves_along_it_and_stays_while_it_is_tuned() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("family.toml");
+        let text = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n\
+                    gas_force = [80.0, 100.0]\n";
+        std::fs::write(&path, text).unwrap();
+        let mut model = Tuned::read(&path).unwrap();
+        let gas = |model: &Tuned| model.params().number(number!("gas_force"));
+        assert_eq!(gas(&model), 80.0);
+        assert!(model.move_to(0.5) && (gas(&model) - 90.0).abs() < 1e-9);
+        assert!(!model.is_tuned() && !model.is_unsaved() && model.text() == text);
+        assert!(model.set(number!("gas_force").row(), 0, 95.0) && model.is_tuned());
+        assert!(!model.move_to(1.0) && model.over_setting().unwrap().1 == 0.5);
+        // What is tuned is an ordinary damper at this setting.
+        let tuned = model.text();
+        assert!(tuned.contains("at current = 0.5 A") && !tuned.contains("setting = ["), "{tuned}");
+        model.reset();
+        assert!(model.move_to(1.0) && gas(&model) == 100.0);
     }
 
     #[test]

@@ -299,3 +299,48 @@ fn the_tables_of_velocities_are_shown_and_saved() {
     let velocities: Vec<f64> = cvp.iter().map(|r| r[0].parse().unwrap()).collect();
     assert!(velocities.windows(2).all(|w| w[0] > w[1]), "{velocities:?}");
 }
+
+/// A damper over a current, whose curve grows with it.
+const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n\
+     fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n";
+
+#[test]
+fn a_slider_goes_over_the_setting_of_a_family_and_its_loops_follow() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), 12);
+    let models = tempfile::tempdir().unwrap();
+    let file = models.path().join("family.toml");
+    std::fs::write(&file, FAMILY).unwrap();
+    let mut harness = window(vec![]);
+    harness.state_mut().session.open(&[folder.path().to_owned(), file]);
+    until(&mut harness, "forces of all tests", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    let most = |harness: &Harness<'_, App>| {
+        let lines = &harness.state().view.lines.lines;
+        let own = lines.iter().filter(|line| line.whose != Whose::Measured);
+        own.flat_map(|line| &line.velocity).map(|point| point.y).fold(0.0, f64::max)
+    };
+    harness.step();
+    let soft = most(&harness);
+    assert!(has(&harness, Role::Slider, "current A"));
+    let slider = widget(&harness, Role::Slider, "current A").rect();
+    harness.drag_at(slider.center());
+    harness.step();
+    harness.hover_at(egui::pos2(slider.right() - 1.0, slider.center().y));
+    harness.step();
+    harness.drop_at(egui::pos2(slider.right() - 1.0, slider.center().y));
+    harness.step();
+    let at = |harness: &Harness<'_, App>| harness.state().session.model.as_ref().unwrap().over_setting().unwrap().1;
+    assert!(at(&harness) > 0.4, "{}", at(&harness));
+    let wanted = params(&harness);
+    until(&mut harness, "forces there", |app| {
+        app.session.simulated.as_ref().is_some_and(|s| !s.quick && s.params == wanted)
+    });
+    harness.step();
+    assert!(most(&harness) > 1.5 * soft, "{} at {} A, {soft} at 0 A", most(&harness), at(&harness));
+    // Nothing was tuned by it, and what is tuned keeps it where it is.
+    assert!(!harness.state().session.model.as_ref().unwrap().is_tuned());
+    harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 123.0));
+    let before = at(&harness);
+    harness.state_mut().session.move_to(0.0);
+    assert_eq!(at(&harness), before);
+}

@@ -39,6 +39,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
         ui.add(egui::Label::new(egui::RichText::new(view.language.words().say(&note)).weak()).wrap());
     }
+    setting(ui, session, w);
     legend(ui, w);
     ui.separator();
     let rows: Vec<Row> = parameter::table().filter(|r| r.element().is_some()).collect();
@@ -57,6 +58,28 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             element(ui, session, view, one, false, &rows);
         }
     });
+}
+
+/// A slider over the setting of a damper that depends on one.
+fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
+    let Some(model) = &session.model else { return };
+    let Some((axis, at)) = model.over_setting() else { return };
+    let (low, high) = axis.range();
+    let name = if axis.name().is_empty() { w.setting } else { axis.name() };
+    let name = format!("{name} {}", axis.unit()).trim_end().to_owned();
+    let mut moved = at;
+    let slider = Slider::new(&mut moved, low..=high)
+        .clamping(SliderClamping::Always)
+        .custom_formatter(|v, _| w.typed(v))
+        .custom_parser(read)
+        .text(&name);
+    let is_tuned = model.is_tuned();
+    let slider = ui.add_enabled(!is_tuned, slider);
+    slider.widget_info(|| WidgetInfo::slider(!is_tuned, moved, &name));
+    slider.on_hover_text(w.setting_hint).on_disabled_hover_text(w.setting_tuned);
+    if moved != at {
+        session.move_to(moved);
+    }
 }
 
 /// The error as it is, beside that of the identified model.

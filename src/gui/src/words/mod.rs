@@ -170,6 +170,12 @@ pub struct Words {
     pub records: &'static str,
     pub study: &'static str,
     pub no_model: &'static str,
+    /// The setting of a damper that depends on one and does not name it.
+    pub setting: &'static str,
+    /// What its slider shows.
+    pub setting_hint: &'static str,
+    /// Why its slider stands still.
+    pub setting_tuned: &'static str,
     pub unsaved_model: &'static str,
     pub not_saved: &'static str,
     pub rejected: &'static str,

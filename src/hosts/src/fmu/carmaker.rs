@@ -39,11 +39,20 @@ pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     })
 }
 
-/// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with a curve, where one may be shown.
+/// The link of CarMaker's input for controlled dampers to the setting.
+const SETTING: &str = "FMUIn.setting.Link = IFVar\nFMUIn.setting.Rel = CtrlIn\n";
+
+/// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with a curve, where one may be shown. Where the damper depends on a setting,
+/// CarMaker's `CtrlIn` is that setting.
 ///
 /// # Errors
 /// Where the model is none, or a line break in the name would begin another key.
-pub fn plug_info(name: &str, guid: &str, shown: Option<&PlainCurve>, written: &str) -> anyhow::Result<String> {
+pub fn plug_info(
+    (name, guid): (&str, &str),
+    has_setting: bool,
+    shown: Option<&PlainCurve>,
+    written: &str,
+) -> anyhow::Result<String> {
     if name.chars().any(char::is_control) {
         bail!("{name:?} is no name for an FMU in CarMaker: it has a line break or another control character");
     }
@@ -65,13 +74,14 @@ pub fn plug_info(name: &str, guid: &str, shown: Option<&PlainCurve>, written: &s
          FMUIn.displacement.Link = IFVar\n\
          FMUIn.displacement.Rel = length\n\
          FMUIn.velocity.Link = IFVar\n\
-         FMUIn.velocity.Rel = vel\n\n\
+         FMUIn.velocity.Rel = vel\n{}\n\
          IFVar.Force.Link = FMUVar\n\
          IFVar.Force.Rel = force\n\n\
          # What CarMaker takes for the damper where it looks for its equilibrium: no spring, and the curve where one stands here.\n\
          Susp.Damper.SubstModel.Spring.l0 = 0.0\n\
          Susp.Damper.SubstModel.Spring:\n\t0.0 0.0\n\t1.0 0.0\n",
-        env!("CARGO_PKG_VERSION")
+        env!("CARGO_PKG_VERSION"),
+        if has_setting { SETTING } else { "" }
     );
     if let Some(plain) = shown {
         let curve = plain.curve()?;
@@ -97,7 +107,7 @@ mod tests {
             let text = format!("format = 1\nelements = [{elements}]\n");
             let file = dashpot_identification::model_file::of_text(&text, std::path::Path::new("m.toml")).unwrap();
             let curve = PlainCurve::from_model_file(&file, false).unwrap().unwrap();
-            plug_info("front", "{1}", Some(&curve), "x").unwrap()
+            plug_info(("front", "{1}"), false, Some(&curve), "x").unwrap()
         };
         assert!(with("\"fv_curve\", \"gas_preload\"").contains("looks for its equilibrium with: gas_preload."));
         assert!(!with("\"fv_curve\"").contains("Not in the damper"));
@@ -112,8 +122,11 @@ mod tests {
         // At the start the damper is where the rig's zero was.
         assert_eq!(scales.motion * scales.start + scales.position_offset, 0.0);
 
-        assert!(plug_info("a\nFMU.Name = b", "{1}", None, "x").is_err());
-        let text = plug_info("front", "{1}", None, "from a\nFMU.Name = b").unwrap();
+        assert!(plug_info(("a\nFMU.Name = b", "{1}"), false, None, "x").is_err());
+        let text = plug_info(("front", "{1}"), false, None, "from a\nFMU.Name = b").unwrap();
         assert_eq!(text.lines().filter(|line| line.starts_with("FMU.Name")).count(), 1, "{text}");
+        assert!(!text.contains("CtrlIn"), "{text}");
+        let text = plug_info(("front", "{1}"), true, None, "x").unwrap();
+        assert!(text.contains("FMUIn.setting.Rel = CtrlIn\n\nIFVar.Force"), "{text}");
     }
 }

@@ -1,13 +1,15 @@
 //! Pass or fail: what a damper may show, as its maker or buyer writes it, against what the rig measured.
 //!
 //! [`table`] reads the limits, [`measured`] takes the figures from the records, [`judge`] compares them, and [`Figures::judge`] those that
-//! were kept. The verdict is that of the measurement. Where forces of a model are given, they are judged by the same rules beside it: a model that stands in
+//! were kept. [`judge_over_settings`] judges a damper over a setting. The verdict is that of the measurement. Where forces of a model are given, they are judged by the same rules beside it: a model that stands in
 //! for a damper in a vehicle must keep the windows too.
 
 mod measured;
+mod over_settings;
 mod table;
 
 pub use measured::{BETWEEN, Figures, NEAR};
+pub use over_settings::{SettingLimitError, check_without_setting, judge_over_settings};
 pub use table::{Limit, LimitError, Quantity, parse, read};
 
 use dashpot_records::Record;

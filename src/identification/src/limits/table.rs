@@ -54,6 +54,9 @@ pub struct Limit {
     pub low_n: Option<f64>,
     /// Largest value allowed, N.
     pub high_n: Option<f64>,
+    /// Setting of the damper at which, where it depends on one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub setting: Option<f64>,
     /// Line of the file.
     pub line: u64,
 }
@@ -69,6 +72,7 @@ impl Limit {
             ("amplitude_m", self.amplitude_m),
             ("low", self.low_n),
             ("high", self.high_n),
+            ("setting", self.setting),
         ];
         if let Some((name, value)) = numbers.iter().find(|(_, value)| value.is_some_and(|v| !v.is_finite())) {
             return Err(format!("{name} is {}, which is no number", value.unwrap_or(f64::NAN)));
@@ -131,7 +135,8 @@ pub enum LimitError {
 }
 
 /// Columns understood; `low` and `high`, or `nominal` and `tolerance`, say the window.
-const COLUMNS: &str = "quantity, velocity_m_s, low, high, and if wanted nominal, tolerance, amplitude_m, unit, name";
+const COLUMNS: &str =
+    "quantity, velocity_m_s, low, high, and if wanted nominal, tolerance, amplitude_m, setting, unit, name";
 
 /// Reads a file of limits, in UTF-8 or as a spreadsheet saves it otherwise.
 ///
@@ -165,7 +170,8 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
         .iter()
         .map(|h| h.to_ascii_lowercase().replace([' ', '-'], "_"))
         .collect();
-    let known = ["quantity", "velocity_m_s", "low", "high", "nominal", "tolerance", "amplitude_m", "unit", "name"];
+    let known =
+        ["quantity", "velocity_m_s", "low", "high", "nominal", "tolerance", "amplitude_m", "setting", "unit", "name"];
     let header_line =
         1 + text.lines().take_while(|l| l.trim().is_empty() || l.trim_start().starts_with('#')).count() as u64;
     if let Some(other) = header.iter().find(|h| !known.contains(&h.as_str())) {
@@ -249,6 +255,7 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
         amplitude_m: value("amplitude_m")?,
         low_n: low,
         high_n: high,
+        setting: value("setting")?,
         line,
     };
     limit.check().map(|()| limit)

@@ -36,13 +36,13 @@ from ._native import VERSION as __version__
 from .adams import export_adm
 from .campaign import Campaign, Record
 from .damper import Damper
-from .family import Family
+from .family import Family, FittedFamily
 from .identification import diagnose, diagnose_groups, fit
 from .limits import Limit, Limits, read_limits
 from .literature import LiteratureModel, fit_literature
 from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual, write_test_matrix
-from .results import Certificate, Diagnosis, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
+from .results import Certificate, Diagnosis, FamilyFitResult, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -56,8 +56,10 @@ __all__ = [
     "DiagnosisError",
     "ExportError",
     "Family",
+    "FamilyFitResult",
     "FitError",
     "FitResult",
+    "FittedFamily",
     "FittedModel",
     "GroupsDiagnosis",
     "HostCheck",

@@ -74,6 +74,7 @@ class Fmu(TypedDict):
     model_file: str
     fmi: int
     four: bool
+    inputs: str | None
     motion_scale: float | None
     force_scale: float | None
     position_offset: float

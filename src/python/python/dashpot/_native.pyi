@@ -11,8 +11,8 @@ from ._given import Bench, Fmu, Grouping, Page, Tests
 _Array = npt.NDArray[np.float64]
 _Progress = Callable[[float, str], object] | None
 
-#: Name, quantity, velocity, low, high, amplitude of a limit.
-_Limit = tuple[str, str, float | None, float | None, float | None, float | None]
+#: Name, quantity, velocity, low, high, amplitude, setting of a limit.
+_Limit = tuple[str, str, float | None, float | None, float | None, float | None, float | None]
 
 VERSION: str
 UNWINDS: bool
@@ -105,6 +105,27 @@ class Dampers:
     def state(self, rows: npt.ArrayLike) -> None: ...
 
 @final
+class Family:
+    @staticmethod
+    def parse(text: str, name: str | os.PathLike[str]) -> Family: ...
+    @property
+    def text(self) -> str: ...
+    def setting(self) -> tuple[list[float], float, str, str]: ...
+    def at(self, setting: float, name: str | os.PathLike[str]) -> Model: ...
+    def steady_force(self, velocity: npt.ArrayLike, setting: npt.ArrayLike) -> _Array: ...
+    def simulate(
+        self,
+        time: npt.ArrayLike,
+        displacement: npt.ArrayLike | None,
+        velocity: npt.ArrayLike | None,
+        setting: npt.ArrayLike,
+        initial_position: float | None,
+    ) -> list[_Array]: ...
+    def validate(
+        self, campaign: Campaign, given: float | None = None, progress: _Progress = None, limits: Sequence[_Limit] | None = None
+    ) -> tuple[str, list[tuple[_Array, _Array]], Campaign]: ...
+
+@final
 class Fitted: ...
 
 @final
@@ -120,6 +141,13 @@ def fit(
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
 ) -> tuple[str, str, Fitted]: ...
+def fit_family(
+    campaign: Campaign,
+    setting: str,
+    elements: Sequence[str] | None = None,
+    hold_out: Sequence[str] = ...,
+    progress: _Progress = None,
+) -> tuple[str, str]: ...
 def fit_literature(campaign: Campaign, name: str, hold_out: Sequence[str] = ..., progress: _Progress = None) -> tuple[str, str]: ...
 def validate(
     model: Model,

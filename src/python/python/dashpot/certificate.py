@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from ._result import Result, Row
@@ -54,6 +54,8 @@ class Checked(Result):
     verdict: str
     """Of the damper: ``pass``, ``fail`` or ``not_tested``, which is no pass."""
     model_verdict: str | None
+    setting: float | None = field(default=None, metadata={"omitted": True})
+    """Setting of the damper at which, for one that depends on a setting."""
 
     @property
     def missed(self) -> str | None:

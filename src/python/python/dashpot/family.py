@@ -2,58 +2,145 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._arguments import loads
+from ._files import needs, write_new
 from ._numbers import column, real
+from ._result import Row, frame, table
+from ._work import watched
+from .campaign import Campaign, Path, Progress, Record, native_of
+from .family_fit import FamilyFitResult
+from .limits import Limit, rows
 from .model import Model, Response
+from .validation import JudgedValidation, Validation
+
+if TYPE_CHECKING:
+    import pandas
 
 
 class Family:
-    """A damper over a setting, from a model file that names its grid (``setting = [...]``).
+    """A damper over a setting, from a model file that names its grid (``setting = [...]``). Made by :func:`dashpot.fit` with ``setting``, or :meth:`read`.
 
-    >>> family = dashpot.Family.read("semi_active.toml")              # doctest: +SKIP
+    >>> family = dashpot.fit(campaign, setting="current")             # doctest: +SKIP
     >>> family.at(0.8).steady_force([0.1, 0.5])                       # doctest: +SKIP
-    >>> family.simulate(t, displacement=x, setting=current).force     # doctest: +SKIP
+    >>> family.steady_force(0.5, setting=[0.0, 0.8, 1.6])             # doctest: +SKIP
+    >>> family.simulate(t, displacement_m=x, setting=current).force     # doctest: +SKIP
+    >>> family.validate(campaign).settings                            # doctest: +SKIP
     """
 
-    def __init__(self, text: str, name: Path | str = "model.toml") -> None:
-        self._name = Path(name)
+    def __init__(self, text: str, name: Path = "model.toml") -> None:
+        self._name = os.fspath(name)
         self._native = _native.Family.parse(text, self._name)
         grid, self.start, self.name, self.unit = self._native.setting()
         #: The settings of the file, increasing.
         self.grid = np.array(grid)
 
     @staticmethod
-    def read(path: Path | str) -> Family:
+    def read(path: Path) -> Family:
         """Reads a model file.
 
         :raises ModelError: where the file is no damper, or one that depends on no setting.
+        :raises FileNotFoundError: where there is no such file.
         """
-        return Family(Path(path).read_text(encoding="utf-8"), path)
+        with needs(path), open(path, encoding="utf-8") as file:
+            return Family(file.read(), path)
 
-    def __getstate__(self) -> tuple[str, Path]:
-        return self._native.text, self._name
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Family, (self.text, self._name))
 
-    def __setstate__(self, state: tuple[str, Path]) -> None:
-        self.__init__(*state)  # type: ignore[misc]
+    def __repr__(self) -> str:
+        settings = ", ".join(f"{value:g}" for value in self.grid)
+        return f"<dashpot.Family over {self.name or 'a setting'}: {settings} {self.unit}".rstrip() + ">"
+
+    @property
+    def text(self) -> str:
+        """The model file."""
+        return self._native.text
+
+    def write(self, path: Path, *, force: bool = False) -> None:
+        """Writes the model file, whole or not at all.
+
+        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
+        :raises OutputError: where it cannot.
+        """
+        write_new(path, self.text, force)
+        self._name = os.fspath(path)
 
     def at(self, setting: float) -> Model:
         """The ordinary damper at a setting, clamped to the grid; the actuator is no part of it."""
         real("setting", setting)
         return Model(self._native.at(setting, self._name).text, self._name)
 
+    def _rows(self) -> list[Row]:
+        def row(setting: float) -> Row:
+            numbers = {p.name: p.value for p in self.at(setting).parameters.values() if isinstance(p.value, float)}
+            return {self.name or "setting": setting, **numbers}
+
+        return [row(float(setting)) for setting in self.grid]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row for each setting of the grid, with the numbers in use there. Needs pandas."""
+        return frame(self._rows())
+
+    def _repr_html_(self) -> str:
+        return table(f"Damper over {self.name or 'a setting'} {self.unit}".rstrip(), self._rows())
+
+    def steady_force(self, velocity_m_s: npt.ArrayLike, *, setting: npt.ArrayLike | None = None) -> npt.NDArray[np.float64]:
+        """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas.
+
+        :param setting: one number or several; velocities and settings are combined by the rules of numpy. The start setting if not given.
+        :raises ValueError: where shapes do not fit or a number is not finite.
+        """
+        given = np.asarray(self.start if setting is None else setting, dtype=float)
+        velocities, settings = np.broadcast_arrays(np.asarray(velocity_m_s, dtype=float), given)
+        return self._native.steady_force(velocities.ravel(), settings.ravel()).reshape(velocities.shape)
+
+    @overload
+    def validate(
+        self, campaign: Sequence[Record], *, setting: float | None = None, limits: None = None, progress: Progress | None = None
+    ) -> Validation: ...
+    @overload
+    def validate(
+        self, campaign: Sequence[Record], *, setting: float | None = None, limits: Sequence[Limit], progress: Progress | None = None
+    ) -> JudgedValidation: ...
+    def validate(
+        self,
+        campaign: Sequence[Record],
+        *,
+        setting: float | None = None,
+        limits: Sequence[Limit] | None = None,
+        progress: Progress | None = None,
+    ) -> Validation:
+        """Compares the damper with records, each test at its own setting; as ``dashpot validate``. :attr:`Validation.settings` has the errors at each.
+
+        :param setting: that of tests that say none.
+        :param limits: windows that the damper has to keep, each at its :attr:`Limit.setting`.
+        :raises ValidationError: where a test says no setting, or a limit has none.
+        """
+        real("setting", setting)
+        windows = None if limits is None else rows(limits)
+        with watched(progress) as told:
+            said, forces, as_compared = self._native.validate(native_of(campaign, "campaign"), setting, told, windows)
+        compared = Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
+        kind = Validation if limits is None else JudgedValidation
+        return replace(kind.from_dict(loads(said)), _forces=tuple(forces), campaign=compared)
+
     def simulate(
         self,
-        time: npt.ArrayLike,
-        displacement: npt.ArrayLike | None = None,
-        velocity: npt.ArrayLike | None = None,
+        time_s: npt.ArrayLike,
+        displacement_m: npt.ArrayLike | None = None,
+        velocity_m_s: npt.ArrayLike | None = None,
         *,
         setting: npt.ArrayLike | None = None,
-        initial_position: float | None = None,
+        initial_position_m: float | None = None,
     ) -> Response:
         """The force for a motion, as :meth:`Model.simulate`, actuator included.
 
@@ -61,12 +148,24 @@ class Family:
         :raises MotionError: where a number overflows.
         :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """
-        times = column("time", time)
+        times = column("time_s", time_s)
         given = np.asarray(self.start if setting is None else setting, dtype=float)
-        settings = np.full(len(times), float(given)) if given.ndim == 0 else column("setting", setting)
+        settings = np.full(len(times), float(given)) if given.ndim == 0 else column("setting", given)
         channels = (
-            None if displacement is None else column("displacement", displacement),
-            None if velocity is None else column("velocity", velocity),
+            None if displacement_m is None else column("displacement_m", displacement_m),
+            None if velocity_m_s is None else column("velocity_m_s", velocity_m_s),
         )
-        real("initial_position", initial_position)
-        return Response(*self._native.simulate(times, *channels, settings, initial_position))
+        real("initial_position_m", initial_position_m)
+        return Response(*self._native.simulate(times, *channels, settings, initial_position_m))
+
+
+class FittedFamily(Family):
+    """A damper over a setting that comes from :func:`dashpot.fit`, with what the fit said of it."""
+
+    def __init__(self, text: str, name: Path, fit: FamilyFitResult) -> None:
+        super().__init__(text, name)
+        #: What the fit said: numbers with intervals, what depends on the setting, errors at each.
+        self.fit = fit
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (FittedFamily, (self.text, self._name, self.fit))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 from . import _native
 from ._arguments import loads
@@ -17,6 +17,8 @@ from ._papers import Origin, option, origin
 from .campaign import Campaign, Path, Progress, Record, native_of, paths_of
 from .model import FittedModel, Model
 from .diagnosis import Diagnosis
+from .family import Family, FittedFamily
+from .family_fit import FamilyFitResult
 from .fitted import FitResult
 from .groups import GroupsDiagnosis
 from .reading import Note
@@ -25,20 +27,42 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
+@overload
 def fit(
     campaign: Sequence[Record],
     *,
+    setting: str,
     family: str = "thesis",
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = (),
     progress: Progress | None = None,
-) -> FittedModel:
+) -> FittedFamily: ...
+@overload
+def fit(
+    campaign: Sequence[Record],
+    *,
+    setting: None = None,
+    family: str = "thesis",
+    elements: Sequence[str] | None = None,
+    hold_out: Sequence[str] = (),
+    progress: Progress | None = None,
+) -> FittedModel: ...
+def fit(
+    campaign: Sequence[Record],
+    *,
+    setting: str | None = None,
+    family: str = "thesis",
+    elements: Sequence[str] | None = None,
+    hold_out: Sequence[str] = (),
+    progress: Progress | None = None,
+) -> FittedModel | FittedFamily:
     """Identifies a damper from records; as ``dashpot fit``.
 
     FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the variants of
     friction, springs, the series path and measurement errors are chosen by one search over structures. ``model.fit`` holds the estimates with their 95 % intervals.
 
     :param campaign: a :class:`Campaign`, part of one (``campaign[2:]``), or some of its records: ``[r for r in campaign if r.peak_velocity < 0.6]``.
+    :param setting: what the tests were set to: ``"current"``, ``"clicks"``, or the name in ``campaign.toml``. One damper over it is fitted, a :class:`FittedFamily`.
     :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``. The other models of the literature,
         which no host runs, are identified by :func:`fit_literature`.
     :param elements: elements that the fit may use; all of the model's if not given.
@@ -47,6 +71,14 @@ def fit(
     :raises FitError: where no model can be fitted to these records.
     """
     wanted = None if elements is None else words(elements)
+    if setting is not None:
+        if not isinstance(setting, str):
+            raise TypeError(f'setting is the name of what the tests were set to, such as "current", not a {type(setting).__name__}')
+        if family != "thesis":
+            raise ValueError(f"setting fits the family thesis over the setting, not {family}; leave one of the two out")
+        with watched(progress) as told:
+            text, said = _native.fit_family(native_of(campaign, "campaign"), setting, wanted, words(hold_out), told)
+        return FittedFamily(text, "family.toml", FamilyFitResult.from_dict(loads(said)))
     with watched(progress) as told:
         text, said, found = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told)
     chosen = [] if family == "thesis" else ["--model", family]
@@ -155,6 +187,8 @@ def diagnose_groups(
 
 
 def _check(model: object) -> None:
+    if isinstance(model, Family):
+        raise TypeError("model depends on a setting; give the damper at one, model.at(setting), with its records, or use dashpot diagnose family.toml DATA")
     if not isinstance(model, Model):
         raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
 

@@ -1,7 +1,7 @@
 """What a good damper may do: the windows of ``dashpot validate --limits``, from a table or given one by one.
 
 Columns of a table are ``quantity``, ``velocity_m_s``, ``low`` and ``high``, or ``nominal`` and ``tolerance`` in their place, and if wanted
-``amplitude_m``, ``unit`` and ``name``. An empty low or high is no limit on that side. Forces are in N, tension positive; velocities
+``amplitude_m``, ``setting``, ``unit`` and ``name``. An empty low or high is no limit on that side. Forces are in N, tension positive; velocities
 in m/s, extension positive.
 
 | quantity | what is compared |
@@ -41,6 +41,8 @@ class Limit:
     """Stroke at which; the longest that reaches the velocity if not given."""
     label: str = ""
     """Name that the file gives it."""
+    setting: float | None = None
+    """Setting of the damper at which, for one that depends on a setting."""
 
 
 class Limits(tuple[Limit, ...]):
@@ -58,7 +60,7 @@ class Limits(tuple[Limit, ...]):
 
 
 #: A limit as the compiled part takes it.
-Row = tuple[str, str, "float | None", "float | None", "float | None", "float | None"]
+Row = tuple[str, str, "float | None", "float | None", "float | None", "float | None", "float | None"]
 
 
 def read_limits(path: str | os.PathLike[str]) -> Limits:
@@ -70,8 +72,8 @@ def read_limits(path: str | os.PathLike[str]) -> Limits:
     with needs(path):
         read = _native.read_limits(os.fspath(path))
     limits = (
-        Limit(quantity, velocity, -math.inf if low is None else low, math.inf if high is None else high, amplitude, label)
-        for label, quantity, velocity, low, high, amplitude in read
+        Limit(quantity, velocity, -math.inf if low is None else low, math.inf if high is None else high, amplitude, label, setting)
+        for label, quantity, velocity, low, high, amplitude, setting in read
     )
     return Limits(limits, path)
 
@@ -86,4 +88,4 @@ def rows(limits: Sequence[Limit]) -> list[Row]:
     for limit in limits:
         if not isinstance(limit, Limit):
             raise TypeError(f"limits are a sequence of dashpot.Limit, not of {type(limit).__name__}; dashpot.read_limits reads them from a file")
-    return [(x.label, x.quantity, x.velocity_m_s, x.low, x.high, x.amplitude_m) for x in limits]
+    return [(x.label, x.quantity, x.velocity_m_s, x.low, x.high, x.amplitude_m, x.setting) for x in limits]

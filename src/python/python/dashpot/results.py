@@ -12,18 +12,19 @@ from .certificate import Certificate, Checked, LimitValue, PeakPoint
 from .host import HostCheck
 from .validation import (
     Against, AgainstSummary, AgainstTest, Deviation, ErrorMatrix, Errors, GapBin, Hysteresis, JudgedValidation, MatrixCell, MatrixRow, OfEach,
-    PeakForce, Summary, TestValidation, Validation,
+    PeakForce, SettingSummary, Summary, TestValidation, Validation,
 )
 from .diagnosis import (
     Branch, Change, CouldNotTest, Diagnosis, Evidence, Figures, Finding, Findings, NextTest,
     OverWholeRecords, Region, Rival, Shift, TestOutcome, Tried, Value,
 )
+from .family_fit import FamilyEstimate, FamilyFitResult, SettingAxis, SettingDependence, SettingError, SettingReport
 from .groups import Group, GroupsDiagnosis
 from .literature import LiteratureModel
 
 __all__ = [
     "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
-    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
+    "Evidence", "FamilyEstimate", "FamilyFitResult", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "SettingAxis", "SettingDependence", "SettingError", "SettingReport", "SettingSummary", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]

@@ -52,6 +52,15 @@ class Summary(Errors):
 
 
 @dataclass(frozen=True, repr=False)
+class SettingSummary(Summary):
+    """Mean figures over the tests at one setting of a damper that depends on one."""
+
+    setting: float
+    is_of_grid: bool
+    """Whether the model file gives numbers at this setting; else they are interpolated."""
+
+
+@dataclass(frozen=True, repr=False)
 class OfEach(Result):
     """One figure of the measured force, of the model, and of the FV curve alone."""
 
@@ -213,6 +222,8 @@ class Validation(Papers, Result):
     region_boundary_m_s: float
     limits: Certificate | None = field(default=None, metadata={"omitted": True})
     """Which limits the damper keeps, where some were given."""
+    settings: tuple[SettingSummary, ...] = field(default=(), metadata={"omitted": True})
+    """Errors at each setting of a damper that depends on one."""
     against: tuple[Against, ...] = field(default=(), metadata={"omitted": True})
     """The model and those of the literature that it was compared with, where some were named."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
@@ -259,6 +270,8 @@ class Validation(Papers, Result):
         self, what: str, path: Path, language: str, date: str | datetime.date | None, force: bool, full: bool = False
     ) -> list[pathlib.Path]:
         made_from = self._compared
+        if self.settings and made_from is None:
+            raise ValueError("papers of a damper over a setting are written by the command: dashpot validate family.toml DATA --report report.html")
         if made_from is None or self._forces is None or self.campaign is None:
             raise figures_alone("Model.validate", "was made from a dictionary")
         how = page("validate", made_from.origin, made_from.model, language=language, date=date, force=force, full=full)
@@ -294,7 +307,10 @@ class Validation(Papers, Result):
             for t in self.tests
         ]
         said = [self.as_the_fit_saw] if self.as_the_fit_saw else []
-        shown = table("Validation", [row], [*said, *(u.why for u in self.unusable)]) + table("Tests", short)
+        shown = table("Validation", [row], [*said, *(u.why for u in self.unusable)])
+        if self.settings:
+            shown += table("Settings", [held(of)[0] for of in self.settings])
+        shown += table("Tests", short)
         if self.limits is not None:
             shown += self.limits._repr_html_()
         if self.against:

@@ -28,7 +28,7 @@ pub fn headline(found: &Diagnosis, words: &Words) -> String {
 }
 
 /// A text with a capital and a full stop.
-fn sentence(text: &Sentence, words: &Words) -> String {
+pub(super) fn sentence(text: &Sentence, words: &Words) -> String {
     let said = words.say(text);
     words.fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }

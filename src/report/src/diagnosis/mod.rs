@@ -11,6 +11,7 @@
 //! | [`places`] | where they disagree, in words, figures and maps |
 //! | [`matrix`] | errors by amplitude and peak velocity, before and after |
 //! | [`tried`] | everything that was tried, round by round |
+//! | [`over_settings`] | one damper diagnosed at several settings |
 //!
 //! The first five, with the worst test's loops alone, are what is printed in short.
 
@@ -20,11 +21,13 @@ mod findings;
 mod limits;
 mod loops;
 mod matrix;
+mod over_settings;
 mod places;
 mod tried;
 
 pub use answer::{headline, picture};
 pub use findings::changed_name;
+pub use over_settings::SettingsReport;
 
 use super::page::{self, Print};
 use super::{Block, Made, ParameterRow, Section, Workbook, made, parameters, write_figures, write_page};

@@ -1,7 +1,7 @@
 //! The second half of the demo: a damper with an effect hidden in it is measured, identified without it and diagnosed.
 
 use super::super::data::DataArgs;
-use super::super::{diagnose, fit};
+use super::super::{diagnose, diagnosed, fit};
 use crate::page::DateArgs;
 use crate::progress::Progress;
 use anyhow::Context as _;
@@ -51,7 +51,7 @@ pub fn write(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
 
     say("6. Where do model and records disagree, and what is missing? (dashpot diagnose)\n")?;
     let left_out = diagnose::held_out(&campaign, &kept_back, seed)?;
-    let diagnosed = diagnose::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
+    let diagnosed = diagnosed::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
     say(&diagnosed.lines().join("\n"))?;
     dashpot_output::write(&in_folder("improved.toml"), diagnosed.model(&model, &campaign))?;
     dashpot_output::json(&in_folder("diagnosis.json"), &diagnosed.json())?;

@@ -100,10 +100,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for path in &args.models {
         let file = model::read_family(path)?;
         if args.carmaker.is_some() && file.axis.is_some() {
-            bail!(
-                "{} depends on a setting, which CarMaker's class of dampers has no input for; write the damper at one with dashpot setting",
+            notes.push(format!(
+                "note: {}: the .pluginfo file links the setting to CarMaker's CtrlIn, one to one, in the unit of the model file; at rest CtrlIn is 0",
                 path.display()
-            );
+            ));
         }
         if args.carmaker.is_some() && !args.hide_parameters {
             curve = PlainCurve::from_model_file(&file, args.model_curve).with_context(|| path.display().to_string())?;
@@ -115,6 +115,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         remarks.extend(stiffness::remarks(&ready.params));
         models.push(Definition { params: ready.params, axis: file.axis });
     }
+    let has_setting = models.iter().any(|model| model.axis.is_some());
     let corners = fmu::corners(&models, args.four)?;
     let scales = match args.carmaker {
         Some(length) => Scales::carmaker(length)?,
@@ -162,7 +163,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();
         let written =
             format!("{}{} from {named}. It belongs to {name}.fmu.", dashpot_output::WRITTEN, env!("CARGO_PKG_VERSION"));
-        Ok((path, fmu::plug_info(&name, &made.guid, curve.as_ref(), &written)?))
+        Ok((path, fmu::plug_info((&name, &made.guid), has_setting, curve.as_ref(), &written)?))
     });
     let plug_info = plug_info.transpose()?;
     replace_file(&args.output, &made.bytes).with_context(|| format!("cannot write {}", args.output.display()))?;

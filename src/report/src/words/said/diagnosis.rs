@@ -98,6 +98,24 @@ pub const ALL: &[Said] = &[
         "；另有变化：{changes}",
     ],
     [
+        "at every setting this damper shows {effect} ({sure} sure)",
+        "bei jeder Einstellung zeigt dieser Dämpfer {effect} ({sure} sicher)",
+        "à chaque réglage, cet amortisseur montre {effect} (sûr à {sure})",
+        "该减振器在每个设置下都表现出 {effect}（把握 {sure}）",
+    ],
+    [
+        "{effect} ({sure} sure) is missing in the model at {names}; at the other settings it is not named",
+        "{effect} ({sure} sicher) fehlt im Modell bei {names}; bei den anderen Einstellungen wird es nicht genannt",
+        "{effect} (sûr à {sure}) manque au modèle à {names} ; aux autres réglages il n’est pas nommé",
+        "{effect}（把握 {sure}）在 {names} 处为模型所缺；在其他设置下未被指明",
+    ],
+    [
+        "no effect is missing in the model that these records can name, at any setting",
+        "bei keiner Einstellung fehlt dem Modell ein Effekt, den diese Aufzeichnungen benennen können",
+        "à aucun réglage il ne manque au modèle un effet que ces enregistrements puissent nommer",
+        "在任何设置下，模型都不缺少这些记录能够指明的效应",
+    ],
+    [
         "nothing is missing; these records do not need {effects}",
         "es fehlt nichts; diese Messungen brauchen nicht: {effects}",
         "il ne manque rien ; ces mesures ne demandent pas {effects}",

@@ -1,0 +1,365 @@
+//! `dashpot diagnose` of a damper over a setting: each setting by itself, and one table over all.
+
+use super::data::{DataArgs, name_of, named, print_sign};
+use super::diagnose_args::Args;
+use super::diagnosed::{Diagnosed, Json, examine};
+use super::model;
+use crate::progress::Progress;
+use anyhow::bail;
+use dashpot_core::family::Axis;
+use dashpot_diagnosis::settings::{EffectOverSettings, effects_over_settings, is_shown, summarize_settings};
+use dashpot_diagnosis::{Diagnosis, Options, choose_held_out};
+use dashpot_identification::AS_THE_FIT_SAW;
+use dashpot_identification::FitOptions;
+use dashpot_identification::family::{fit_family, model_file};
+use dashpot_identification::model_file::{ModelFile, family_of_text, read_family};
+use dashpot_records::{Campaign, Record, Sentence, Unusable, agree_on_sign, hold_out, is_same_setting};
+use dashpot_report::diagnosis::{DiagnosisReport, SettingsReport, headline};
+use dashpot_report::inventory::probability;
+use dashpot_report::numbers::digits;
+use dashpot_report::words::TERMINAL;
+use dashpot_report::{parameters, reading, write_workbook};
+use dashpot_simulation::comparison::settings_of;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+#[derive(Serialize)]
+struct SettingJson<'a> {
+    setting: f64,
+    tests: usize,
+    #[serde(flatten)]
+    diagnosis: Json<'a>,
+}
+
+#[derive(Serialize)]
+struct AxisJson<'a> {
+    name: &'a str,
+    unit: &'a str,
+    grid: &'a [f64],
+}
+
+#[derive(Serialize)]
+struct SettingsJson<'a> {
+    setting: AxisJson<'a>,
+    /// What was found, an effect of all settings once.
+    summary: &'a [Sentence],
+    effects: &'a [EffectOverSettings],
+    /// What `dashpot diagnose` says of the damper at each setting.
+    settings: Vec<SettingJson<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_the_fit_saw: Option<&'a Sentence>,
+    unusable: &'a [Unusable],
+}
+
+/// One setting with its records.
+struct Part {
+    setting: f64,
+    model: ModelFile,
+    campaign: Campaign,
+    left_out: Vec<bool>,
+    reference: Vec<Record>,
+}
+
+/// What is diagnosed: a model file, or the family of the very records.
+struct Subject {
+    model: ModelFile,
+    /// How reports call the model.
+    name: String,
+    campaign: Campaign,
+    /// Setting of tests that say none.
+    given: Option<f64>,
+    files: Vec<PathBuf>,
+}
+
+/// Rejects what has no meaning over settings.
+fn check(args: &Args, what: &str) -> anyhow::Result<()> {
+    let one = format!("diagnose the damper at one setting: dashpot setting {what} VALUE -o one.toml");
+    for (option, is_given, why) in [
+        ("-o", args.output.is_some(), "writes an improved damper, and each setting may need another"),
+        ("--next-tests", args.next_tests.is_some(), "writes a test matrix, which has no column for the setting"),
+        ("--svg", args.svg.is_some(), "writes the figures of one diagnosis"),
+        ("--dimensions", args.dimensions.is_some(), "gives priors to one damper"),
+        ("--group", args.group.is_some(), "splits the tests itself"),
+    ] {
+        if is_given {
+            bail!("{option} {why}; {one}");
+        }
+    }
+    Ok(())
+}
+
+/// Diagnoses a family that a model file holds. `--setting` is that of tests that say none.
+pub fn of_model(args: &Args, model: ModelFile) -> anyhow::Result<()> {
+    check(args, &args.model.display().to_string())?;
+    let given = match &args.setting {
+        None => None,
+        Some(text) => Some(text.parse::<f64>().ok().filter(|value| value.is_finite()).ok_or_else(|| {
+            anyhow::anyhow!(
+                "--setting is the setting of tests that say none, a number, where a model is given; {text:?} is none"
+            )
+        })?),
+    };
+    // How sure the sign is depends on the reference too.
+    let campaign = args.data.load_over_setting_like(&args.data.data)?;
+    let name = name_of(&args.model);
+    run(args, &args.data, Subject { model, name, campaign, given, files: vec![args.model.clone()] })
+}
+
+/// Fits the family of the records and diagnoses it.
+pub fn of_data(args: &Args, setting: &str) -> anyhow::Result<()> {
+    check(args, "FAMILY")?;
+    if setting.parse::<f64>().is_ok() {
+        bail!("--setting {setting} needs a damper over a setting as MODEL; without one it is a name, such as current");
+    }
+    let mut data = args.data.clone();
+    data.data.insert(0, args.model.clone());
+    let campaign = data.load_over_setting_like(&data.data)?;
+    let records: Vec<&Record> = campaign.records.iter().collect();
+    let progress = Progress::new("fitting");
+    let found =
+        fit_family(&records, setting, &FitOptions::default(), |stage| progress.say(stage.done, stage.text.english()))?;
+    drop(progress);
+    let name = format!("family over {setting}");
+    let model = family_of_text(&model_file::write(&found), Path::new(&name))?;
+    run(args, &data, Subject { model, name, campaign, given: None, files: Vec::new() })
+}
+
+fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
+    let Subject { model, name, mut campaign, given, mut files } = subject;
+    files.extend(campaign.files.iter().cloned());
+    let mut good = None;
+    if args.reference.is_empty() {
+        print_sign(&campaign.notes);
+    } else {
+        let mut reference = data.load_over_setting_like(&args.reference)?;
+        agree_on_sign(&mut [&mut campaign, &mut reference]);
+        print_sign(campaign.notes.iter().chain(&reference.notes));
+        campaign.also_without(std::mem::take(&mut reference.unusable));
+        files.extend(std::mem::take(&mut reference.files));
+        good = Some(reference);
+    }
+    let others = good.iter_mut().flat_map(|good| &mut good.records);
+    let note = model.identification.right(campaign.records.iter_mut().chain(others));
+    note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));
+    campaign.notes.extend(note);
+    let parts = split(args, &model, &campaign, good.as_ref(), given)?;
+    let unit = model.axis.unit();
+    let mut found: Vec<(Part, Diagnosed)> = Vec::new();
+    for mut part in parts {
+        let options = Options {
+            max_effects: args.max_effects,
+            candidates: args.candidates.clone(),
+            reference: std::mem::take(&mut part.reference),
+        };
+        let diagnosed = examine(&part.model, &part.campaign, part.left_out.clone(), &options)
+            .map_err(|error| error.context(format!("at {}", format_setting(part.setting, unit))))?;
+        found.push((part, diagnosed));
+    }
+    let answers: Vec<(f64, &Diagnosis)> = found.iter().map(|(part, one)| (part.setting, &one.found)).collect();
+    let effects = effects_over_settings(&answers);
+    let summary = summarize_settings(&effects, answers.len(), unit);
+    let json = args.json.as_deref();
+    dashpot_output::say(json, &reading::sign_in_words(&campaign.sign, &TERMINAL))?;
+    dashpot_output::say(json, &format_settings(&model.axis, &summary, &effects, &found).join("\n"))?;
+    if let Some(path) = json {
+        let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| &n.text);
+        dashpot_output::json(
+            path,
+            &SettingsJson {
+                setting: AxisJson { name: model.axis.name(), unit, grid: model.axis.grid() },
+                summary: &summary,
+                effects: &effects,
+                settings: found
+                    .iter()
+                    .map(|(part, one)| SettingJson {
+                        setting: part.setting,
+                        tests: part.campaign.records.len(),
+                        diagnosis: one.json(),
+                    })
+                    .collect(),
+                as_the_fit_saw,
+                unusable: &campaign.unusable,
+            },
+        )?;
+    }
+    if args.report.is_none() && args.excel.is_none() {
+        return Ok(());
+    }
+    let (words, print) = args.page.words_and_print();
+    let records: Vec<Vec<&Record>> = found.iter().map(|(part, _)| part.campaign.records.iter().collect()).collect();
+    let made = args.page.text.date.made(files)?;
+    let settings = found.iter().zip(&records).map(|((part, one), records)| {
+        let report = DiagnosisReport {
+            model_file: name.clone(),
+            data: data.named(),
+            found: &one.found,
+            records,
+            reading: reading::sentences(&part.campaign, words),
+            over_whole_records: one.over_whole_records,
+            parameters: parameters::of_diagnosis(&one.found, words),
+            made: made.clone(),
+            print,
+            words,
+        };
+        (part.setting, report)
+    });
+    let report = SettingsReport {
+        model_file: name.clone(),
+        data: data.named(),
+        unit: unit.to_owned(),
+        summary: &summary,
+        effects: &effects,
+        settings: settings.collect(),
+        made: made.clone(),
+        print,
+        words,
+    };
+    if let Some(path) = &args.report {
+        dashpot_output::write(path, report.render())?;
+        dashpot_output::say(json, &format!("report: {}", path.display()))?;
+    }
+    if let Some(path) = &args.excel {
+        write_workbook(&report.workbook(), path)?;
+        dashpot_output::say(json, &format!("workbook: {}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// The records of each setting with the damper there, lowest first.
+fn split(
+    args: &Args,
+    model: &ModelFile,
+    campaign: &Campaign,
+    good: Option<&Campaign>,
+    given: Option<f64>,
+) -> anyhow::Result<Vec<Part>> {
+    let settings = settings_of(model, campaign, given)?;
+    let of_good = good.map(|good| settings_of(model, good, given)).transpose()?;
+    let mut distinct: Vec<f64> = Vec::new();
+    for setting in &settings {
+        if !distinct.iter().any(|known| is_same_setting(*known, *setting)) {
+            distinct.push(*setting);
+        }
+    }
+    distinct.sort_by(f64::total_cmp);
+    let (low, high) = model.axis.range();
+    if let Some(beyond) = distinct.iter().find(|setting| **setting < low || **setting > high) {
+        let unit = model.axis.unit();
+        dashpot_output::warn(&format!(
+            "warning: tests at {} lie outside the settings of the model, {low} to {high}, and are diagnosed with the damper at the nearest",
+            format_setting(*beyond, unit)
+        ));
+    }
+    let held_out = match args.hold_out.is_empty() {
+        true => None,
+        false => Some(hold_out::select_hold_out(campaign, &args.hold_out, "look at")?),
+    };
+    let part = |setting: f64| -> anyhow::Result<Part> {
+        let is_own = |other: &f64| is_same_setting(*other, setting);
+        let places: Vec<usize> = (0..settings.len()).filter(|k| is_own(&settings[*k])).collect();
+        let records: Vec<Record> = places.iter().map(|k| campaign.records[*k].clone()).collect();
+        let left_out = match &held_out {
+            Some(out) => places.iter().map(|k| out[*k]).collect(),
+            None => choose_held_out(&records.iter().collect::<Vec<_>>(), args.seed),
+        };
+        let reference: Vec<Record> = match (good, &of_good) {
+            (Some(good), Some(settings)) => {
+                let own = good.records.iter().zip(settings).filter(|(_, other)| is_own(other));
+                own.map(|(record, _)| record.clone()).collect()
+            }
+            _ => Vec::new(),
+        };
+        if good.is_some() && reference.is_empty() {
+            bail!(
+                "{} has no test at {}; give --reference a campaign of the same settings, or leave these tests out with --exclude",
+                named(&args.reference),
+                format_setting(setting, model.axis.unit())
+            );
+        }
+        Ok(Part {
+            setting,
+            model: ModelFile {
+                params: model.definition().params_at(setting),
+                axis: Axis::NONE,
+                identification: model.identification.clone(),
+                given: model.given.clone(),
+            },
+            campaign: Campaign { records, unusable: Vec::new(), ..campaign.clone() },
+            left_out,
+            reference,
+        })
+    };
+    distinct.into_iter().map(part).collect()
+}
+
+fn format_setting(setting: f64, unit: &str) -> String {
+    format!("{setting} {unit}").trim_end().to_owned()
+}
+
+/// What was found in lines: the sentences, one table over the settings, and the answer at each.
+fn format_settings(
+    axis: &Axis,
+    summary: &[Sentence],
+    effects: &[EffectOverSettings],
+    found: &[(Part, Diagnosed)],
+) -> Vec<String> {
+    const WIDTH: usize = 16;
+    let unit = axis.unit();
+    let mut lines: Vec<String> = summary.iter().map(ToString::to_string).collect();
+    let mut heading = format!("  {:<26}", "probability, N rms");
+    for (part, _) in found {
+        heading += &format!("{:>WIDTH$}", format_setting(part.setting, unit));
+    }
+    lines.push(heading);
+    for of in effects {
+        let mut line = format!("  {:<26}", of.effect);
+        for (part, _) in found {
+            let at = of.settings.iter().find(|at| at.setting == part.setting);
+            let cell = at.map_or_else(
+                || "-".to_owned(),
+                |at| {
+                    let mark = if is_shown(at.status) { "" } else { " out" };
+                    format!(
+                        "{}, {}{mark}",
+                        probability(at.probability).replace('\u{a0}', ""),
+                        digits(at.force_n_rms, 3)
+                    )
+                },
+            );
+            line += &format!("{cell:>WIDTH$}");
+        }
+        let found = if of.is_found { "  found" } else { "" };
+        let all = if of.at_all_settings { ", at all settings" } else { "" };
+        lines.push(format!(
+            "{line}{found}{}",
+            if found.is_empty() { all.replacen(", ", "  ", 1) } else { all.to_owned() }
+        ));
+    }
+    for (part, one) in found {
+        let tests = part.campaign.records.len();
+        let setting = format_setting(part.setting, unit);
+        lines.push(format!("{setting}, {tests} tests: {}", headline(&one.found, &TERMINAL)));
+    }
+    lines
+}
+
+/// The model file, which may be a damper over a setting, or no model but records.
+pub enum First {
+    /// A damper over a setting.
+    Family(Box<ModelFile>),
+    /// An ordinary damper.
+    Ordinary,
+    /// Records.
+    Data,
+}
+
+/// What the first argument is. With `--setting` a folder or file that is no model file belongs to the records.
+pub fn first_argument(args: &Args) -> anyhow::Result<First> {
+    let is_model = args.model.is_file() && args.model.extension().is_some_and(|ending| ending == "toml");
+    if !is_model && args.setting.is_some() {
+        return Ok(First::Data);
+    }
+    let is_family = read_family(&args.model)?.axis.is_some();
+    // Its notes are printed once, by whoever uses it.
+    Ok(if is_family { First::Family(Box::new(model::read_family(&args.model)?)) } else { First::Ordinary })
+}

@@ -1,0 +1,218 @@
+//! A diagnosis with its figures over whole records: as JSON, in lines, as a model file, as a report.
+
+use super::data::{DataArgs, name_of};
+use crate::progress::Progress;
+use dashpot_diagnosis::{Diagnosis, Figures, Finding, InventoryItem, Options, Status, diagnose};
+use dashpot_identification::AS_THE_FIT_SAW;
+use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_records::{Campaign, Record, Sentence, Unusable};
+use dashpot_report::diagnosis::{DiagnosisReport, headline};
+use dashpot_report::numbers::{digits, fraction, with_interval, with_unit};
+use dashpot_report::whole_records;
+use dashpot_report::words::{TERMINAL, Words};
+use dashpot_report::{Made, Print, parameters, reading};
+use dashpot_simulation::whole_records::OfDiagnosis;
+use serde::Serialize;
+use std::path::Path;
+
+/// A diagnosis with what it was made from.
+pub struct Diagnosed {
+    /// The answer.
+    pub found: Diagnosis,
+    /// Which records no refit saw.
+    pub left_out: Vec<bool>,
+    /// What `dashpot validate` says of the models in it.
+    pub over_whole_records: OfDiagnosis,
+    /// What the model's fit found in its own records, and whether it was taken out of these.
+    pub as_the_fit_saw: Option<Sentence>,
+    /// Files and tests that could not be used, of the reference too.
+    pub unusable: Vec<Unusable>,
+}
+
+/// The findings as JSON, with the errors over whole records.
+#[derive(Serialize)]
+pub struct Json<'a> {
+    #[serde(flatten)]
+    found: &'a Diagnosis,
+    over_whole_records: OfDiagnosis,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_the_fit_saw: Option<&'a Sentence>,
+    unusable: &'a [Unusable],
+}
+
+/// Diagnoses a model against a campaign.
+pub fn examine(
+    model: &ModelFile,
+    campaign: &Campaign,
+    left_out: Vec<bool>,
+    options: &Options,
+) -> anyhow::Result<Diagnosed> {
+    let records: Vec<&Record> = campaign.records.iter().collect();
+    let progress = Progress::new("diagnosing");
+    let found =
+        diagnose(&records, &left_out, &model.params, options, &|done, text| progress.say(done, text.english()))?;
+    let over_whole_records =
+        OfDiagnosis::evaluate(&model.params, &found.base, &found.improved, &found.measured, &records)?;
+    let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
+    let unusable = campaign.unusable.clone();
+    Ok(Diagnosed { found, left_out, over_whole_records, as_the_fit_saw, unusable })
+}
+
+impl Diagnosed {
+    /// As JSON.
+    pub fn json(&self) -> Json<'_> {
+        Json {
+            found: &self.found,
+            over_whole_records: self.over_whole_records,
+            as_the_fit_saw: self.as_the_fit_saw.as_ref(),
+            unusable: &self.unusable,
+        }
+    }
+
+    /// In lines.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = format_diagnosis(&self.found);
+        lines.push(whole_records::format_errors(&self.over_whole_records, &TERMINAL));
+        lines
+    }
+
+    /// The improved model as the text of a model file.
+    pub fn model(&self, model: &ModelFile, campaign: &Campaign) -> String {
+        let records: Vec<&Record> = campaign.records.iter().collect();
+        model_file::write(&self.found.as_fit(&records, &self.left_out, model))
+    }
+
+    /// Hands the report over to `write`.
+    pub fn report<T>(
+        &self,
+        model: &Path,
+        data: &DataArgs,
+        campaign: &Campaign,
+        made: Made,
+        (words, print): (&'static Words, Print),
+        write: impl FnOnce(&DiagnosisReport<'_>) -> anyhow::Result<T>,
+    ) -> anyhow::Result<T> {
+        let records: Vec<&Record> = campaign.records.iter().collect();
+        write(&DiagnosisReport {
+            model_file: name_of(model),
+            data: data.named(),
+            found: &self.found,
+            records: &records,
+            reading: reading::sentences(campaign, words),
+            over_whole_records: self.over_whole_records,
+            parameters: parameters::of_diagnosis(&self.found, words),
+            made,
+            print,
+            words,
+        })
+    }
+}
+
+/// Most regions, rivals and tests told on a terminal; the report has them all.
+const REGIONS: usize = 5;
+const RIVALS: usize = 2;
+const NEXT: usize = 3;
+
+/// The findings in lines.
+pub fn format_diagnosis(found: &Diagnosis) -> Vec<String> {
+    let mut lines = vec![headline(found, &TERMINAL)];
+    if !found.inventory.is_empty() {
+        lines.push(format!("  {:<28} {:>10} {:>6} {:>12}  {}", "inventory", "N rms", "force", "probability", "status"));
+    }
+    lines.extend(found.inventory.iter().map(inventory_line));
+    if !found.regions.is_empty() {
+        lines.push("Where the model disagrees, refitted to these tests:".to_owned());
+        lines.extend(found.regions.iter().take(REGIONS).map(|region| format!("  {}", region.text)));
+    }
+    for finding in &found.findings {
+        lines.extend(one(finding));
+    }
+    let of = if found.findings.is_empty() { "" } else { " of what is left" };
+    for suspect in &found.suspects {
+        lines.push(format!("Suspect{of}, {}: {}", suspect.effect, suspect.why));
+    }
+    lines.extend(errors(found));
+    if !found.shifts.is_empty() {
+        lines.push("Numbers of the model that moved:".to_owned());
+    }
+    for shift in &found.shifts {
+        let (before, after) = (with_unit(shift.before, shift.unit), with_unit(shift.after, shift.unit));
+        lines.push(format!("  {:<30} {before:>16} -> {after}", shift.parameter));
+    }
+    if !found.changes.is_empty() {
+        lines.push("Numbers that are others than on the reference damper:".to_owned());
+    }
+    for change in &found.changes {
+        let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &TERMINAL);
+        let before = with_unit(change.reference, change.unit);
+        lines.push(format!("  {:<30} {before:>16} -> {value}  95 %: {interval}", change.label()));
+    }
+    lines.extend(found.notes.iter().map(|note| format!("note: {note}")));
+    lines.extend(found.next_tests.iter().take(NEXT).map(|test| format!("next test: {}", test.text)));
+    lines.extend(found.could_not_test.iter().map(|c| format!("could not test {}: {}", c.effect, c.why)));
+    lines
+}
+
+fn one(finding: &Finding) -> Vec<String> {
+    let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", finding.form) };
+    let mut lines =
+        vec![format!("Found {}{form}, {} sure: {}", finding.effect, fraction(finding.confidence), finding.meaning)];
+    lines.push(format!(
+        "  where: {}, family {} ({} sure); {} of the disagreement opens again without it",
+        finding.path,
+        finding.family,
+        fraction(finding.family_confidence),
+        fraction(finding.share)
+    ));
+    for (name, v) in &finding.parameters {
+        let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
+        let (value, interval) = with_interval(v.value, v.low, v.high, v.unit, &TERMINAL);
+        lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
+    }
+    if let Some(gap) = finding.gap_closed {
+        lines.push(format!("  closes {} of the gap by itself", fraction(gap)));
+    }
+    if finding.of_the_rig {
+        lines.push("  of the rig: corrected in the comparison, not put into the model".to_owned());
+    }
+    lines.extend(finding.rivals.iter().take(RIVALS).map(|rival| format!("  not {}: {}", rival.effect, rival.why)));
+    lines
+}
+
+/// Errors before and after as a small table.
+fn errors(found: &Diagnosis) -> Vec<String> {
+    let row = |name: &str, f: &Figures| {
+        let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| digits(v, 3));
+        let (left, left_noise) = (optional(f.held_out_rmse_n), optional(f.held_out_noise_n));
+        format!("  {name:<10}{:>10}{:>10}{left:>10}{left_noise:>10}", digits(f.rmse_n, 3), digits(f.noise_n, 3))
+    };
+    let mut lines = vec![
+        format!("  {:<10}{:>10}{:>10}{:>10}{:>10}", "N rms", "fitted", "noise", "left out", "noise"),
+        row("before", &found.before),
+    ];
+    if !found.findings.is_empty() {
+        lines.push(row("after", &found.after));
+    }
+    if let Some(gap) = found.gap_closed {
+        let tests = if found.after.held_out_rmse_n.is_some() { "left-out" } else { "fitted" };
+        lines.push(format!(
+            "  {} of the gap is closed on {tests} tests, each counted in units of its own noise",
+            fraction(gap)
+        ));
+    }
+    lines
+}
+
+/// One effect of the inventory: force, fraction of the measured force, probability, and what became of it.
+fn inventory_line(item: &InventoryItem) -> String {
+    let status = match (item.status, item.replaces) {
+        (_, Some(old)) => format!("added, in place of {old}"),
+        (Status::Kept, None) => "kept".to_owned(),
+        (Status::Added, None) => "added".to_owned(),
+        (Status::Replaced, None) => "replaced".to_owned(),
+        (Status::Removed, None) => "removed".to_owned(),
+    };
+    let form = if item.form.is_empty() { String::new() } else { format!(" ({})", item.form) };
+    let (force, part, probability) = (digits(item.force_n_rms, 3), fraction(item.share), fraction(item.probability));
+    format!("  {:<28} {force:>10} {part:>6} {probability:>12}  {status}{form}", item.effect)
+}

@@ -1,0 +1,143 @@
+//! One damper diagnosed at several settings: what all of them show, and what only some do.
+
+use crate::outcome::{Diagnosis, Finding};
+use crate::phrases;
+use dashpot_estimation::structure::inventory::{InventoryItem, Status};
+use dashpot_records::Sentence;
+use serde::Serialize;
+
+/// An effect at one setting.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EffectAtSetting {
+    /// Value of the setting.
+    pub setting: f64,
+    /// Probability that the damper has it there: of the name where it was found, else of the effect of the model.
+    pub probability: f64,
+    /// Force that it carries there, N rms.
+    pub force_n_rms: f64,
+    /// What became of it there.
+    pub status: Status,
+}
+
+/// An effect over all settings.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EffectOverSettings {
+    /// Its name.
+    pub effect: &'static str,
+    /// Whether the damper shows it at every setting that was diagnosed.
+    pub at_all_settings: bool,
+    /// Whether it was missing in the model at any of them.
+    pub is_found: bool,
+    /// Every setting at which the model has it, had it, or lacked it.
+    pub settings: Vec<EffectAtSetting>,
+}
+
+/// Whether the most probable damper has an effect of this status.
+pub fn is_shown(status: Status) -> bool {
+    matches!(status, Status::Kept | Status::Added)
+}
+
+/// Every effect of the diagnoses of one damper at several settings: those at all of them first, then by force.
+pub fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSettings> {
+    let mut all: Vec<EffectOverSettings> = Vec::new();
+    let mut add = |effect: &'static str, at: EffectAtSetting| match all.iter_mut().find(|of| of.effect == effect) {
+        Some(of) => of.settings.push(at),
+        None => {
+            all.push(EffectOverSettings { effect, at_all_settings: false, is_found: false, settings: vec![at] });
+        }
+    };
+    for (setting, found) in answers {
+        let named = |effect: &str| found.findings.iter().find(|finding| finding.effect == effect);
+        for item in &found.inventory {
+            add(item.effect, at_setting(*setting, item, named(item.effect)));
+        }
+        // What is of the rig carries no force of the damper and stands in no inventory.
+        let is_listed = |effect: &str| found.inventory.iter().any(|item| item.effect == effect);
+        for finding in found.findings.iter().filter(|finding| !is_listed(finding.effect)) {
+            add(finding.effect, of_finding(*setting, finding));
+        }
+    }
+    for of in &mut all {
+        let shown = of.settings.iter().filter(|at| is_shown(at.status)).count();
+        of.at_all_settings = shown == answers.len();
+        of.is_found = of.settings.iter().any(|at| at.status == Status::Added);
+    }
+    let force = |of: &EffectOverSettings| of.settings.iter().fold(0.0, |most, at| f64::max(most, at.force_n_rms));
+    all.sort_by(|a, b| b.at_all_settings.cmp(&a.at_all_settings).then(force(b).total_cmp(&force(a))));
+    all
+}
+
+fn at_setting(setting: f64, item: &InventoryItem, finding: Option<&Finding>) -> EffectAtSetting {
+    EffectAtSetting {
+        setting,
+        probability: finding.map_or(item.probability, |finding| finding.confidence),
+        force_n_rms: item.force_n_rms,
+        status: item.status,
+    }
+}
+
+fn of_finding(setting: f64, finding: &Finding) -> EffectAtSetting {
+    EffectAtSetting {
+        setting,
+        probability: finding.confidence,
+        force_n_rms: finding.force_n_rms,
+        status: Status::Added,
+    }
+}
+
+/// What was found at the settings: an effect that all of them show is named once.
+pub fn summarize_settings(effects: &[EffectOverSettings], count: usize, unit: &str) -> Vec<Sentence> {
+    let found = |of: &&EffectOverSettings| of.settings.iter().any(|at| at.status == Status::Added);
+    let percent = |at: &EffectAtSetting| (100.0 * at.probability).round();
+    let mut said: Vec<Sentence> = Vec::new();
+    for of in effects.iter().filter(found) {
+        let added: Vec<&EffectAtSetting> = of.settings.iter().filter(|at| at.status == Status::Added).collect();
+        let (low, high) =
+            added.iter().fold((f64::MAX, 0.0), |(low, high), at| (percent(at).min(low), percent(at).max(high)));
+        let sure = match low == high {
+            true => format!("{low} %"),
+            false => format!("{low}–{high} %"),
+        };
+        let sentence = match added.len() == count {
+            true => Sentence::from(phrases::AT_ALL_SETTINGS),
+            false => {
+                let names = added.iter().map(|at| format!("{} {unit}", at.setting).trim_end().to_owned());
+                Sentence::from(phrases::AT_SOME_SETTINGS).with_names("names", names, phrases::COMMA)
+            }
+        };
+        said.push(sentence.with("effect", of.effect).with("sure", sure));
+    }
+    if said.is_empty() {
+        said.push(phrases::AT_NO_SETTING.into());
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn effect(effect: &'static str, status: &[(f64, Status)]) -> EffectOverSettings {
+        let at = |(setting, status): &(f64, Status)| EffectAtSetting {
+            setting: *setting,
+            probability: 0.9 + 0.02 * setting,
+            force_n_rms: 10.0,
+            status: *status,
+        };
+        EffectOverSettings { effect, at_all_settings: false, is_found: true, settings: status.iter().map(at).collect() }
+    }
+
+    #[test]
+    fn an_effect_of_all_settings_is_said_once_and_another_with_its_settings() {
+        let all = [
+            effect("free_play", &[(0.0, Status::Added), (1.0, Status::Added), (2.0, Status::Added)]),
+            effect("cavitation", &[(1.0, Status::Added), (2.0, Status::Removed)]),
+            effect("gas_preload", &[(0.0, Status::Kept), (1.0, Status::Kept), (2.0, Status::Kept)]),
+        ];
+        let said: Vec<String> = summarize_settings(&all, 3, "A").iter().map(ToString::to_string).collect();
+        assert_eq!(said.len(), 2, "{said:?}");
+        assert!(said[0].contains("every setting") && said[0].contains("free_play (90–94 % sure)"), "{said:?}");
+        assert!(said[1].contains("cavitation") && said[1].contains("at 1 A"), "{said:?}");
+        assert_eq!(summarize_settings(&all[2..], 3, "A").len(), 1);
+    }
+}

@@ -1,0 +1,140 @@
+//! Limits of a damper over a setting: each window is judged by the tests at its own setting.
+
+use super::measured::Figures;
+use super::table::Limit;
+use super::{Certificate, Overall, Verdict};
+use dashpot_records::{Record, is_same_setting};
+
+/// Why limits do not belong to what is judged.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SettingLimitError {
+    /// A window without a setting, and tests of several.
+    #[error(
+        "the limit {name} in line {line} says no setting, and the tests have several: give the table a column setting, or validate the damper at one, written with dashpot setting"
+    )]
+    Without {
+        /// Name of the limit.
+        name: String,
+        /// Its line.
+        line: u64,
+    },
+    /// A window at a setting of a damper that has none.
+    #[error(
+        "the limit {name} in line {line} holds at the setting {setting}, and the damper depends on none: leave the column setting out"
+    )]
+    OfOrdinary {
+        /// Name of the limit.
+        name: String,
+        /// Its line.
+        line: u64,
+        /// Its setting.
+        setting: f64,
+    },
+}
+
+/// Checks that no limit belongs to a setting.
+///
+/// # Errors
+/// The first limit that does.
+pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> {
+    match limits.iter().find_map(|limit| Some((limit, limit.setting?))) {
+        None => Ok(()),
+        Some((limit, setting)) => {
+            Err(SettingLimitError::OfOrdinary { name: limit.name.clone(), line: limit.line, setting })
+        }
+    }
+}
+
+/// Compares limits with the records of a damper over a setting and with the forces of its model there. `settings` holds that of every record.
+///
+/// # Errors
+/// A limit without a setting where the records have several.
+pub fn judge_over_settings(
+    limits: &[Limit],
+    (records, settings): (&[&Record], &[f64]),
+    model: &[&[f64]],
+) -> Result<Certificate, SettingLimitError> {
+    let is_one = settings.iter().all(|setting| is_same_setting(*setting, settings[0]));
+    if let Some(without) = limits.iter().find(|limit| limit.setting.is_none() && !is_one) {
+        return Err(SettingLimitError::Without { name: without.name.clone(), line: without.line });
+    }
+    let at = |limit: &Limit| limit.setting.or(settings.first().copied());
+    let mut checked = Vec::new();
+    let mut peaks = Vec::new();
+    let mut judged: Vec<f64> = Vec::new();
+    for limit in limits {
+        let Some(setting) = at(limit) else { continue };
+        let own: Vec<usize> = (0..records.len()).filter(|k| is_same_setting(settings[*k], setting)).collect();
+        let of: Vec<&Record> = own.iter().map(|k| records[*k]).collect();
+        let forces: Vec<&[f64]> = own.iter().map(|k| model[*k]).collect();
+        let found = Figures::of(&of, None).judge(std::slice::from_ref(limit), Some(&Figures::of(&of, Some(&forces))));
+        checked.extend(found.limits);
+        if !judged.iter().any(|known| is_same_setting(*known, setting)) {
+            judged.push(setting);
+            peaks.extend(found.peaks);
+        }
+    }
+    Ok(Certificate {
+        passed: checked.iter().all(|l| l.verdict == Verdict::Pass),
+        overall: Overall::of(checked.iter().map(|l| l.verdict)),
+        model_passed: Some(checked.iter().all(|l| l.model_verdict == Some(Verdict::Pass))),
+        limits: checked,
+        peaks,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::table::parse;
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// A damper of so many N s/m.
+    fn test(name: &str, damping: f64) -> Record {
+        let (n, cycles, w) = (400, 4, 10.0);
+        let mut record = Record {
+            name: name.into(),
+            amplitude: 0.05,
+            frequency: w / TAU,
+            peak_velocity: 0.5,
+            cycles: (0..cycles).map(|c| n * c..n * (c + 1)).collect(),
+            ..Record::default()
+        };
+        for i in 0..n * cycles {
+            let phase = TAU * (i as f64 + 0.5) / n as f64;
+            record.time.push(phase / w);
+            record.displacement.push(0.05 * libm::sin(phase));
+            record.velocity.push(0.5 * libm::cos(phase));
+            record.force.push(damping * 0.5 * libm::cos(phase));
+        }
+        record
+    }
+
+    fn judged(text: &str) -> Result<Certificate, SettingLimitError> {
+        let all = [test("soft", 1000.0), test("hard", 4000.0)];
+        let records: Vec<&Record> = all.iter().collect();
+        let forces: Vec<&[f64]> = all.iter().map(|record| record.force.as_slice()).collect();
+        judge_over_settings(&parse("l.csv".as_ref(), text).unwrap(), (&records, &[0.0, 1.6]), &forces)
+    }
+
+    #[test]
+    fn each_window_is_judged_by_the_tests_at_its_setting() {
+        let found = judged(
+            "quantity,velocity_m_s,setting,low,high\nforce,0.5,0,450,550\nforce,0.5,1.6,1900,2100\nforce,0.5,0.8,1,2\n",
+        )
+        .unwrap();
+        let verdicts: Vec<Verdict> = found.limits.iter().map(|l| l.verdict).collect();
+        assert_eq!(verdicts, [Verdict::Pass, Verdict::Pass, Verdict::NotTested]);
+        assert_eq!(found.overall, Overall::Incomplete);
+        assert_eq!(found.limits[1].measured.as_ref().unwrap().tests, ["hard"]);
+        assert_eq!(found.peaks.len(), 4);
+    }
+
+    #[test]
+    fn a_window_without_a_setting_is_rejected_with_its_line() {
+        let wrong = judged("quantity,velocity_m_s,setting,low,high\nforce,0.5,0,1,2\nforce,0.5,,1,2\n").unwrap_err();
+        assert!(wrong.to_string().contains("line 3") && wrong.to_string().contains("dashpot setting"), "{wrong}");
+        let limits = parse("l.csv".as_ref(), "quantity,setting,high\nfriction,1.6,2\n").unwrap();
+        assert!(check_without_setting(&limits).unwrap_err().to_string().contains("line 2"));
+    }
+}

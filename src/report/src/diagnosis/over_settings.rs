@@ -1,0 +1,164 @@
+//! The report of one damper diagnosed at several settings: one table over the settings, then each setting folded.
+
+use super::DiagnosisReport;
+use crate::blocks::{Block, Column, Figure, Section, Table};
+use crate::inventory::probability;
+use crate::numbers::error;
+use crate::page::{self, Print};
+use crate::words::Words;
+use crate::{Cell, Made, Workbook, made};
+use dashpot_diagnosis::settings::{EffectAtSetting, EffectOverSettings, is_shown};
+use dashpot_records::Sentence;
+
+/// Everything that the report tells.
+#[derive(Debug, Clone)]
+pub struct SettingsReport<'a> {
+    /// Name of the model file diagnosed.
+    pub model_file: String,
+    /// Name of the data.
+    pub data: String,
+    /// Unit of the setting.
+    pub unit: String,
+    /// What was found, an effect of all settings once.
+    pub summary: &'a [Sentence],
+    /// Every effect over the settings.
+    pub effects: &'a [EffectOverSettings],
+    /// The report of each setting.
+    pub settings: Vec<(f64, DiagnosisReport<'a>)>,
+    /// What it was made from.
+    pub made: Made,
+    /// What a printer puts on paper.
+    pub print: Print,
+    /// The language.
+    pub words: &'static Words,
+}
+
+impl SettingsReport<'_> {
+    /// The report as one HTML document; the same input gives the same bytes.
+    pub fn render(&self) -> String {
+        page::page(self.words.diagnosis_title, &self.subtitle(), &self.sections(), self.words, self.print)
+    }
+
+    /// The tables of the report as a workbook.
+    pub fn workbook(&self) -> Workbook<'_> {
+        Workbook {
+            title: self.words.diagnosis_title.to_owned(),
+            subtitle: self.subtitle(),
+            sections: self.sections(),
+            made: self.made.clone(),
+            words: self.words,
+        }
+    }
+
+    fn subtitle(&self) -> String {
+        let figures = [("model", self.model_file.as_str()), ("data", &self.data)];
+        self.words.fill(self.words.subtitle_validation, &figures)
+    }
+
+    fn named(&self, setting: f64) -> String {
+        self.words.number(format!("{setting} {}", self.unit).trim_end())
+    }
+
+    fn sections(&self) -> Vec<Section> {
+        let words = self.words;
+        let mut first: Vec<Block> =
+            self.summary.iter().map(|said| Block::Lead(super::answer::sentence(said, words))).collect();
+        first.push(Block::Table(self.table()));
+        first.push(Block::Table(self.answers()));
+        let mut sections = vec![Section::new("settings", words.settings_section, first)];
+        for (k, (setting, report)) in self.settings.iter().enumerate() {
+            sections.push(merged(&format!("setting-{}", k + 1), self.named(*setting), report.sections()).folded());
+        }
+        sections.push(made::section(&self.made, words));
+        sections
+    }
+
+    /// A row an effect.
+    fn table(&self) -> Table {
+        let words = self.words;
+        let each = |of: &EffectOverSettings, write: &dyn Fn(&EffectAtSetting) -> String| {
+            let one = |at: &EffectAtSetting| format!("{}: {}", self.named(at.setting), write(at));
+            of.settings.iter().map(one).collect::<Vec<_>>().join(words.comma)
+        };
+        let row = |of: &EffectOverSettings| -> Vec<Cell> {
+            let at = of.settings.iter().filter(|at| is_shown(at.status)).map(|at| self.named(at.setting));
+            let at = match of.at_all_settings {
+                true => words.settings_all.to_owned(),
+                false => at.collect::<Vec<_>>().join(words.comma),
+            };
+            vec![
+                words.named(of.effect).into(),
+                match (of.is_found, at.is_empty()) {
+                    (true, _) => words.status_added.into(),
+                    (false, false) => words.status_kept.into(),
+                    (false, true) => words.status_removed.into(),
+                },
+                if at.is_empty() { Cell::none() } else { at.into() },
+                each(of, &|at| words.number(&probability(at.probability))).into(),
+                each(of, &|at| words.number(&error(at.force_n_rms))).into(),
+            ]
+        };
+        Table {
+            caption: words.settings_caption.to_owned(),
+            columns: vec![
+                Column::words(words.col_effect),
+                Column::words(words.col_status),
+                Column::sentences(words.col_setting),
+                Column::sentences(words.col_probability),
+                Column::sentences(words.col_force_rms),
+            ],
+            rows: self.effects.iter().map(row).collect(),
+            sortable: true,
+        }
+    }
+
+    /// The answer at each setting.
+    fn answers(&self) -> Table {
+        let words = self.words;
+        let row = |(setting, report): &(f64, DiagnosisReport<'_>)| -> Vec<Cell> {
+            let found = report.found;
+            vec![
+                self.named(*setting).into(),
+                Cell::count(report.records.len()),
+                super::headline(found, words).into(),
+                Cell::digits(found.before.rmse_n, 3),
+                Cell::digits(found.after.rmse_n, 3),
+                Cell::digits(found.before.noise_n, 3),
+            ]
+        };
+        Table {
+            caption: words.settings_answers.to_owned(),
+            columns: vec![
+                Column::words(words.col_setting),
+                Column::figures(words.col_tests),
+                Column::sentences(words.col_answer),
+                Column::figures(words.col_before_n),
+                Column::figures(words.col_after_n),
+                Column::figures(words.col_group_noise),
+            ],
+            rows: self.settings.iter().map(row).collect(),
+            sortable: false,
+        }
+    }
+}
+
+/// The sections of a report as one, its figures under names of their own.
+fn merged(id: &str, title: String, sections: Vec<Section>) -> Section {
+    let renamed = |figure: Figure| Figure { file: format!("{id}-{}", figure.file), ..figure };
+    let own = |block: Block| match block {
+        Block::Figures(figures) => Block::Figures(figures.into_iter().map(renamed).collect()),
+        Block::Wide(figure) => Block::Wide(renamed(figure)),
+        other => other,
+    };
+    let mut blocks = Vec::new();
+    // What it was made from stands once in the whole report.
+    for section in sections.into_iter().filter(|section| section.id != made::ID) {
+        blocks.push(Block::Heading(section.title));
+        blocks.extend(section.blocks.into_iter().map(own));
+        for choice in section.choices {
+            blocks.push(Block::Heading(choice.title));
+            blocks.extend(choice.blocks.into_iter().map(own));
+        }
+    }
+    Section::new(id, title, blocks)
+}

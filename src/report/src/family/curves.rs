@@ -1,0 +1,185 @@
+//! Force over velocity and setting.
+
+use super::{axis_title, named, named_summary};
+use crate::blocks::Figure;
+use crate::plot::axes::{Axis, Marks, Plane, SIZE, Series};
+use crate::plot::palette::Role;
+use crate::words::Words;
+use dashpot_core::family::Definition;
+use dashpot_core::{Model, element};
+use dashpot_identification::validation::{PeakForce, Validation};
+use dashpot_simulation::comparison::at_constant_velocity;
+use dashpot_simulation::prediction::at_velocities;
+
+/// Size of the first figure, px: it is printed across the page.
+const WIDE: [f64; 2] = [880.0, 400.0];
+/// Points of a line over the setting.
+const POINTS: usize = 61;
+/// Velocities at which the force is drawn over the setting, as fractions of what the tests reach.
+const FRACTIONS: [f64; 3] = [1.0, 0.5, 0.1];
+/// Smallest velocity of the ratio as a fraction of what the tests reach: below, friction alone decides.
+const LEAST: f64 = 0.02;
+
+/// Series under names that are no words of the report.
+#[derive(Default)]
+struct Named {
+    series: Vec<Series>,
+    names: Vec<String>,
+}
+
+impl Named {
+    fn add(&mut self, role: Role, name: String, points: Vec<[f64; 2]>, marks: Marks) {
+        if !points.is_empty() {
+            self.series.push(Series { role, label: "", lines: vec![points], marks });
+            self.names.push(name);
+        }
+    }
+
+    fn draw(self, title: &str, [x, y]: [String; 2], size: [f64; 2], words: &Words) -> Option<String> {
+        if self.series.is_empty() {
+            return None;
+        }
+        let all = || self.series.iter().flat_map(|series| &series.lines).flatten().copied();
+        let (x, y) = (Axis::around(x, all().map(|p| p[0])), Axis::around(y, all().map(|p| p[1])));
+        let plane = Plane { title: title.to_owned(), x, y, series: self.series };
+        Some(plane.draw_named(&self.names, size, words))
+    }
+}
+
+/// Force at constant velocity at each setting, with the measured peaks in the color of their setting.
+pub fn by_setting(damper: &Definition, validation: &Validation, words: &Words) -> Option<Figure> {
+    let line = |setting: f64| -> Vec<[f64; 2]> {
+        let Ok(model) = Model::new(&damper.params_at(setting)) else { return Vec::new() };
+        at_constant_velocity(&model, validation).into_iter().map(|[v, f]| [1e3 * v, f]).collect()
+    };
+    let mut all = Named::default();
+    let grid = damper.axis.grid();
+    for of in &validation.settings {
+        let place = grid.iter().position(|value| dashpot_records::is_same_setting(*value, of.setting));
+        let role = place.map_or(Role::Before, |k| Role::Group(k as u8));
+        let own = of.places.iter().filter_map(|place| validation.tests.get(*place)).flat_map(|test| &test.peaks);
+        // The line of the same color has the name.
+        all.add(role, String::new(), own.map(measured).collect(), Marks::Dots);
+    }
+    for (k, setting) in grid.iter().enumerate() {
+        all.add(Role::Group(k as u8), named(damper, *setting, words), line(*setting), Marks::Line);
+    }
+    for of in validation.settings.iter().filter(|of| !of.is_of_grid) {
+        all.add(Role::Before, named_summary(damper, of, words), line(of.setting), Marks::Line);
+    }
+    let axes = [words.axis_velocity, words.axis_force].map(str::to_owned);
+    let svg = all.draw(words.plot_family, axes, WIDE, words)?;
+    Some(Figure::new("curves-by-setting", svg).saying(words.family_caption))
+}
+
+fn measured(peak: &PeakForce) -> [f64; 2] {
+    [1e3 * peak.velocity_m_s, peak.force_n.measured]
+}
+
+/// Force over the setting at chosen velocities, and the ratio of the stiffest to the softest setting over velocity.
+pub fn over_setting(damper: &Definition, validation: &Validation, words: &Words) -> Vec<Figure> {
+    let peaks = || validation.tests.iter().flat_map(|test| &test.peaks).map(|peak| peak.velocity_m_s);
+    let (low, high) = (peaks().fold(0.0, f64::min), peaks().fold(0.0, f64::max));
+    let mut figures: Vec<Figure> = Vec::new();
+    figures.extend(force_over_setting(damper, [low, high], words));
+    figures.extend(ratio(damper, [low, high], words));
+    figures
+}
+
+fn force_over_setting(damper: &Definition, [low, high]: [f64; 2], words: &Words) -> Option<Figure> {
+    let (from, to) = damper.axis.range();
+    let mut velocities: Vec<f64> =
+        FRACTIONS.iter().flat_map(|part| [part * high, part * low]).filter(|v| *v != 0.0).collect();
+    // The legend reads as the lines lie.
+    velocities.sort_by(|a, b| b.total_cmp(a));
+    let mut lines: Vec<Vec<[f64; 2]>> = vec![Vec::new(); velocities.len()];
+    for k in 0..POINTS {
+        let setting = from + (to - from) * k as f64 / (POINTS - 1) as f64;
+        let Ok(model) = Model::new(&damper.params_at(setting)) else { continue };
+        for (line, velocity) in lines.iter_mut().zip(&velocities) {
+            line.extend(at_velocities(&model, &[*velocity]).iter().map(|[_, force]| [setting, *force]));
+        }
+    }
+    let mut all = Named::default();
+    for (k, (line, velocity)) in lines.into_iter().zip(&velocities).enumerate() {
+        let name = words.number(&format!("{:.0} mm/s", 1e3 * velocity));
+        all.add(Role::Group(k as u8), name, line, Marks::Line);
+    }
+    let axes = [axis_title(damper, words), words.axis_force.to_owned()];
+    let svg = all.draw(words.plot_over_setting, axes, SIZE, words)?;
+    Some(Figure::new("force-over-setting", svg).saying(words.over_setting_caption))
+}
+
+/// The damper at a setting without what pushes at rest: a ratio of damping says nothing of the gas.
+fn without_gas(damper: &Definition, setting: f64) -> Option<Model> {
+    let mut params = damper.params_at(setting);
+    params.enable(element!("gas_preload"), false);
+    Model::new(&params).ok()
+}
+
+fn ratio(damper: &Definition, [low, high]: [f64; 2], words: &Words) -> Option<Figure> {
+    let strength = |setting: f64| -> Option<f64> {
+        let model = without_gas(damper, setting)?;
+        Some(at_velocities(&model, &[low, high]).iter().map(|[_, force]| force.abs()).sum())
+    };
+    let mut known: Vec<(f64, f64)> =
+        damper.axis.grid().iter().filter_map(|setting| Some((*setting, strength(*setting)?))).collect();
+    known.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let (soft, hard) = (known.first()?.0, known.last()?.0);
+    let [of_soft, of_hard] = [soft, hard].map(|setting| without_gas(damper, setting));
+    let (of_soft, of_hard) = (of_soft?, of_hard?);
+    let mut all = Named::default();
+    for (role, end, name) in [(0, high, words.rebound), (1, low, words.compression)] {
+        let velocities: Vec<f64> =
+            (0..POINTS).map(|k| end * (LEAST + (1.0 - LEAST) * k as f64 / (POINTS - 1) as f64)).collect();
+        let [soft, hard] = [&of_soft, &of_hard].map(|model| at_velocities(model, &velocities));
+        let points = soft.iter().zip(&hard).filter(|(a, b)| a[0] == b[0] && a[0] != 0.0);
+        let ratios = points.map(|(soft, hard)| [1e3 * soft[0].abs(), hard[1] / soft[1]]).filter(|p| p[1].is_finite());
+        all.add(Role::Group(role), name.to_owned(), ratios.collect(), Marks::Line);
+    }
+    let axes = [words.axis_speed, words.axis_ratio].map(str::to_owned);
+    let svg = all.draw(words.plot_ratio, axes, SIZE, words)?;
+    let [hard, soft] = [hard, soft].map(|setting| named(damper, setting, words));
+    let caption = words.fill(words.ratio_caption, &[("hard", &hard), ("soft", &soft)]);
+    Some(Figure::new("ratio-of-settings", svg).saying(caption))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::Params;
+    use dashpot_core::family::Axis as SettingAxis;
+    use dashpot_core::{list, number};
+
+    /// A damper whose force at every velocity is proportional to 1 + the setting.
+    pub fn damper() -> Definition {
+        let mut params = Params::new();
+        params.disable_all();
+        params.enable(element!("fv_curve"), true);
+        params.enable(element!("gas_preload"), true);
+        params.set(number!("gas_force"), 100.0).unwrap();
+        params.set_list(list!("fv_velocity"), &[-1.0, 0.0, 1.0]).unwrap();
+        let mut axis = SettingAxis::NONE;
+        axis.set_grid(&[0.0, 1.0, 2.0]).unwrap();
+        for (k, factor) in [1.0, 2.0, 3.0].into_iter().enumerate() {
+            axis.set_forces(k, &[-1000.0 * factor, 0.0, 1000.0 * factor]).unwrap();
+        }
+        axis.put(&mut params, 0.0);
+        Definition { params, axis }
+    }
+
+    #[test]
+    fn the_gas_is_no_part_of_the_ratio() {
+        let figure = ratio(&damper(), [-1.0, 1.0], &crate::words::EN).unwrap();
+        // A ratio of 3 at all velocities: an axis around one value.
+        assert!(figure.caption.contains('2') && figure.svg.contains("data-plane"), "{}", figure.caption);
+        let model = without_gas(&damper(), 2.0).unwrap();
+        assert!((at_velocities(&model, &[0.5])[0][1] - 1500.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_force_is_drawn_over_the_whole_grid() {
+        let figure = force_over_setting(&damper(), [-1.0, 1.0], &crate::words::EN).unwrap();
+        assert!(figure.svg.contains("1000 mm/s") && figure.svg.contains("\u{2212}1000 mm/s"), "{}", figure.svg);
+    }
+}

@@ -1,0 +1,52 @@
+//! Errors at each setting.
+
+use super::{named, named_summary};
+use crate::blocks::{Column, Table};
+use crate::cells::Cell;
+use crate::errors::three;
+use crate::numbers::{digits, error, percent};
+use crate::words::Words;
+use dashpot_core::family::Definition;
+use dashpot_identification::family::{FamilyFit, SettingError};
+use dashpot_identification::validation::SettingSummary;
+
+/// Errors of the model and of the plain curve over the whole records of each setting.
+pub fn validated(damper: &Definition, settings: &[SettingSummary], words: &Words) -> Table {
+    let row = |of: &SettingSummary| {
+        let mut row: Vec<Cell> = vec![named_summary(damper, of, words).into(), Cell::count(of.summary.tests)];
+        row.extend(three(&of.summary.errors.model));
+        row.extend(three(&of.summary.errors.fv_only));
+        row
+    };
+    let figures = |group: &'static str| {
+        [words.col_mean_error, words.col_error_percent, words.col_rms]
+            .map(|heading| Column { group, ..Column::figures(heading) })
+    };
+    let mut columns = vec![Column::words(words.col_setting), Column::figures(words.col_number)];
+    columns.extend(figures(words.model));
+    columns.extend(figures(words.group_curve));
+    Table { caption: words.family_table.to_owned(), columns, rows: settings.iter().map(row).collect(), sortable: false }
+}
+
+/// Errors of an ordinary fit, of the family, and of the family that did not see the setting.
+pub fn left_out(damper: &Definition, fit: &FamilyFit, words: &Words) -> Table {
+    let pair = |of: Option<&SettingError>| match of {
+        Some(of) => [Cell::number(of.mean_error_n, error), Cell::number(of.error_percent, percent)],
+        None => [Cell::none(), Cell::none()],
+    };
+    let rows = fit.settings.iter().map(|of| {
+        let mut row: Vec<Cell> = vec![named(damper, of.setting, words).into(), Cell::count(of.tests)];
+        row.extend(pair(Some(&of.own_fit)));
+        row.extend(pair(Some(&of.family)));
+        row.extend(pair(of.left_out.as_ref()));
+        row.push(of.left_out_ratio.map_or_else(Cell::none, |ratio| Cell::number(ratio, |value| digits(value, 3))));
+        row
+    });
+    let mut columns = vec![Column::words(words.col_setting), Column::figures(words.col_number)];
+    for group in [words.family_own_fit, words.family_fit, words.family_without] {
+        let headings = [words.col_mean_error, words.col_error_percent];
+        columns.extend(headings.map(|heading| Column::figures(heading).in_group(group)));
+    }
+    columns.push(Column::figures(words.col_ratio).in_group(words.family_without));
+    Table { caption: words.family_left_out_table.to_owned(), columns, rows: rows.collect(), sortable: false }
+}

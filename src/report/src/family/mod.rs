@@ -1,0 +1,85 @@
+//! The report of a damper over a setting: curves first, then errors, then loops; the caller folds everything else.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`curves`] | FV curves by setting, force over the setting, ratio of two settings |
+//! | [`numbers`] | numbers over the setting with their intervals |
+//! | [`errors`] | errors at each setting |
+//! | [`loops`] | loops of selected tests |
+
+mod curves;
+mod errors;
+mod loops;
+mod numbers;
+
+use crate::blocks::{Block, Section};
+use crate::words::Words;
+use dashpot_core::family::Definition;
+use dashpot_identification::family::FamilyFit;
+use dashpot_identification::model_file::ModelFile;
+use dashpot_identification::validation::{Compared, SettingSummary, Validation};
+
+/// What a report of a damper over a setting is made from, beside its validation.
+#[derive(Debug, Clone, Copy)]
+pub struct FamilyReport<'a> {
+    /// The model file.
+    pub model: &'a ModelFile,
+    /// Its fit, where that has just been made.
+    pub fit: Option<&'a FamilyFit>,
+}
+
+impl FamilyReport<'_> {
+    /// The sections that come before everything else.
+    pub fn sections(self, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Vec<Section> {
+        let damper = self.model.definition();
+        let mut first: Vec<Block> =
+            curves::by_setting(&damper, validation, words).map(Block::Wide).into_iter().collect();
+        first.push(Block::Paragraph(words.family_about.to_owned()));
+        let mut second = curves::over_setting(&damper, validation, words);
+        second.extend(numbers::figures(self.model, words));
+        if !second.is_empty() {
+            first.push(Block::Figures(second));
+        }
+        let mut sections = vec![Section::new("setting", words.family_section, first)];
+        let mut tables: Vec<Block> = vec![Block::Table(errors::validated(&damper, &validation.settings, words))];
+        tables.extend(self.fit.map(|fit| Block::Table(errors::left_out(&damper, fit, words))));
+        sections.push(Section::new("setting-errors", words.family_errors_section, tables));
+        sections.extend(loops::section(&damper, validation, tests, words));
+        sections
+    }
+
+    /// The numbers with their intervals, and what depends on the setting.
+    pub fn tables(self, words: &Words) -> Option<Section> {
+        let mut blocks: Vec<Block> = numbers::table(self.model, words).map(Block::Table).into_iter().collect();
+        blocks.extend(self.fit.map(|fit| Block::Table(numbers::dependences(fit, words))));
+        (!blocks.is_empty()).then(|| Section::new("setting-numbers", words.family_numbers_section, blocks))
+    }
+}
+
+/// Name of the setting; the word for any where the file gives none.
+fn axis_name<'a>(damper: &'a Definition, words: &'a Words) -> &'a str {
+    let name = damper.axis.name();
+    if name.is_empty() { words.col_setting } else { name }
+}
+
+/// Title of an axis of the setting, with its unit.
+fn axis_title(damper: &Definition, words: &Words) -> String {
+    let unit = damper.axis.unit();
+    format!("{}, {}", axis_name(damper, words), if unit.is_empty() { "-" } else { unit })
+}
+
+/// A value of the setting with its unit.
+fn named(damper: &Definition, setting: f64, words: &Words) -> String {
+    words.number(format!("{setting} {}", damper.axis.unit()).trim_end())
+}
+
+/// A setting of the tests, marked where the model file gives no numbers at it.
+fn named_summary(damper: &Definition, of: &SettingSummary, words: &Words) -> String {
+    let name = named(damper, of.setting, words);
+    let (low, high) = damper.axis.range();
+    match of.is_of_grid {
+        true => name,
+        false if of.setting < low || of.setting > high => words.fill(words.family_clamped, &[("setting", &name)]),
+        false => words.fill(words.family_interpolated, &[("setting", &name)]),
+    }
+}

@@ -1,0 +1,172 @@
+//! Numbers of the damper over the setting, with their intervals.
+
+use super::{axis_title, named};
+use crate::blocks::{Column, Figure, Table};
+use crate::cells::Cell;
+use crate::numbers::digits;
+use crate::plot::axes::{Axis, Marks, Plane, SIZE, Series};
+use crate::plot::palette::Role;
+use crate::words::Words;
+use dashpot_core::number;
+use dashpot_core::parameter::{self, Number, Row};
+use dashpot_identification::family::FamilyFit;
+use dashpot_identification::model_file::{Interval, IntervalOverSetting, ModelFile};
+
+/// Friction levels and the gas force: they are drawn whether they depend on the setting or not.
+const ALWAYS: [Number; 5] = [
+    number!("coulomb_force"),
+    number!("stribeck_coulomb_force"),
+    number!("stribeck_breakaway_force"),
+    number!("presliding_force"),
+    number!("gas_force"),
+];
+/// Points of a line over the setting.
+const POINTS: usize = 61;
+
+/// A figure for each number that depends on the setting, and for friction and gas.
+pub fn figures(model: &ModelFile, words: &Words) -> Vec<Figure> {
+    let varies = |number: Number| model.axis.values(number).is_some();
+    let wanted = |row: &Row| {
+        let number = Number::try_from(*row).ok()?;
+        let is_on = row.element().is_none_or(|element| model.params.is_on(element));
+        (is_on && (varies(number) || ALWAYS.contains(&number))).then_some(number)
+    };
+    parameter::table().filter_map(|row| wanted(&row)).map(|number| figure(model, number, words)).collect()
+}
+
+/// The 95 % interval of a number at a place of the grid; `None` where the fit leaves none.
+fn interval(model: &ModelFile, number: Number, place: usize) -> Option<[f64; 2]> {
+    let known = &model.identification;
+    let found = match known.intervals_over_setting.get(number.name()) {
+        Some(IntervalOverSetting::Number(all)) => all.get(place).copied(),
+        _ => match known.intervals.get(number.name()) {
+            Some(Interval::Number(ends)) => Some(*ends),
+            _ => None,
+        },
+    };
+    // Two ends that are alike stand for none.
+    found.filter(|[low, high]| low < high)
+}
+
+fn value_at(model: &ModelFile, number: Number, setting: f64) -> f64 {
+    model.definition().params_at(setting).number(number)
+}
+
+fn figure(model: &ModelFile, number: Number, words: &Words) -> Figure {
+    let (low, high) = model.axis.range();
+    let grid = model.axis.grid();
+    let between = |k: usize| low + (high - low) * k as f64 / (POINTS - 1) as f64;
+    let line = (0..POINTS).map(between).map(|setting| [setting, value_at(model, number, setting)]).collect();
+    let points = grid.iter().map(|setting| [*setting, value_at(model, number, *setting)]).collect();
+    let bars: Vec<Vec<[f64; 2]>> = grid
+        .iter()
+        .enumerate()
+        .filter_map(|(place, setting)| Some(interval(model, number, place)?.map(|end| [*setting, end]).to_vec()))
+        .collect();
+    let mut series = vec![
+        Series { role: Role::Model, label: words.model, lines: vec![line], marks: Marks::Line },
+        Series { role: Role::Model, label: words.model, lines: vec![points], marks: Marks::Dots },
+    ];
+    let mut names = vec![words.model.to_owned(), String::new()];
+    if !bars.is_empty() {
+        series.push(Series { role: Role::Limit, label: words.col_interval, lines: bars, marks: Marks::Both });
+        names.push(words.col_interval.to_owned());
+    }
+    let definition = model.definition();
+    let parameter = number.parameter();
+    let all = || series.iter().flat_map(|series| &series.lines).flatten().copied();
+    // From zero, so that a number that hardly varies looks so.
+    let values = all().map(|p| p[1]).chain([0.0]);
+    let plane = Plane {
+        title: number.name().to_owned(),
+        x: Axis::around(axis_title(&definition, words), all().map(|p| p[0])),
+        y: Axis::around(format!("{}, {}", number.name(), parameter.unit), values),
+        series: series.clone(),
+    };
+    let how = match model.axis.values(number) {
+        Some(_) => words.number_varies,
+        None => words.number_shared,
+    };
+    let caption = format!("{} {how}", words.meaning(parameter.meaning));
+    let svg = plane.draw_named(&names, SIZE, words);
+    Figure::new(format!("number-{}", number.name()), svg).saying(caption)
+}
+
+/// Every number that depends on the setting, at each value of the grid.
+pub fn table(model: &ModelFile, words: &Words) -> Option<Table> {
+    let definition = model.definition();
+    let mut rows: Vec<Vec<Cell>> = Vec::new();
+    let known = |value: Option<f64>| value.map_or_else(Cell::none, |value| Cell::digits(value, 4));
+    for row in parameter::table() {
+        let Some((number, values)) =
+            Number::try_from(row).ok().and_then(|number| Some((number, model.axis.values(number)?)))
+        else {
+            continue;
+        };
+        for (place, (setting, value)) in model.axis.grid().iter().zip(values).enumerate() {
+            let ends = interval(model, number, place);
+            rows.push(vec![
+                number.name().into(),
+                named(&definition, *setting, words).into(),
+                Cell::digits(*value, 4),
+                row.parameter.unit.into(),
+                known(ends.map(|ends| ends[0])),
+                known(ends.map(|ends| ends[1])),
+            ]);
+        }
+    }
+    rows.extend(curve_rows(model, words));
+    if rows.is_empty() {
+        return None;
+    }
+    let columns = vec![
+        Column::words(words.col_name),
+        Column::words(words.col_setting),
+        Column::figures(words.col_value),
+        Column::words(words.col_unit),
+        Column::figures(words.col_low),
+        Column::figures(words.col_high),
+    ];
+    Some(Table { caption: words.family_numbers_table.to_owned(), columns, rows, sortable: true })
+}
+
+/// The points of the FV curve at each value of the grid.
+fn curve_rows(model: &ModelFile, words: &Words) -> Vec<Vec<Cell>> {
+    let definition = model.definition();
+    let velocities = model.params.list(dashpot_core::list!("fv_velocity"));
+    let over = model.identification.intervals_over_setting.get("fv_force");
+    let mut rows = Vec::new();
+    for (place, setting) in model.axis.grid().iter().enumerate() {
+        let Some(forces) = model.axis.forces(place) else { continue };
+        for (k, (velocity, force)) in velocities.iter().zip(forces).enumerate() {
+            let ends = match over {
+                Some(IntervalOverSetting::List(all)) => all.get(place).and_then(|all| all.get(k)).copied(),
+                _ => None,
+            };
+            let known = |end: usize| {
+                ends.filter(|[low, high]| low < high).map_or_else(Cell::none, |ends| Cell::digits(ends[end], 4))
+            };
+            let at = words.number(&format!("{} mm/s", digits(1e3 * velocity, 4)));
+            rows.push(vec![
+                format!("fv_force ({at})").into(),
+                named(&definition, *setting, words).into(),
+                Cell::digits(*force, 4),
+                "N".into(),
+                known(0),
+                known(1),
+            ]);
+        }
+    }
+    rows
+}
+
+/// What depends on the setting, with its probability.
+pub fn dependences(fit: &FamilyFit, words: &Words) -> Table {
+    let rows = fit.dependences.iter().map(|of| {
+        let how = if of.varies { words.yes } else { words.no };
+        vec![of.name.into(), how.into(), Cell::digits(of.probability, 2)]
+    });
+    let columns =
+        vec![Column::words(words.col_name), Column::words(words.family_varies), Column::figures(words.col_probability)];
+    Table { caption: words.family_dependences.to_owned(), columns, rows: rows.collect(), sortable: false }
+}
