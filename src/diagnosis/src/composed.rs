@@ -421,7 +421,7 @@ impl Composed<'_> {
                 let at = |t: f64| physical(&number.free, t);
                 let (name, unit) = name_of(&number.free);
                 let value = at(theta[k]);
-                let (low, high) = (at(theta[k] - 1.96 * deviations[k]), at(theta[k] + 1.96 * deviations[k]));
+                let [low, high] = hypothesis.interval(k, theta[k], deviations[k]).map(at);
                 parameters
                     .insert(name, Value { value, low, high, unit, plausible: is_plausible(hypothesis, k, theta) });
             }

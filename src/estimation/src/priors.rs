@@ -131,6 +131,11 @@ pub fn of(number: Number, scale: Scale) -> Option<Usual> {
     PRIORS.iter().find(|p| p.number == number).map(|p| scale.usual(number, p.usual))
 }
 
+/// Whether a parameter is the strength of an effect, which is absent where it is zero.
+pub fn is_strength(number: Number) -> bool {
+    PRIORS.iter().any(|p| p.number == number && matches!(p.usual, Strength(..)))
+}
+
 /// Degrees of freedom of Student's distribution: with four, five standard deviations cost five units of the logarithm of the odds where
 /// the normal distribution asks for twelve.
 const FREEDOM: f64 = 4.0;

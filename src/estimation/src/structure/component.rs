@@ -1,6 +1,7 @@
 //! The parts of a structure: each an effect in one of its forms, with the elements it enables and the numbers it frees.
 
 use crate::hypothesis::{Free, Hypothesis};
+use crate::priors::is_strength;
 use crate::unknowns::{CurveName, Unknown};
 use crate::vocabulary::Candidate;
 use dashpot_core::parameter::{Element, Number};
@@ -126,6 +127,15 @@ impl Component {
             _ => None,
         }));
         all
+    }
+
+    /// Whether its strength is zero at `theta`: then the structure is the one without it.
+    pub fn is_absent(&self, of: &Hypothesis, theta: &[f64]) -> bool {
+        of.numbers.iter().zip(theta).any(|(number, value)| {
+            let Free::Model(Unknown::Linear(strength)) = number.free else { return false };
+            let is_own = element_of(&number.free).is_some_and(|element| self.elements.contains(&element));
+            is_own && *value <= number.bounds.0 && number.bounds.0 <= 0.0 && is_strength(strength)
+        })
     }
 
     /// Whether it is an error of the measurement, not a part of the damper.

@@ -53,8 +53,13 @@ impl Structure {
         let hypothesis = hypothesis.starting_at(&refit.theta);
         let numbers = numbers(&hypothesis, &components);
         let evidence = Evidence::new(&hypothesis, &refit.theta, &refit.residual, tests, numbers);
-        let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
-        let log_posterior = evidence.log_evidence() + log_prior(&effects);
+        let prior_of = |is_counted: &dyn Fn(&&Component) -> bool| {
+            let counted = components.iter().filter(is_counted);
+            log_prior(&counted.map(|c| (c.effect, c.form, c.is_of_measurement())).collect::<Vec<_>>())
+        };
+        // A common effect of no strength earns nothing for being common.
+        let prior = prior_of(&|_| true).min(prior_of(&|c| !c.is_absent(&hypothesis, &refit.theta)));
+        let log_posterior = evidence.log_evidence() + prior;
         Structure { hypothesis, refit, components, evidence, log_posterior }
     }
 
