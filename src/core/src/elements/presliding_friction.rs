@@ -84,6 +84,9 @@ const PARTS: usize = 4;
 /// Speed, as a share of the creep, above which creep is nothing: it shortens the travel by half the square of this.
 const FAST: f64 = 1e6;
 
+/// Distance from the level, as a fraction of it, within which the law is linear: its square is the error.
+const NEAR: f64 = 1e-3;
+
 /// ζ^power for ζ ≥ 0.
 fn raised<R: Real>(size: R, exponent: f64) -> R {
     let at = size.value();
@@ -126,6 +129,11 @@ impl PreslidingFriction {
             let derivative = if size > 0.0 { level / (size * (1.0 + self.power)) } else { 0.0 };
             r.chain(level.copysign(r.value()), derivative)
         };
+        if (bent.value() - level.value()).abs() <= NEAR * level.value().abs() {
+            // Slipping: |level|^(n−1) = r/level.
+            let decay = (r * level.inverse()) * (1.0 + self.power);
+            return level + (bent - level) * (-(decay * slip)).exp();
+        }
         let part = slip * (1.0 / PARTS as f64);
         let below = bent.value() < level.value();
         let highest = max(bent.value().abs(), level.value().abs());
