@@ -110,6 +110,8 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
     assert_eq!(finding.effect, "cavitation", "{}", found.summary);
     let item = found.inventory.iter().find(|item| item.effect == "cavitation").unwrap();
     assert_eq!(item.form, "rebound begins with a lost stroke");
+    let lost = &finding.parameters["lost_stroke"];
+    assert!((lost.value - 0.028).abs() < 0.003 && lost.low <= lost.value && lost.unit == "m", "{}", lost.value);
     // 28 mm of the stroke of ±65 to 67 mm.
     let unfilled = finding.parameters["cavitation_unfilled"].value;
     let strokes = campaign.records.iter().map(|r| 2.0 * r.amplitude);

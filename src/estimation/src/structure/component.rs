@@ -1,6 +1,6 @@
 //! The parts of a structure: each an effect in one of its forms, with the elements it enables and the numbers it frees.
 
-use crate::hypothesis::{Free, Hypothesis};
+use crate::hypothesis::{self, Free, Hypothesis};
 use crate::priors::is_strength;
 use crate::unknowns::{CurveName, Unknown};
 use crate::vocabulary::Candidate;
@@ -129,13 +129,15 @@ impl Component {
         all
     }
 
-    /// Whether its strength is zero at `theta`: then the structure is the one without it.
+    /// Whether all its strengths are zero at `theta`: then the structure is the one without it.
     pub fn is_absent(&self, of: &Hypothesis, theta: &[f64]) -> bool {
-        of.numbers.iter().zip(theta).any(|(number, value)| {
+        let mut strengths = of.numbers.iter().zip(theta).filter(|(number, _)| {
             let Free::Model(Unknown::Linear(strength)) = number.free else { return false };
-            let is_own = element_of(&number.free).is_some_and(|element| self.elements.contains(&element));
-            is_own && *value <= number.bounds.0 && number.bounds.0 <= 0.0 && is_strength(strength)
-        })
+            is_strength(strength) && element_of(&number.free).is_some_and(|element| self.elements.contains(&element))
+        });
+        let is_zero =
+            |(number, value): (&hypothesis::Number, &f64)| *value <= number.bounds.0 && number.bounds.0 <= 0.0;
+        strengths.next().is_some_and(|first| is_zero(first) && strengths.all(is_zero))
     }
 
     /// Whether it is an error of the measurement, not a part of the damper.
