@@ -3,6 +3,7 @@
 //! Records without a motion between rest and their slowest speed do not tell a step of the curve there from dry friction. Without this
 //! expectation a free curve takes all friction up.
 
+use crate::scale::largest_force;
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::{Params, list};
 
@@ -10,17 +11,16 @@ use dashpot_core::{Params, list};
 /// curve; a faster one draws the bleed of firm race dampers down.
 const SLOWEST_KNEE: f64 = 0.03;
 
-/// Largest usual rise of the FV curve from rest to a neighboring point, N, with a knee at the largest force of its side; `None` for any other
+/// Largest usual rise of the FV curve from rest to a neighboring point, N, with a knee at the largest force; `None` for any other
 /// unknown.
 pub fn usual_rise(params: &Params, unknown: &Unknown) -> Option<f64> {
     let Unknown::Rise { curve: CurveName::Fv, point } = *unknown else { return None };
-    let (velocity, force) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
+    let velocity = params.list(list!("fv_velocity"));
     let zero = anchor(velocity);
     if towards_zero(point, zero) != zero {
         return None;
     }
-    let largest = force.iter().fold(0.0f64, |most, f| most.max(f.abs()));
-    let usual = largest * (velocity[point].abs() / SLOWEST_KNEE).min(1.0);
+    let usual = largest_force(params) * (velocity[point].abs() / SLOWEST_KNEE).min(1.0);
     (usual > 0.0).then_some(usual)
 }
 

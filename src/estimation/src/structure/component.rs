@@ -1,7 +1,7 @@
 //! The parts of a structure: each an effect in one of its forms, with the elements it enables and the numbers it frees.
 
 use crate::hypothesis::{self, Free, Hypothesis};
-use crate::priors::is_strength;
+use crate::priors::is_force_of_effect;
 use crate::unknowns::{CurveName, Unknown};
 use crate::vocabulary::Candidate;
 use dashpot_core::parameter::{Element, Number};
@@ -129,15 +129,16 @@ impl Component {
         all
     }
 
-    /// Whether all its strengths are zero at `theta`: then the structure is the one without it.
+    /// Whether all its forces are zero at `theta`: then the structure is the one without it.
     pub fn is_absent(&self, of: &Hypothesis, theta: &[f64]) -> bool {
-        let mut strengths = of.numbers.iter().zip(theta).filter(|(number, _)| {
-            let Free::Model(Unknown::Linear(strength)) = number.free else { return false };
-            is_strength(strength) && element_of(&number.free).is_some_and(|element| self.elements.contains(&element))
+        let mut forces = of.numbers.iter().zip(theta).filter(|(number, _)| {
+            let Free::Model(Unknown::Linear(force)) = number.free else { return false };
+            is_force_of_effect(force)
+                && element_of(&number.free).is_some_and(|element| self.elements.contains(&element))
         });
         let is_zero =
             |(number, value): (&hypothesis::Number, &f64)| *value <= number.bounds.0 && number.bounds.0 <= 0.0;
-        strengths.next().is_some_and(|first| is_zero(first) && strengths.all(is_zero))
+        forces.next().is_some_and(|first| is_zero(first) && forces.all(is_zero))
     }
 
     /// Whether it is an error of the measurement, not a part of the damper.

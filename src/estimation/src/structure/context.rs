@@ -53,13 +53,8 @@ impl Structure {
         let hypothesis = hypothesis.starting_at(&refit.theta);
         let numbers = numbers(&hypothesis, &components);
         let evidence = Evidence::new(&hypothesis, &refit.theta, &refit.residual, tests, numbers);
-        let prior_of = |is_counted: &dyn Fn(&&Component) -> bool| {
-            let counted = components.iter().filter(is_counted);
-            log_prior(&counted.map(|c| (c.effect, c.form, c.is_of_measurement())).collect::<Vec<_>>())
-        };
-        // A common effect of no strength earns nothing for being common.
-        let prior = prior_of(&|_| true).min(prior_of(&|c| !c.is_absent(&hypothesis, &refit.theta)));
-        let log_posterior = evidence.log_evidence() + prior;
+        let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
+        let log_posterior = evidence.log_evidence() + log_prior(&effects);
         Structure { hypothesis, refit, components, evidence, log_posterior }
     }
 
@@ -95,6 +90,15 @@ impl Structure {
         let mut components = self.components.clone();
         components.remove(place);
         Structure::fit(hypothesis, components, tests, effort)
+    }
+
+    /// Without effects of no strength: it is the same damper, and an effect of 0 N is none to report.
+    pub fn without_absent(self, tests: &[Test]) -> Structure {
+        let absent = self.components.iter().position(|c| c.is_absent(&self.hypothesis, &self.refit.theta));
+        match absent.and_then(|place| self.without(place, tests, Effort::JUDGE)) {
+            Some(less) => less.without_absent(tests),
+            None => self,
+        }
     }
 
     /// Refitted from where it stands; `None` where it makes no finite force.
