@@ -110,8 +110,27 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
     assert_eq!(finding.effect, "cavitation", "{}", found.summary);
     let item = found.inventory.iter().find(|item| item.effect == "cavitation").unwrap();
     assert_eq!(item.form, "rebound begins with a lost stroke");
+    let lost = &finding.parameters["lost_stroke"];
+    assert!((lost.value - 0.028).abs() < 0.003 && lost.low <= lost.value && lost.unit == "m", "{}", lost.value);
     // 28 mm of the stroke of ±65 to 67 mm.
     let unfilled = finding.parameters["cavitation_unfilled"].value;
     let strokes = campaign.records.iter().map(|r| 2.0 * r.amplitude);
     assert!(strokes.into_iter().all(|stroke| (unfilled * stroke - 0.028).abs() < 0.003), "{unfilled}");
+}
+
+#[test]
+fn friction_that_fell_is_told_from_a_leak_in_rebound_by_constant_speeds() {
+    let Some(path) = reported("staircase_pair") else { return };
+    let [good, worn] = ["a", "b"].map(|name| read(&path.join(name)));
+    let records: Vec<&Record> = worn.records.iter().collect();
+    let options = DiagnosisOptions { reference: good.records.clone(), ..DiagnosisOptions::default() };
+    let found = diagnose(&records, &[], &fitted(&good).params, &options, &|_, _| ()).unwrap();
+    assert!(found.findings.is_empty(), "{}", found.summary);
+    // 190 N before, 135 N after; the constant speeds leave the split between friction and bleed open by some newtons.
+    let friction = found.changes.iter().find(|change| change.name.ends_with("_force")).unwrap();
+    let (before, after) = (friction.reference, friction.value);
+    assert!((before - 190.0).abs() < 6.0 && (after - 135.0).abs() < 6.0, "{before} {after}");
+    assert!(friction.probability > 0.9);
+    let others: Vec<&str> = found.changes.iter().map(|change| change.name).filter(|n| *n != friction.name).collect();
+    assert!(!others.is_empty() && others.iter().all(|name| name.starts_with("rebound")), "{others:?}");
 }

@@ -35,9 +35,6 @@ pub struct Change {
     pub force_n_rms: f64,
 }
 
-/// Half-width of a 95 % interval in standard deviations.
-const Z: f64 = 1.96;
-
 /// Where the forces of a part of the FV curve are given: the middle of its speeds, by ratio, and the fastest.
 fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     let velocity = base.list(list!("fv_velocity"));
@@ -75,8 +72,8 @@ pub fn changes(
         .iter()
         .enumerate()
         .filter_map(|(k, number)| {
-            let half = Z * covariance[(k, k)].max(0.0).sqrt();
             let delta = refit.theta[k];
+            let ends = hypothesis.interval(k, delta, covariance[(k, k)].max(0.0).sqrt());
             let change = match number.free {
                 Free::Shift(unknown) => {
                     let (Unknown::Log(own) | Unknown::Linear(own) | Unknown::Above(own, _)) = unknown else {
@@ -92,8 +89,8 @@ pub fn changes(
                         name: own.name(),
                         reference,
                         value,
-                        low: end(delta - half),
-                        high: end(delta + half),
+                        low: end(ends[0]),
+                        high: end(ends[1]),
                         unit: own.parameter().unit,
                         velocity_m_s: None,
                         probability: probability(own.name()),
@@ -104,7 +101,7 @@ pub fn changes(
                     let velocity = velocity_of(part, before);
                     let (reference, value) = (force_at(before, velocity), force_at(&after, velocity));
                     let per = if delta == 0.0 { 0.0 } else { (value - reference) / delta };
-                    let ends = [value - half * per, value + half * per];
+                    let ends = ends.map(|end| value + (end - delta) * per);
                     Change {
                         name: part.name(),
                         reference,

@@ -27,6 +27,9 @@ use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence};
 use std::collections::BTreeMap;
 
+/// End of the names of the forms in which a stroke begins without force.
+const LOST_STROKE: &str = "begins with a lost stroke";
+
 /// Confidence from which a name needs no further test.
 const DECIDED: f64 = 0.9;
 /// Most names that a test is sought to tell apart, and most rivals and suspects that are listed.
@@ -425,9 +428,12 @@ impl Composed<'_> {
                 let at = |t: f64| physical(&number.free, t);
                 let (name, unit) = name_of(&number.free);
                 let value = at(theta[k]);
-                let (low, high) = (at(theta[k] - 1.96 * deviations[k]), at(theta[k] + 1.96 * deviations[k]));
+                let [low, high] = hypothesis.interval(k, theta[k], deviations[k]).map(at);
                 parameters
                     .insert(name, Value { value, low, high, unit, plausible: is_plausible(hypothesis, k, theta) });
+            }
+            if let Some(lost) = self.lost_stroke(component.form, &parameters) {
+                parameters.insert("lost_stroke", lost);
             }
             let place = self.best.components.iter().position(|c| c.effect == effect);
             let less = place.and_then(|place| self.best.without(place, &self.fitted, Effort::COMPARE));
@@ -467,6 +473,19 @@ impl Composed<'_> {
             }
         };
         names.iter().map(one).collect()
+    }
+
+    /// Length of the lost stroke in the longest stroke of the tests.
+    fn lost_stroke(&self, form: &str, parameters: &BTreeMap<&'static str, Value>) -> Option<Value> {
+        let unfilled = parameters.get("cavitation_unfilled").filter(|_| form.ends_with(LOST_STROKE))?;
+        let stroke = 2.0 * self.fitted.iter().map(|t| t.segment.amplitude).fold(0.0, f64::max);
+        Some(Value {
+            value: stroke * unfilled.value,
+            low: stroke * unfilled.low,
+            high: stroke * unfilled.high,
+            unit: "m",
+            plausible: unfilled.plausible,
+        })
     }
 
     /// Fraction of the gap that opens again without one effect, on left-out tests where there are any.

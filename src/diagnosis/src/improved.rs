@@ -26,12 +26,13 @@ pub(super) fn estimates(found: &Structure, deviations: &[f64]) -> Vec<Estimate> 
             let (name, unit) = name_of(&number.free);
             let (value, deviation) = (end.theta[k], deviations[k]);
             let known = deviation.is_finite();
+            let [low, high] = last.interval(k, value, deviation).map(at);
             Some(Estimate {
                 name,
                 index: None,
                 value: at(value),
-                low: known.then(|| at(value - 1.96 * deviation)),
-                high: known.then(|| at(value + 1.96 * deviation)),
+                low: known.then_some(low),
+                high: known.then_some(high),
                 unit,
                 from: phrases::ALL_FITTED_TESTS.into(),
                 standing: if known { Standing::Identified } else { Standing::NotIdentified },
@@ -47,8 +48,9 @@ pub(super) fn measured(found: &Structure, deviations: &[f64]) -> Vec<Measured> {
     numbers
         .filter_map(|(k, number)| {
             let Free::Rig(artefact) = &number.free else { return None };
-            let (value, half) = (end.theta[k], 1.96 * deviations[k]);
-            Measured::of(*artefact, [value, value - half, value + half])
+            let value = end.theta[k];
+            let [low, high] = last.interval(k, value, deviations[k]);
+            Measured::of(*artefact, [value, low, high])
         })
         .collect()
 }

@@ -3,6 +3,7 @@
 use super::options::{DiagnosisError, Options};
 use super::{opposite, reference};
 use dashpot_core::Params;
+use dashpot_core::element;
 use dashpot_core::parameter::Element;
 use dashpot_estimation::gap::errors;
 use dashpot_estimation::heating::Heating;
@@ -10,6 +11,7 @@ use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
+use dashpot_estimation::step_at_rest::read_step;
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::starts::{self, StartModel};
 use dashpot_records::Record;
@@ -47,6 +49,24 @@ pub(super) struct Against {
     pub shifted: Vec<String>,
 }
 
+/// The structure with the step of its curve at rest read as friction, where it has no friction and the records leave the split open.
+fn with_friction(structure: Structure, own: &Prepared) -> Structure {
+    /// Mean square residual, relative to that without friction, up to which the records do not contradict it.
+    const OPEN: f64 = 1.05;
+    const FRICTIONS: [Element; 3] =
+        [element!("presliding_friction"), element!("coulomb_friction"), element!("stribeck_friction")];
+    let params = structure.hypothesis.params(&structure.refit.theta);
+    if FRICTIONS.iter().any(|friction| params.is_on(*friction)) {
+        return structure;
+    }
+    let read = read_step(&params).and_then(|read| {
+        let (mut hypothesis, components) = starts::given(&read, &own.heating);
+        hypothesis.heating.clone_from(&structure.hypothesis.heating);
+        Structure::fit(hypothesis, components, &own.fitted, Effort::FINE)
+    });
+    read.filter(|read| read.evidence.mean() <= OPEN * structure.evidence.mean()).unwrap_or(structure)
+}
+
 impl Prepared {
     /// Fits the model to the reference, takes the form error that both dampers share out of the tests, and keeps the reference's numbers.
     pub fn against(
@@ -82,6 +102,7 @@ impl Prepared {
             .filter_map(fit)
             .max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
             .ok_or(DiagnosisError::NotFinite)?;
+        let structure = with_friction(structure, &own);
         // By the integration of the refits: its error is the same on both dampers.
         let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;

@@ -1,6 +1,7 @@
 //! One explanation of the records: a model with some of its numbers free, what the rig added, and how likely its numbers
 //! are before any record is seen.
 
+use super::bleed::usual_rise;
 use super::heating::Heating;
 use super::measurement::{Artefact, earlier, finer, low_pass};
 use super::samples::Test;
@@ -70,6 +71,14 @@ pub struct Hypothesis {
 pub type Residual = DVector<f64>;
 
 impl Hypothesis {
+    /// Ends of the 95 % interval of a number with this standard deviation, within its bounds: a loss factor is never negative.
+    pub fn interval(&self, place: usize, value: f64, deviation: f64) -> [f64; 2] {
+        /// Half-width in standard deviations.
+        const Z: f64 = 1.96;
+        let (low, high) = self.numbers[place].bounds;
+        [-Z, Z].map(|z| restrict(value + z * deviation, low, high))
+    }
+
     /// Where in its vector a number stands, if it is free.
     pub fn place_of(&self, free: &Free) -> Option<usize> {
         self.numbers.iter().position(|n| n.free == *free)
@@ -360,6 +369,6 @@ pub fn number(base: &Params, unknown: Unknown) -> Number {
     };
     let bounds = (low[0], high[0]);
     let start = restrict(start, bounds.0, bounds.1);
-    let prior = in_search(&unknown, scale);
+    let prior = in_search(&unknown, scale).or_else(|| Some((0.0, usual_rise(base, &unknown)?)));
     Number { free: Free::Model(unknown), start, step, bounds, prior }
 }

@@ -1,5 +1,6 @@
 //! What the numbers of an explanation cost it where they are far from what dampers show.
 
+use crate::bleed::usual_rise;
 use crate::hypothesis::{Free, Hypothesis, Number as FreeNumber};
 use crate::priors::price;
 use crate::scale::Scale;
@@ -47,7 +48,12 @@ fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<It
 
 /// What the numbers of an explanation cost it, in units of the logarithm of the odds.
 pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
-    off(hypothesis, theta).iter().map(|(_, off)| price(*off)).sum()
+    let params = hypothesis.params(theta);
+    let steep = hypothesis.numbers.iter().zip(theta).filter_map(|(number, rise)| {
+        let Free::Model(unknown) = &number.free else { return None };
+        usual_rise(&params, unknown).map(|usual| price(rise / usual))
+    });
+    off(hypothesis, theta).iter().map(|(_, off)| price(*off)).chain(steep).sum()
 }
 
 #[cfg(test)]

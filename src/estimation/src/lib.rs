@@ -23,6 +23,7 @@
 //! | [`cancel`] | how long work is told to stop |
 //! | [`gap`] | errors, and how much of the gap between model and noise is closed |
 
+mod bleed;
 pub mod campaign_clock;
 pub mod cancel;
 pub mod curve_part;
@@ -46,6 +47,7 @@ pub mod sensitivity;
 pub mod situation;
 pub mod solve;
 pub mod spring_end;
+pub mod step_at_rest;
 pub mod structure;
 pub mod unknowns;
 pub mod usual;

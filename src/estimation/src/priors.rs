@@ -131,6 +131,12 @@ pub fn of(number: Number, scale: Scale) -> Option<Usual> {
     PRIORS.iter().find(|p| p.number == number).map(|p| scale.usual(number, p.usual))
 }
 
+/// Whether a parameter is the force of an effect, which is absent where it is zero. A damping may be zero where its element is not.
+pub fn is_force_of_effect(number: Number) -> bool {
+    let is_strength = PRIORS.iter().any(|p| p.number == number && matches!(p.usual, Strength(..)));
+    is_strength && number.parameter().unit == "N"
+}
+
 /// Degrees of freedom of Student's distribution: with four, five standard deviations cost five units of the logarithm of the odds where
 /// the normal distribution asks for twelve.
 const FREEDOM: f64 = 4.0;

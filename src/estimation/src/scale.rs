@@ -25,6 +25,19 @@ const PASSAGE: f64 = 3.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale(f64);
 
+/// Largest force of a model, N: of its curve, its friction and its gas, which stand for each other where records are few.
+pub fn largest_force(params: &Params) -> f64 {
+    let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
+    let parallel = [
+        (element!("coulomb_friction"), number!("coulomb_force")),
+        (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
+        (element!("presliding_friction"), number!("presliding_force")),
+        (element!("gas_preload"), number!("gas_force")),
+    ];
+    let parallel = parallel.into_iter().filter(|(element, _)| params.is_on(*element));
+    curve + parallel.map(|(_, force)| params.number(force).abs()).sum::<f64>()
+}
+
 impl Scale {
     /// That of passenger cars.
     pub const CAR: Scale = Scale(1.0);
@@ -41,17 +54,9 @@ impl Scale {
         Scale(libm::pow(largest / TYPICAL, share))
     }
 
-    /// Of the damper that a model is of: from its curve, its friction and its gas force, which are there before anything else is known.
+    /// Of the damper that a model is of, which is there before anything else is known.
     pub fn of(params: &Params) -> Scale {
-        let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
-        let beside = [
-            (element!("coulomb_friction"), number!("coulomb_force")),
-            (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
-            (element!("presliding_friction"), number!("presliding_force")),
-            (element!("gas_preload"), number!("gas_force")),
-        ];
-        let beside = beside.into_iter().filter(|(element, _)| params.is_on(*element));
-        Scale::of_force(curve + beside.map(|(_, force)| params.number(force).abs()).sum::<f64>())
+        Scale::of_force(largest_force(params))
     }
 
     /// Whether it is that of cars.

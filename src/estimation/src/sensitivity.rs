@@ -15,7 +15,7 @@ use dashpot_core::{Model, Output, Params};
 use dashpot_core::{
     assembly::Elements,
     element::Motion,
-    parameter::{Acts, acts},
+    parameter::{Acts, Element, acts},
 };
 use dashpot_core::{element, list, number};
 use nalgebra::DMatrix;
@@ -169,6 +169,14 @@ struct Beside {
     per: f64,
 }
 
+/// An element beside the mass that has a state or is a stop, by itself.
+struct Alone {
+    element: Option<Element>,
+    model: Model,
+    /// Column of each of its unknowns, with the model moved along it, and the change of force that counts as one.
+    moved: Vec<(usize, Model, f64)>,
+}
+
 /// How exactly a model is integrated in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Accuracy {
@@ -211,8 +219,8 @@ pub struct Run {
     spring: CurveWeights,
     beside: Vec<Beside>,
     rises: Vec<(usize, CurveName, usize)>,
-    /// Unknowns of an element beside the mass that remembers or is a stop: models of that element alone.
-    alone: Vec<Beside>,
+    /// Elements whose unknowns do not move the mass.
+    alone: Vec<Alone>,
     /// Unknowns of elements inside the paths: the moved model, and the change of force that counts as one.
     moved: Vec<(usize, Model, f64)>,
     unknowns: usize,
@@ -277,19 +285,24 @@ impl Run {
                     if !(row == number!("moving_mass").row()
                         && run.params.number(number!("moving_mass_place")) == 1.0) =>
                 {
+                    let element = row.element();
+                    let is_on = element.is_some_and(|element| run.params.is_on(element));
                     let alone = |mut params: Params| {
                         params.disable_all();
-                        if let Some(element) = row.element() {
-                            params.enable(element, run.params.is_on(element));
+                        if let Some(element) = element {
+                            params.enable(element, is_on);
                         }
                         prepare(&params)
                     };
-                    let (plus, minus) = (alone(moved(step))?, alone(moved(-step))?);
-                    run.alone.push(Beside { column, plus, minus, per: 0.5 / step });
+                    let (params, step) = off_the_bound(&moved, step, &run.params);
+                    let far = (column, alone(params)?, 1.0 / step);
+                    match run.alone.iter_mut().find(|alone| alone.element == element) {
+                        Some(known) => known.moved.push(far),
+                        None => run.alone.push(Alone { element, model: alone(run.params)?, moved: vec![far] }),
+                    }
                 }
                 _ => {
-                    // To the side on which the unknown is not held by a bound.
-                    let step = if moved(step) == run.params { -step } else { step };
+                    let (_, step) = off_the_bound(&moved, step, &run.params);
                     let (moved, step) = match prepare(&moved(step)) {
                         Some(model) => (model, step),
                         None => (prepare(&moved(-step))?, -step),
@@ -438,10 +451,12 @@ impl Run {
                 }
             }
         }
-        for b in &self.alone {
-            let (plus, minus) = (self::forces(&b.plus, segment), self::forces(&b.minus, segment));
-            for i in 0..n {
-                rows[(b.column, i)] = (plus[i] - minus[i]) * b.per;
+        for Alone { model, moved, .. } in &self.alone {
+            let own = self::forces(model, segment);
+            for (column, moved, per) in moved {
+                for (i, force) in self::forces(moved, segment).iter().enumerate() {
+                    rows[(*column, i)] = (force - own[i]) * per;
+                }
             }
         }
         for (column, moved, per) in &self.moved {
@@ -457,6 +472,12 @@ impl Run {
         }
         (forces, rows)
     }
+}
+
+/// Parameters moved by a step away from the active bound, with the signed step.
+fn off_the_bound(moved: &dyn Fn(f64) -> Params, step: f64, from: &Params) -> (Params, f64) {
+    let params = moved(step);
+    if params == *from { (moved(-step), -step) } else { (params, step) }
 }
 
 /// Forces of a model at the samples of a segment, from the settled state at its first.
@@ -475,7 +496,7 @@ mod tests {
     use super::*;
     use dashpot_core::Input;
     use dashpot_core::parameter::GROUPS;
-    use dashpot_core::parameter::{Element, Shape};
+    use dashpot_core::parameter::Shape;
 
     fn segment(amplitude: f64, frequency: f64) -> Segment {
         let w = std::f64::consts::TAU * frequency;
@@ -523,8 +544,15 @@ mod tests {
                 let moved = Run::new(unknowns, &t, Accuracy::Full).unwrap();
                 Run { model: moved.model.with_integration(run.model.integration()), ..moved }.forces(test)
             };
-            let (a, b) = (moved(step), moved(-step));
-            let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| (a - b) / (2.0 * step)).collect();
+            // Beyond a bound a number does not move: the difference is over the step that it took.
+            let is_bound = |d: f64| {
+                let mut t = theta.to_vec();
+                t[p] += d;
+                unknowns.params(&t) == unknowns.params(theta)
+            };
+            let steps = [step, -step].map(|d| if is_bound(d) { 0.0 } else { d });
+            let [a, b] = steps.map(moved);
+            let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| (a - b) / (steps[0] - steps[1])).collect();
             let mut scored: Vec<(f64, f64)> =
                 (test.from..a.len()).map(|i| ((rows[(p, i)] - difference[i]).powi(2), difference[i].powi(2))).collect();
             scored.sort_by(|a, b| a.0.total_cmp(&b.0));

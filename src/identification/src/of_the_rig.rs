@@ -5,7 +5,6 @@
 //! another table of the spring, so that only the user can tell them ([`dashpot_records::Options`]). The others are estimated beside the
 //! numbers of the model, where tests left out of the fit are predicted better with them, and never become part of the model.
 
-use super::intervals::Z;
 use super::phrases;
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
@@ -160,8 +159,8 @@ pub fn measured(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<M
     numbers
         .filter_map(|(k, number)| {
             let Free::Rig(artefact) = number.free else { return None };
-            let (value, half) = (refit.theta[k], Z * covariance[(k, k)].max(0.0).sqrt());
-            Measured::of(artefact, [value, value - half, value + half])
+            let [low, high] = hypothesis.interval(k, refit.theta[k], covariance[(k, k)].max(0.0).sqrt());
+            Measured::of(artefact, [refit.theta[k], low, high])
         })
         .collect()
 }

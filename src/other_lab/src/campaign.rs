@@ -57,8 +57,6 @@ pub struct Truth {
     pub noise_seed: u64,
     /// What is hidden.
     pub hidden: Vec<InjectedEffect>,
-    /// What the damper has by itself, by the names under which it can be hidden too.
-    pub own: Vec<String>,
     /// What the damper is like.
     pub scale: Scale,
     /// How it was measured.
@@ -116,7 +114,12 @@ impl Case {
     /// # Errors
     /// As [`Case::run`].
     pub fn run_with(&self, accuracy: &Accuracy) -> Result<Campaign, LabError> {
-        let Prepared { plant, effects, truth } = self.prepare()?;
+        self.run_prepared(self.prepare()?, accuracy)
+    }
+
+    /// Runs the campaign of a damper that was prepared.
+    pub(crate) fn run_prepared(&self, prepared: Prepared, accuracy: &Accuracy) -> Result<Campaign, LabError> {
+        let Prepared { plant, effects, truth } = prepared;
         let p = &self.protocol;
         p.check()?;
         let tests = self.ordered();
@@ -183,7 +186,6 @@ impl Case {
                 seed: self.seed,
                 noise_seed: self.noise_seed,
                 hidden: truth,
-                own: plant.own.iter().map(|name| (*name).to_owned()).collect(),
                 scale: plant.scale,
                 protocol: p.clone(),
                 held_out,

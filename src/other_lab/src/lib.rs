@@ -17,6 +17,7 @@ pub mod plant;
 pub mod protocol;
 mod sensors;
 mod trace;
+mod true_set;
 
 pub use campaign::{Accuracy, Campaign, TestRecord, Truth};
 pub use case::{Case, InjectedEffect};

@@ -41,8 +41,8 @@ pub struct Measured {
     pub strengths: Vec<f64>,
     /// What is hidden.
     pub truth: Truth,
-    /// What the damper has by itself though nobody hid it; not known of the own rig's, which has none of it.
-    pub own: Vec<String>,
+    /// Effects whose removal from the simulator moves the force visibly; `None` for the own rig, whose dampers have only what is injected.
+    pub true_set: Option<Vec<String>>,
 }
 
 impl Case {
@@ -146,7 +146,7 @@ impl Case {
             taken_out: Vec::new(),
             strengths,
             truth: hidden.truth,
-            own: Vec::new(),
+            true_set: None,
         };
         found.take_out(&measured);
         Ok(found)

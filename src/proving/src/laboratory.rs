@@ -62,8 +62,8 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
         damper: damper.map(|(name, value)| (name.to_owned(), value)).into(),
     };
     let strengths = case.effects.iter().map(|(_, strength)| *strength).collect();
-    let own = campaign.truth.own.clone();
-    let mut measured = Measured { records, clean, held_out, base, taken_out: Vec::new(), strengths, truth, own };
+    let true_set = Some(case.true_set()?);
+    let mut measured = Measured { records, clean, held_out, base, taken_out: Vec::new(), strengths, truth, true_set };
     measured.take_out(&found);
     Ok(measured)
 }

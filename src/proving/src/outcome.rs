@@ -26,8 +26,8 @@ pub struct Outcome {
     /// Whether the fit has found all that is hidden, as an element of the model that was diagnosed or in the measurement: then no name is
     /// to be given.
     pub in_the_model: bool,
-    /// What the damper has by itself though nobody hid it.
-    pub own: Vec<String>,
+    /// Effects whose removal from the simulator moves the force visibly, where the laboratory says so.
+    pub true_set: Option<Vec<String>>,
     /// Whether there was a reference campaign.
     pub against_reference: bool,
     /// For an answer without a name: the suspects.
@@ -57,10 +57,9 @@ impl Outcome {
         self.hidden.first().map(|(name, _)| plain(name))
     }
 
-    /// Whether a name is true of the damper: of what is hidden in it, or, without a reference to tell the two apart, of what it has by
-    /// itself.
+    /// Whether a name is true of the damper: of what is injected, or, without a reference to tell the two apart, of its true set.
     pub fn is_true(&self, name: &str) -> bool {
-        self.is_hidden(name) || !self.against_reference && self.own.iter().any(|own| own == name)
+        self.is_hidden(name) || !self.against_reference && self.true_set.iter().flatten().any(|effect| effect == name)
     }
 
     /// Whether any name given is hidden.
@@ -114,7 +113,7 @@ pub fn judged(
             let name = plain(name);
             Element::find(name).is_ok_and(|element| measured.base.is_on(element)) || measured.taken_out.contains(&name)
         }) && !hidden.is_empty(),
-        own: measured.own.clone(),
+        true_set: measured.true_set.clone(),
         against_reference: !options.reference.is_empty(),
         suspects: found.suspects.iter().map(|s| s.effect.to_owned()).collect(),
         clean_before,

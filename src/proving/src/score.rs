@@ -94,6 +94,12 @@ pub fn table(all: &[Outcome]) -> String {
     let unknown = of("unknown");
     let named = unknown.iter().filter(|o| !o.named.is_empty()).count();
     let _ = writeln!(out, "outside the vocabulary, given a known name: {}", share(named, unknown.len()));
+    let injected: Vec<_> = all.iter().filter(|o| !o.hidden.is_empty() && o.block != "unknown").collect();
+    let found =
+        injected.iter().filter(|o| o.in_the_model || o.truth().is_some_and(|t| o.named.iter().any(|(n, _)| n == t)));
+    let _ = writeln!(out, "injected effect among the names or in the model: {}", share(found.count(), injected.len()));
+    let names: Vec<bool> = all.iter().flat_map(|o| o.named.iter().map(|(name, _)| o.is_true(name))).collect();
+    let _ = writeln!(out, "names in the true set: {}", share(names.iter().filter(|is| **is).count(), names.len()));
     let pairs = of("pair");
     let both =
         pairs.iter().filter(|o| o.hidden.iter().all(|(h, _)| o.named.iter().any(|(n, _)| n == plain(h)))).count();

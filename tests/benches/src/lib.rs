@@ -95,7 +95,7 @@ pub fn read(files: &TempDir) -> Campaign {
 #[must_use]
 pub fn fit(campaign: &Campaign, family: Family) -> Fit {
     let records = campaign.records.iter().collect::<Vec<_>>();
-    dashpot_identification::fit(&records, &FitOptions { family, elements: None }, |_| {}).expect("a fit")
+    dashpot_identification::fit(&records, &FitOptions { family, ..Default::default() }, |_| {}).expect("a fit")
 }
 
 /// Keeps all work on this thread: instructions are counted there alone, and two runs count the same.

@@ -150,6 +150,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
             max_effects: args.max_effects,
             candidates: args.candidates.clone(),
             reference: std::mem::take(&mut part.reference),
+            ..Options::default()
         };
         let diagnosed = examine(&part.model, &part.campaign, part.left_out.clone(), &options)
             .map_err(|error| error.context(format!("at {}", format_setting(part.setting, unit))))?;

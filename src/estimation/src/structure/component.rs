@@ -1,6 +1,7 @@
 //! The parts of a structure: each an effect in one of its forms, with the elements it enables and the numbers it frees.
 
-use crate::hypothesis::{Free, Hypothesis};
+use crate::hypothesis::{self, Free, Hypothesis};
+use crate::priors::is_force_of_effect;
 use crate::unknowns::{CurveName, Unknown};
 use crate::vocabulary::Candidate;
 use dashpot_core::parameter::{Element, Number};
@@ -126,6 +127,18 @@ impl Component {
             _ => None,
         }));
         all
+    }
+
+    /// Whether all its forces are zero at `theta`: then the structure is the one without it.
+    pub fn is_absent(&self, of: &Hypothesis, theta: &[f64]) -> bool {
+        let mut forces = of.numbers.iter().zip(theta).filter(|(number, _)| {
+            let Free::Model(Unknown::Linear(force)) = number.free else { return false };
+            is_force_of_effect(force)
+                && element_of(&number.free).is_some_and(|element| self.elements.contains(&element))
+        });
+        let is_zero =
+            |(number, value): (&hypothesis::Number, &f64)| *value <= number.bounds.0 && number.bounds.0 <= 0.0;
+        forces.next().is_some_and(|first| is_zero(first) && forces.all(is_zero))
     }
 
     /// Whether it is an error of the measurement, not a part of the damper.

@@ -95,6 +95,15 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
+    /// Without effects of no strength: it is the same damper, and an effect of 0 N is none to report.
+    pub fn without_absent(self, tests: &[Test]) -> Structure {
+        let absent = self.components.iter().position(|c| c.is_absent(&self.hypothesis, &self.refit.theta));
+        match absent.and_then(|place| self.without(place, tests, Effort::JUDGE)) {
+            Some(less) => less.without_absent(tests),
+            None => self,
+        }
+    }
+
     /// Refitted from where it stands; `None` where it makes no finite force.
     pub fn refitted(&self, tests: &[Test], effort: Effort) -> Option<Structure> {
         Structure::fit(self.hypothesis.clone(), self.components.clone(), tests, effort)

@@ -103,6 +103,8 @@ impl StructureSearch {
             search.best = given;
             search.climb(context);
         }
+        search.best = search.best.without_absent(tests);
+        record(&mut search.table, &search.best);
         Some(search)
     }
 

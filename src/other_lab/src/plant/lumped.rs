@@ -1,6 +1,7 @@
 //! A damper as the thesis describes it, with smooth laws: one oil column, one force-velocity law a direction.
 
-use super::{Beside, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
+use super::ablation::STIFFER;
+use super::{Beside, Kind, Mount, Oil, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
 struct Lumped {
@@ -37,6 +38,12 @@ impl Oil for Lumped {
         let w = beside.gain * valves.velocity(h.abs(), beside.viscosity).copysign(h);
         rates[0] = (v - beside.taken - w) / (1.0 / self.column + beside.compliance);
     }
+
+    fn remove(&mut self, part: Part) {
+        if part == Part::OilCompressibility {
+            self.column *= STIFFER;
+        }
+    }
 }
 
 /// One of two families of laws, in ranges of passenger cars' dampers.
@@ -61,6 +68,5 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         built: None,
         slight,
         scale,
-        own: OF_ALL.to_vec(),
     }
 }

@@ -1,6 +1,7 @@
 //! Dampers without a hidden effect. None of them is the model that is fitted to them: each carries friction with memory,
 //! and the physical ones several small mismatches more.
 
+mod ablation;
 pub mod flow;
 mod lumped;
 mod monotube;
@@ -8,6 +9,7 @@ mod mount;
 mod seal;
 mod twin_tube;
 
+pub use ablation::Part;
 pub use mount::Mount;
 pub use seal::Seal;
 
@@ -69,6 +71,8 @@ pub trait Oil: Send + Sync {
     fn force(&self, states: &[f64]) -> f64;
     /// Rates at displacement x and velocity v of the rod.
     fn rates(&self, x: f64, v: f64, beside: &Beside, states: &[f64], rates: &mut [f64]);
+    /// Removes a part of the oil's or the gas's physics; other parts leave it unchanged.
+    fn remove(&mut self, part: Part);
 }
 
 /// What a damper is like, for effects that have to suit it.
@@ -125,7 +129,8 @@ pub struct Built {
 impl Built {
     /// Modulus of the oil with its air under the pressure of the gas, bar.
     pub fn modulus_bar(&self) -> f64 {
-        1.0 / Fluid { oil: 1.0 / self.oil_bar, air: self.air }.compliance(self.gas_bar)
+        1.0 / Fluid { oil: 1.0 / self.oil_bar, air: self.air, air_is_felt: true, void_is_felt: true }
+            .compliance(self.gas_bar)
     }
 }
 
@@ -149,15 +154,7 @@ pub struct Plant {
     pub slight: Slight,
     /// What it is like.
     pub scale: Scale,
-    /// Effects, by the names under which they can be hidden, that are large in it though nobody has hidden anything.
-    ///
-    /// A model without them lacks them, and who names them without knowing a good damper of the kind is right. What
-    /// is in [`Slight`] is too little for that.
-    pub own: Vec<&'static str>,
 }
-
-/// What every damper here has: friction that turns over within a distance, and a mount that hardens.
-const OF_ALL: [&str; 2] = ["presliding_friction", "bushing"];
 
 impl Plant {
     /// The damper of a seed.
@@ -181,13 +178,19 @@ fn forces(d: &mut Draw) -> (f64, f64) {
 mod tests {
     use super::*;
 
+    /// Air is felt above one atmosphere, a void below: what is removed of either leaves the other.
     #[test]
-    fn every_damper_has_friction_and_a_mount_and_the_physical_ones_soft_oil() {
-        for seed in 1..20 {
-            let has = |kind, name| Plant::new(kind, seed).own.contains(&name);
-            assert!(Kind::ALL.iter().all(|kind| has(*kind, "presliding_friction") && has(*kind, "bushing")));
-            assert!(has(Kind::Monotube, "oil_compressibility") && has(Kind::TwinTube, "oil_compressibility"));
-            assert!(!has(Kind::ThesisLike, "oil_compressibility"));
-        }
+    fn oil_without_air_keeps_its_void() {
+        let whole = monotube::Fluid { oil: 1e-4, air: 1e-3, air_is_felt: true, void_is_felt: true };
+        let without = |part| {
+            let mut fluid = whole;
+            fluid.remove(part);
+            fluid
+        };
+        let (aeration, cavitation) = (without(Part::Aeration), without(Part::Cavitation));
+        assert!(aeration.compliance(5.0) < whole.compliance(5.0) && aeration.compliance(0.2) > 10.0 * whole.oil);
+        assert!((cavitation.compliance(5.0) - whole.compliance(5.0)).abs() < 1e-15);
+        assert!((cavitation.compliance(0.2) - cavitation.compliance(1.0)).abs() < 1e-15);
+        assert!(without(Part::OilCompressibility).compliance(5.0) < 0.05 * whole.compliance(5.0));
     }
 }

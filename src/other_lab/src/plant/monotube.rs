@@ -1,6 +1,7 @@
 //! A monotube: piston between two chambers of oil with dissolved air, gas behind a floating piston.
 
-use super::{Beside, Built, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, flow::Valves, forces};
+use super::ablation::STIFFER;
+use super::{Beside, Built, Kind, Mount, Oil, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
 /// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967), pressures in bar absolute.
@@ -10,6 +11,10 @@ pub(super) struct Fluid {
     pub oil: f64,
     /// Volume of the air at 1 bar relative to the oil's.
     pub air: f64,
+    /// Whether air adds compliance above 1 bar.
+    pub air_is_felt: bool,
+    /// Whether air and vapor add more compliance below 1 bar.
+    pub void_is_felt: bool,
 }
 
 /// Below this pressure, bar, vapour keeps the pressure up: the compliance is that of a void.
@@ -19,17 +24,31 @@ impl Fluid {
     /// Compliance relative to the volume, 1/bar.
     pub fn compliance(&self, p: f64) -> f64 {
         let p = 0.5 * (p + (p * p + VAPOUR * VAPOUR).sqrt());
-        self.oil + self.air / (1.3 * p * p)
+        let at = |p: f64| self.air / (1.3 * p * p);
+        let air = at(p.max(1.0));
+        self.oil + f64::from(self.air_is_felt) * air + f64::from(self.void_is_felt) * (at(p) - air)
     }
 
-    /// What is large of it at the pressure of the gas: the oil's own compliance, and the air's where that is more.
-    pub fn own(&self, p: f64) -> Vec<&'static str> {
-        let air = self.air / (1.3 * p * p) > self.oil;
-        ["oil_compressibility"].into_iter().chain(air.then_some("aeration")).collect()
+    /// Removes the compliance of the oil with its air, of the air, or of the void.
+    pub fn remove(&mut self, part: Part) {
+        match part {
+            Part::OilCompressibility => {
+                self.oil /= STIFFER;
+                self.air_is_felt = false;
+            }
+            Part::Aeration => self.air_is_felt = false,
+            Part::Cavitation => self.void_is_felt = false,
+            _ => {}
+        }
     }
 
     pub fn new(d: &mut Draw) -> Fluid {
-        Fluid { oil: 1.0 / d.between(9_000.0, 14_000.0), air: d.scale(2e-4, 1.5e-3) }
+        Fluid {
+            oil: 1.0 / d.between(9_000.0, 14_000.0),
+            air: d.scale(2e-4, 1.5e-3),
+            air_is_felt: true,
+            void_is_felt: true,
+        }
     }
 }
 
@@ -90,6 +109,14 @@ impl Oil for Monotube {
         rates[0] = (area * v - q) / (above * self.fluid.compliance(p[0]) + extra);
         rates[1] = (q - self.piston * v) / (below * self.fluid.compliance(p[1]) + gas);
     }
+
+    fn remove(&mut self, part: Part) {
+        self.fluid.remove(part);
+        if part == Part::GasSpring {
+            // A large volume keeps its pressure.
+            self.gas[1] *= STIFFER;
+        }
+    }
 }
 
 /// Pistons of 36 to 46 mm, rods of 11 to 14 mm, gas at 18 to 30 bar.
@@ -123,7 +150,6 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
     };
     let mount = Mount::new(d, (8e5, 5e6), (500.0, 2500.0));
     let seal = Seal::new(d, (20.0, 60.0));
-    let own = OF_ALL.into_iter().chain(oil.fluid.own(pressure)).collect();
     let gas_n = pressure * BAR * rod;
     let scale = Scale { rebound_n, compression_n, series_n_m: mount.stiffness, friction_n: seal.sliding, gas_n };
     let slight = Slight {
@@ -142,18 +168,5 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         built: Some(built),
         slight,
         scale,
-        own,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn air_is_large_beside_the_oil_only_at_low_pressure() {
-        let fluid = Fluid { oil: 1e-4, air: 1e-3 };
-        assert_eq!(fluid.own(2.0), ["oil_compressibility", "aeration"]);
-        assert_eq!(fluid.own(5.0), ["oil_compressibility"]);
     }
 }

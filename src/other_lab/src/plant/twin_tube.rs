@@ -1,8 +1,9 @@
 //! A twin tube: rebound and compression chamber, a base valve with check valve, and a reserve with gas at low pressure
 //! (Segel & Lang, Veh. Syst. Dyn. 10, 1981; Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998).
 
+use super::ablation::STIFFER;
 use super::monotube::{BAR, Fluid, GAS};
-use super::{Beside, Built, Kind, Mount, OF_ALL, Oil, Plant, Scale, Seal, Slight, forces};
+use super::{Beside, Built, Kind, Mount, Oil, Part, Plant, Scale, Seal, Slight, forces};
 use crate::draw::Draw;
 use crate::plant::flow::{Valves, check_valve};
 
@@ -82,6 +83,13 @@ impl Oil for TwinTube {
         rates[1] = (q - out - area * v) / (below * self.fluid.compliance(p[1]) + extra * self.rod * self.rod);
         rates[2] = out / gas;
     }
+
+    fn remove(&mut self, part: Part) {
+        self.fluid.remove(part);
+        if part == Part::GasSpring {
+            self.gas[1] *= STIFFER;
+        }
+    }
 }
 
 /// Pistons of 27 to 32 mm, rods of 12.4 to 22 mm, gas at 3 to 8 bar.
@@ -119,7 +127,6 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
     };
     let mount = Mount::new(d, (5e5, 2.5e6), (400.0, 2000.0));
     let seal = Seal::new(d, (20.0, 70.0));
-    let own = OF_ALL.into_iter().chain(oil.fluid.own(gas[0])).collect();
     let gas_n = gas[0] * BAR * rod;
     let scale = Scale { rebound_n, compression_n, series_n_m: mount.stiffness, friction_n: seal.sliding, gas_n };
     let slight = Slight {
@@ -138,6 +145,5 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
         built: Some(built),
         slight,
         scale,
-        own,
     }
 }

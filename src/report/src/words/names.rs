@@ -399,6 +399,7 @@ const NAMES: &[Named] = &[
         "底阀极限速度",
     ],
     ["cavitation_unfilled", "share not refilled", "nicht nachgefüllter Anteil", "part non remplie", "未补充的比例"],
+    ["lost_stroke", "lost stroke", "Totgang", "course perdue", "空行程"],
     ["cavitation_onset", "onset of the cavitation", "Beginn der Kavitation", "début de la cavitation", "空化起点"],
     ["cavitation_expansion", "expansion of the void", "Aufweitung des Hohlraums", "expansion du vide", "空穴膨胀"],
     // Over the stroke.

@@ -1,0 +1,41 @@
+//! How steep an FV curve begins: the bleed of a damper carries its flow up to the knee, so less than the knee's force stands at a lower speed.
+//!
+//! Records without a motion between rest and their slowest speed do not tell a step of the curve there from dry friction. Without this
+//! expectation a free curve takes all friction up.
+
+use crate::scale::largest_force;
+use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
+use dashpot_core::{Params, list};
+
+/// Slowest knee of shim valves, m/s (Dixon, The Shock Absorber Handbook, 2007, chapter 6: 0.03 to 0.2 m/s). A slower one leaves friction in the
+/// curve; a faster one draws the bleed of firm race dampers down.
+const SLOWEST_KNEE: f64 = 0.03;
+
+/// Largest usual rise of the FV curve from rest to a neighboring point, N, with a knee at the largest force; `None` for any other
+/// unknown.
+pub fn usual_rise(params: &Params, unknown: &Unknown) -> Option<f64> {
+    let Unknown::Rise { curve: CurveName::Fv, point } = *unknown else { return None };
+    let velocity = params.list(list!("fv_velocity"));
+    let zero = anchor(velocity);
+    if towards_zero(point, zero) != zero {
+        return None;
+    }
+    let usual = largest_force(params) * (velocity[point].abs() / SLOWEST_KNEE).min(1.0);
+    (usual > 0.0).then_some(usual)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_points_beside_rest_have_a_usual_rise() {
+        let params = Params::new();
+        let velocity = params.list(list!("fv_velocity"));
+        let zero = anchor(velocity);
+        for point in (0..velocity.len()).filter(|point| *point != zero) {
+            let usual = usual_rise(&params, &Unknown::Rise { curve: CurveName::Fv, point });
+            assert_eq!(usual.is_some(), point.abs_diff(zero) == 1, "{point}");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! A step of an FV curve at rest, read as dry friction and gas force.
+//!
+//! Records of constant speeds say nothing about the motion between rest and the slowest speed. There a free curve takes up friction and gas. Read
+//! as what they are, each of them can change by itself.
+
+use crate::unknowns::anchor;
+use dashpot_core::{Params, element, list, number};
+
+/// The same forces at all points of the curve but rest, with the step at rest taken by Coulomb friction and gas force. `None` where the curve has
+/// too few points or no step: friction below this fraction of the slowest force.
+pub fn read_step(params: &Params) -> Option<Params> {
+    /// Fraction of the force at the slowest speed. Below it bleed and friction are of one size, and the curve may stay as it is.
+    const LEAST: f64 = 0.3;
+    let (velocity, force) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
+    let zero = anchor(velocity);
+    // Force toward rest, on the line through the two slowest points of a side.
+    let toward_rest = |first: usize, second: usize| {
+        let derivative = (force[second] - force[first]) / (velocity[second] - velocity[first]);
+        force[first] - derivative * velocity[first]
+    };
+    if zero < 2 || zero + 2 >= velocity.len() {
+        return None;
+    }
+    let (rebound, compression) = (toward_rest(zero + 1, zero + 2), toward_rest(zero - 1, zero - 2));
+    let (friction, middle) = (0.5 * (rebound - compression), 0.5 * (rebound + compression));
+    let slowest = 0.5 * (force[zero + 1] - force[zero - 1]);
+    if rebound < 0.0 || compression > 0.0 || friction < LEAST * slowest {
+        return None;
+    }
+    let lowered: Vec<f64> = (0..force.len())
+        .map(|k| if k == zero { force[k] } else { force[k] - middle - friction.copysign(velocity[k]) })
+        .collect();
+    let mut read = *params;
+    let gas = if read.is_on(element!("gas_preload")) { read.number(number!("gas_force")) } else { 0.0 };
+    read.enable(element!("gas_preload"), true);
+    read.enable(element!("coulomb_friction"), true);
+    read.set(number!("gas_force"), gas - middle).ok()?;
+    read.set(number!("coulomb_force"), friction).ok()?;
+    read.set_list(list!("fv_force"), &lowered).ok()?;
+    Some(read)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn step_is_friction_and_gas_and_the_force_stays() {
+        let mut params = Params::new();
+        params.disable_all();
+        params.enable(element!("fv_curve"), true);
+        params.set_list(list!("fv_velocity"), &[-0.2, -0.02, -0.01, 0.0, 0.01, 0.02, 0.2]).unwrap();
+        params.set_list(list!("fv_force"), &[-360.0, -270.0, -260.0, 0.0, 140.0, 150.0, 330.0]).unwrap();
+        let read = read_step(&params).unwrap();
+        assert!((read.number(number!("coulomb_force")) - 190.0).abs() < 1e-9);
+        assert!((read.number(number!("gas_force")) - 60.0).abs() < 1e-9);
+        let force = read.list(list!("fv_force"));
+        assert!((force[4] + 190.0 - 60.0 - 140.0).abs() < 1e-9 && (force[0] - 190.0 - 60.0 + 360.0).abs() < 1e-9);
+        params.set_list(list!("fv_force"), &[-360.0, -36.0, -18.0, 0.0, 16.0, 33.0, 330.0]).unwrap();
+        assert!(read_step(&params).is_none());
+    }
+}

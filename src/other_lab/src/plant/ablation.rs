@@ -1,0 +1,88 @@
+//! Ablation: a damper without one part of its own physics.
+
+use super::Plant;
+
+/// A part of a damper's own physics, which a diagnosis may name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// Distance over which friction turns over.
+    Presliding,
+    /// Peak of the friction at low velocity.
+    Stribeck,
+    /// Hardening and damping of the mount.
+    Bushing,
+    /// Compliance of the oil column, that of its air included.
+    OilCompressibility,
+    /// Air in the oil, at pressures above the atmosphere's.
+    Aeration,
+    /// Void below the pressure of the atmosphere.
+    Cavitation,
+    /// Rise of the gas force over the stroke.
+    GasSpring,
+    /// Valves that pass more on one side of the stroke.
+    PositionDependence,
+    /// Viscosity that falls as the oil warms up.
+    Warmth,
+    /// Mass on the damper's side of the load cell.
+    Mass,
+}
+
+impl Part {
+    /// All parts.
+    pub const ALL: [Part; 10] = [
+        Part::Presliding,
+        Part::Stribeck,
+        Part::Bushing,
+        Part::OilCompressibility,
+        Part::Aeration,
+        Part::Cavitation,
+        Part::GasSpring,
+        Part::PositionDependence,
+        Part::Warmth,
+        Part::Mass,
+    ];
+
+    /// Name of the effect in the list of those that a diagnosis names.
+    pub fn effect(self) -> &'static str {
+        match self {
+            Part::Presliding => "presliding_friction",
+            Part::Stribeck => "stribeck_friction",
+            Part::Bushing => "bushing",
+            Part::OilCompressibility => "oil_compressibility",
+            Part::Aeration => "aeration",
+            Part::Cavitation => "cavitation",
+            Part::GasSpring => "gas_spring",
+            Part::PositionDependence => "position_dependent_damping",
+            Part::Warmth => "temperature_fade",
+            Part::Mass => "moving_mass",
+        }
+    }
+}
+
+/// Factor by which a compliance that is removed becomes stiffer. Less leaves a visible part of it; more only costs steps.
+pub(super) const STIFFER: f64 = 100.0;
+
+impl Plant {
+    /// The damper without a part.
+    #[must_use]
+    pub fn without(mut self, part: Part) -> Plant {
+        match part {
+            Part::Presliding => {
+                self.seal.stiffness *= STIFFER;
+                self.seal.damping *= STIFFER;
+            }
+            Part::Stribeck => self.seal.breakaway = self.seal.sliding,
+            Part::Bushing => {
+                self.mount.hardens = f64::INFINITY;
+                self.mount.damping = 0.0;
+            }
+            Part::GasSpring => self.slight.gas[0] = 0.0,
+            Part::PositionDependence => self.slight.position = 0.0,
+            Part::Warmth => self.slight.warmth = 0.0,
+            Part::Mass => self.slight.laden_kg = 0.0,
+            Part::OilCompressibility | Part::Aeration | Part::Cavitation => {}
+        }
+        self.oil.remove(part);
+        self
+    }
+}
