@@ -139,7 +139,7 @@ fn files_of_models_of_the_literature() {
     let tests = observation::of_records(&refs);
     let names = ["fv", "piecewise", "lag", "surface", "dahl", "kwok"];
     let seeds = names.map(|name| literature::write(&Literature::fit(name, &tests).unwrap(), &["a".to_owned()]));
-    let motion = Motion::of(&records[1]);
+    let motion = Motion::from_record(&records[1]);
     every_damage_is_read_or_refused("rival.toml", &seeds, &|file, bytes| {
         std::fs::write(file, bytes).unwrap();
         let read = literature::read(file).map_err(|e| e.to_string())?;

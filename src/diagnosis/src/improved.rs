@@ -50,7 +50,7 @@ pub(super) fn measured(found: &Structure, deviations: &[f64]) -> Vec<Measured> {
             let Free::Rig(artefact) = &number.free else { return None };
             let value = end.theta[k];
             let [low, high] = last.interval(k, value, deviations[k]);
-            Measured::of(*artefact, [value, low, high])
+            Measured::from_artefact(*artefact, [value, low, high])
         })
         .collect()
 }

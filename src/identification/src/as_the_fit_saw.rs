@@ -4,7 +4,7 @@
 //! campaign again would meet it again, and take it for something that the model lacks.
 
 use super::model_file::Identification;
-use super::of_the_rig::{Measured, off};
+use super::of_the_rig::{Measured, to_measurement_error};
 use super::phrases;
 use dashpot_records::taken_out::{MeasurementError, taken_out};
 use dashpot_records::{Note, Record, Sentence};
@@ -25,7 +25,7 @@ impl Identification {
     /// stay as they are, and the note says what the fit found in its own.
     pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
         let measured = self.measured();
-        let off = off(&measured);
+        let off = to_measurement_error(&measured);
         if off == MeasurementError::NONE {
             return None;
         }

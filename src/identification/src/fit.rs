@@ -2,7 +2,7 @@
 
 use super::expected::describe_priors;
 use super::intervals::{Estimate, Standing, estimates};
-use super::literature::piecewise_linear::SLOPES_AND_KNEES;
+use super::literature::piecewise_linear::COEFFICIENTS_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured};
 use super::phrases;
@@ -188,13 +188,15 @@ pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Ite
     }
 }
 
-/// How late the force channel of a rig usually is, s (a filter of 200 Hz makes 1 ms), and the mass, kg, that usually hangs between load cell
-/// and damper: eye, clamp and joint of a car's damper.
+/// Prior scale of the delay of the force channel, s: a filter of 200 Hz makes 1 ms.
+///
+/// The prior scale of the mass between load cell and damper, kg, is that of eye, clamp and joint of a car's damper.
 const USUAL_DELAY: f64 = 1e-3;
 const USUAL_MASS: f64 = 2.0;
 
-/// A hypothesis in which a delay and a mass of the load cell that were not believed are free within what is usual; `None` where both are free, or
-/// given, already.
+/// A hypothesis that frees a rejected delay and mass of the load cell within their priors.
+///
+/// `None` where both are free or specified already.
 pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -> Option<Hypothesis> {
     let mut freed = of.clone();
     let scale = Scale::of(&freed.base).force();
@@ -217,8 +219,9 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -
     (freed.numbers.len() > of.numbers.len()).then_some(freed)
 }
 
-/// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual: a series path that is soft
-/// without them is stiff with them.
+/// The estimates with a rejected delay and mass of the load cell free within their priors.
+///
+/// A series path that is soft without them is stiff with them.
 fn with_open_measurement(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Vec<Estimate> {
     let Some(freed) = with_free_measurement(&structure.hypothesis, given) else { return Vec::new() };
     let start = freed.start();
@@ -373,8 +376,9 @@ pub fn identified() -> Vec<Element> {
     all
 }
 
-/// Fewest tests from which a drift shows apart from the tests' own differences, and its shortest span, s: a load cell does not move by
-/// more than noise in less than a minute.
+/// Smallest number of tests in which a drift can be distinguished from the tests' own differences.
+///
+/// Its shortest span, s, follows: in less than a minute a load cell drifts by no more than noise.
 const FEWEST: usize = 6;
 const SHORTEST: f64 = 60.0;
 
@@ -392,8 +396,8 @@ fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options
     }
     if is_fault {
         return match effect {
-            "channel_delay" => candidate.form.is_empty() && of_the_rig::tells_delay(tests),
-            "moving_mass" => of_the_rig::tells_delay(tests),
+            "channel_delay" => candidate.form.is_empty() && of_the_rig::can_distinguish_delay(tests),
+            "moving_mass" => of_the_rig::can_distinguish_delay(tests),
             "gain_drift" | "force_drift" => {
                 candidate.form.is_empty()
                     && about.clock_runs_on
@@ -472,7 +476,7 @@ fn fit_thesis(
     let inventory = inventory(&best, None, tests, &probability);
     let mut found = finish(&best, tests, &about.given);
     found.inventory = inventory;
-    if best.hypothesis.base.is_on(element!("series_compliance")) && !of_the_rig::tells_delay(tests) {
+    if best.hypothesis.base.is_on(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
     }
     for (effects, numbers) in IN_EVERY_DAMPER {
@@ -497,7 +501,7 @@ fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Fo
     let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
     let mut estimates = estimates(hypothesis, refit, tests);
-    if hypothesis.base.is_on(element!("series_compliance")) && of_the_rig::tells_delay(tests) {
+    if hypothesis.base.is_on(element!("series_compliance")) && of_the_rig::can_distinguish_delay(tests) {
         hold_too(&mut estimates, with_open_measurement(structure, tests, given).iter());
     }
     for estimate in &estimates {
@@ -552,7 +556,7 @@ fn as_found(tests: &[Test], (base, list): (Params, Vec<Unknown>)) -> Found {
 fn fit_piecewise((segments, tests): (&[Segment], &[Test]), progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: phrases::PIECEWISE });
     let base = kernel_model("piecewise", segments)?;
-    let mut list: Vec<Unknown> = SLOPES_AND_KNEES.map(Unknown::Log).to_vec();
+    let mut list: Vec<Unknown> = COEFFICIENTS_AND_KNEES.map(Unknown::Log).to_vec();
     list.push(Unknown::Linear(number!("gas_force")));
     Ok(as_found(tests, (base, list)))
 }
@@ -573,13 +577,16 @@ fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitE
     found.params().ok_or(FitError::Literature(LiteratureError::NotFinite { name }))
 }
 
-/// Share of what a model leaves of the tests, in mean squares, that a constant force in each makes at least to be told, and how many times what noise and
-/// form allow the model must be off by. A model that fits leaves less than either; one that was bent by moving zeros leaves more than them.
+/// Smallest fraction of the residual mean square, as a constant force in each test, that is reported.
+///
+/// The residual must also exceed what noise and form allow by the second factor. A model that fits stays below both; one distorted by
+/// moving zeros exceeds them.
 const CONSTANT: f64 = 0.2;
 const OFF: f64 = 2.0;
 
-/// What is said where a model leaves another constant force of each test: no number of a model is another from test to test, so it is
-/// the zero of the channel that moves, or the gas with its temperature.
+/// The remark where the residual has a different constant force in each test.
+///
+/// No number of a model differs from test to test, so the zero of the channel drifts, or the gas changes with its temperature.
 fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     let model = Model::new(params).ok()?;
     let (mut constant, mut rest) = (Vec::new(), 0.0);

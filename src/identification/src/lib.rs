@@ -29,6 +29,6 @@ pub use fit::{Family, Fit, FitError, FitOptions, Stage, TEMPERATURE, fit};
 pub use intervals::{Estimate, Standing};
 pub use inventory_text::describe_item;
 pub use kind::{KINDS, Kind};
-pub use of_the_rig::{Measured, off};
+pub use of_the_rig::{Measured, to_measurement_error};
 pub use phrases::templates;
 pub use texts::texts;

@@ -5,7 +5,7 @@
 
 use super::short::short;
 use crate::phrases;
-use crate::{Estimate, Fit, Measured, Standing, describe_item, off};
+use crate::{Estimate, Fit, Measured, Standing, describe_item, to_measurement_error};
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition, Family};
 use dashpot_core::parameter::GROUPS;
@@ -30,7 +30,7 @@ pub struct ModelFile {
     /// What the fit left behind; empty in a file written by hand.
     pub identification: Identification,
     /// Places of the parameters that the text gives a value, whether their element is on or off.
-    pub given: Vec<usize>,
+    pub specified: Vec<usize>,
 }
 
 /// The tables behind the flat part.
@@ -225,7 +225,7 @@ impl ModelFile {
     /// What does nothing: parameters that the file gives although their element is off, a sentence for each element. That is no error: a host
     /// that reads the file may switch the element on.
     pub fn idle(&self) -> Vec<Sentence> {
-        idle(&self.given, &self.params)
+        idle(&self.specified, &self.params)
     }
 
     /// All remarks that the file has to tell: those of its fit, and what does nothing in it.
@@ -234,8 +234,9 @@ impl ModelFile {
         self.identification.notes.iter().cloned().chain(idle).collect()
     }
 
-    /// Whether the damper is another than the one that the fit left: a number lies outside the interval that the file tells of it, or an element
-    /// that one was identified of is off. A file that is tuned by hand keeps the tables of its fit; a change within an interval is none.
+    /// Whether the damper differs from the one that the fit wrote.
+    ///
+    /// It does where a number lies outside its interval in the file, or an element with an identified number is off. A file that is tuned by hand keeps the tables of its fit; a change within an interval is none.
     pub fn was_changed(&self) -> bool {
         let lies = |value: &f64, ends: &[f64; 2]| {
             // An interval without ends says nothing; one of a fixed point has two that are alike.
@@ -284,10 +285,12 @@ impl ModelFile {
     }
 }
 
-/// As [`ModelFile::idle`], of the parameters that a text gave and a damper that came out of it.
-pub fn idle(given: &[usize], params: &Params) -> Vec<Sentence> {
+/// Reports the specified parameters whose element is off, in a sentence for each element.
+///
+/// `specified` holds indices of parameters, `params` the damper that was read with them.
+pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
     let mut of: Vec<(&str, Vec<&str>)> = Vec::new();
-    for row in parameter::table().filter(|row| given.contains(&row.index)) {
+    for row in parameter::table().filter(|row| specified.contains(&row.index)) {
         let Some(element) = row.element().filter(|element| !params.is_on(*element)) else { continue };
         match of.last_mut() {
             Some((name, rows)) if *name == element.name() => rows.push(row.parameter.name),
@@ -331,7 +334,7 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     family_of_text(&text, path)
 }
 
-/// As [`read`], of a text that is at hand; `path` is how messages name it.
+/// Reads a model from text and checks that it makes a model; `path` is how messages name it.
 ///
 /// # Errors
 /// As [`read`].
@@ -409,7 +412,7 @@ fn parsed(
     if given.is_empty() {
         parameters_in_tables(text, path)?;
     }
-    Ok(ModelFile { params, axis, identification: tables.identification, given })
+    Ok(ModelFile { params, axis, identification: tables.identification, specified: given })
 }
 
 /// Refuses a file that names no parameter but in tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits, which hold
@@ -505,8 +508,9 @@ pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
     flat_keeping(params, &[], comment)
 }
 
-/// As [`flat`], with those parameters of elements that are off whose places are `kept`: what a file gave is not lost by changing another number, as
-/// the element may be switched on by whoever reads it.
+/// The flat part, with the parameters of elements that are off whose indices are `kept`.
+///
+/// So a change of another number loses nothing that a file specified: a reader may switch the element on.
 pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> String) -> String {
     flat_over(params, &Axis::NONE, kept, comment)
 }
@@ -632,7 +636,7 @@ pub(crate) fn write_account(out: &mut String, account: &Account) {
     let inventory = account.inventory.iter().map(describe_item);
     let notes: Vec<String> = inventory.chain(account.notes.iter().cloned()).map(|note| note.to_string()).collect();
     let _ = writeln!(out, "notes = {}", list(&notes));
-    let errors = off(account.measured);
+    let errors = to_measurement_error(account.measured);
     let drifts = errors.gain_per_s != 0.0 || errors.zero_n_per_s != 0.0;
     if let Some(from) = account.clock_from.filter(|_| drifts) {
         let _ =

@@ -39,7 +39,7 @@ pub enum OfPeaksError {
     },
     /// A number that no damper has.
     #[error("{file}: {name} {reason}")]
-    Refused {
+    Rejected {
         /// The table.
         file: String,
         /// The parameter.
@@ -101,7 +101,7 @@ pub fn of_peaks(path: &Path, options: &PeakOptions, gas_force: f64, friction: f6
     let mut params = Params::new();
     params.disable_all();
     params.enable(element!("fv_curve"), true);
-    let refused = |name: &'static str, fault: &dashpot_core::Fault| OfPeaksError::Refused {
+    let refused = |name: &'static str, fault: &dashpot_core::Fault| OfPeaksError::Rejected {
         file: file(),
         name,
         reason: fault.reason.text(),

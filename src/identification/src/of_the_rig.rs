@@ -1,5 +1,4 @@
-//! What a fit looks for in the measurement itself: how late the force channel is, which mass hangs on the load cell, and how gain and zero
-//! of the cell move through a campaign.
+//! Measurement errors that a fit estimates: delay of the force channel, mass on the load cell, drift of gain and zero through a campaign.
 //!
 //! A zero that is off all the time is not among them: of the force it is the same as another gas force, of the displacement the same as
 //! another table of the spring, so that only the user can tell them ([`dashpot_records::Options`]). The others are estimated beside the
@@ -18,13 +17,14 @@ use serde::Serialize;
 /// All that is looked for, in the order in which the load cell makes it.
 const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::GainDrift, Artefact::Drift];
 
-/// How much faster the fastest test must turn than the slowest for a delay to be told from compliance: the phase of both grows with
-/// frequency, but along other curves. At one frequency they are the same; half as much again is a choice. A mass and a spring are told apart
+/// Smallest ratio of the highest to the lowest frequency at which a delay can be distinguished from compliance.
+///
+/// The phase of both grows with frequency, but along different curves. At one frequency they are the same; half as much again is a choice. A mass and a spring are told apart
 /// in the same way.
 const APART: f64 = 1.5;
 
-/// Whether the frequencies of the tests tell a delay from a soft series path.
-pub fn tells_delay(tests: &[Test]) -> bool {
+/// Whether the frequencies of the tests distinguish a delay from a soft series path.
+pub fn can_distinguish_delay(tests: &[Test]) -> bool {
     let turns = |t: &Test| t.segment.peak_velocity / t.segment.amplitude;
     let (low, high) = tests
         .iter()
@@ -63,14 +63,14 @@ impl Measured {
         Measured { name: artefact.parameter(), value, low, high, unit: artefact.unit(), option }
     }
 
-    /// The same from a model file; `None` for a name that no fit looks for, and for what is no number.
+    /// One number, as a model file states it; `None` for a name that no fit looks for, and for what is no number.
     pub fn named(name: &str, numbers: [f64; 3]) -> Option<Measured> {
         let artefact = LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == name)?;
         numbers.iter().all(|n| n.is_finite()).then(|| Measured::new(artefact, numbers))
     }
 
     /// One number, as a diagnosis found it; `None` for what the reader of records cannot take out.
-    pub fn of(artefact: Artefact, numbers: [f64; 3]) -> Option<Measured> {
+    pub fn from_artefact(artefact: Artefact, numbers: [f64; 3]) -> Option<Measured> {
         let may = LOOKED_FOR.contains(&artefact) && numbers.iter().all(|n| n.is_finite());
         may.then(|| Measured::new(artefact, numbers))
     }
@@ -130,15 +130,15 @@ impl Measured {
         Sentence::from(what).with("value", of(self.value)).with("low", of(self.low)).with("high", of(self.high))
     }
 
-    /// The same in a sentence that says what became of it.
+    /// The finding as a sentence that says how the comparison corrects it.
     pub fn in_words(&self) -> Sentence {
         let option = self.as_option().map(|option| Sentence::from(phrases::GIVE_OPTION).with("option", option));
         Sentence::from(phrases::TAKEN_OUT_HERE).with_sentence("finding", self.finding()).with_any("option", option)
     }
 }
 
-/// What a fit found of the measurement, as records lose it.
-pub fn off(measured: &[Measured]) -> MeasurementError {
+/// Converts the findings of a fit to the measurement error that a correction of records removes.
+pub fn to_measurement_error(measured: &[Measured]) -> MeasurementError {
     let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
     MeasurementError {
         delay_s: of("delay"),
@@ -160,7 +160,7 @@ pub fn measured(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<M
         .filter_map(|(k, number)| {
             let Free::Rig(artefact) = number.free else { return None };
             let [low, high] = hypothesis.interval(k, refit.theta[k], covariance[(k, k)].max(0.0).sqrt());
-            Measured::of(artefact, [refit.theta[k], low, high])
+            Measured::from_artefact(artefact, [refit.theta[k], low, high])
         })
         .collect()
 }

@@ -27,7 +27,7 @@ pub struct AtPeak {
 
 impl AtPeak {
     /// Finds them; `None` where the motion has no whole cycles and therefore no peak velocity.
-    pub fn of(record: &Record) -> Option<Self> {
+    pub fn find(record: &Record) -> Option<Self> {
         if record.cycles.is_empty() {
             return None;
         }
@@ -73,11 +73,11 @@ mod tests {
             let force = if libm::cos(phase) > 0.0 { 2000.0 } else { 800.0 } * 0.5 * libm::cos(phase);
             record.force.push(force + 60.0 * libm::sin(phase) + 20.0 * noise);
         }
-        let [rebound, compression] = AtPeak::of(&record).unwrap().pick(&record.force);
+        let [rebound, compression] = AtPeak::find(&record).unwrap().pick(&record.force);
         assert!((rebound.velocity_m_s - 0.4965).abs() < 2e-3, "{rebound:?}");
         assert!((rebound.force_n - 2000.0 * rebound.velocity_m_s).abs() < 5.0, "{rebound:?}");
         assert!((compression.force_n - 800.0 * compression.velocity_m_s).abs() < 5.0, "{compression:?}");
         record.cycles.clear();
-        assert!(AtPeak::of(&record).is_none());
+        assert!(AtPeak::find(&record).is_none());
     }
 }

@@ -5,7 +5,7 @@ use crate::measured::{base_model, read, without_noise};
 use crate::severity;
 use dashpot_core::Params;
 use dashpot_core::{element, number};
-use dashpot_identification::{FitOptions, fit, off};
+use dashpot_identification::{FitOptions, fit, to_measurement_error};
 use dashpot_records::Record;
 use dashpot_records::taken_out::taken_out;
 use dashpot_rig::{CHECK_PREFIX, InjectedCampaign, InjectedCase, Matrix, Options, Plan, TestPoint, Truth};
@@ -156,7 +156,7 @@ impl Case {
 impl Measured {
     /// Takes what the fit found the measurement to be off by out of the records, as the verbs do.
     pub(crate) fn take_out(&mut self, measured: &[dashpot_identification::Measured]) {
-        let off = off(measured);
+        let off = to_measurement_error(measured);
         for record in self.records.iter_mut().chain(&mut self.clean) {
             *record = taken_out(record, &off);
         }

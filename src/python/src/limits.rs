@@ -74,7 +74,7 @@ impl Figures {
         let records: Vec<&Record> = campaign.records();
         let of = work::run(py, progress, |progress| {
             progress.say(0.0, "measuring");
-            limits::Figures::of(&records, None)
+            limits::Figures::measure(&records, None)
         })?;
         Ok(Figures { of })
     }

@@ -97,7 +97,8 @@ impl Rivals {
             rivals.fitted_to_all = true;
         }
         let tests = observation::of_records(&used);
-        let motions: Vec<observation::Motion> = campaign.records.par_iter().map(observation::Motion::of).collect();
+        let motions: Vec<observation::Motion> =
+            campaign.records.par_iter().map(observation::Motion::from_record).collect();
         for (k, name) in names.iter().enumerate() {
             progress(k as f64 / names.len() as f64, name);
             let literature = if is_model(name) { Literature::fit(name, &tests)? } else { file::read(Path::new(name))? };
@@ -121,5 +122,5 @@ impl Rivals {
 /// The errors of a model of the literature whose forces are at hand.
 pub fn of_forces(name: &str, compared: &[Compared<'_>], forces: &[Vec<f64>]) -> Against {
     let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
-    Against::of(name, meaning, compared, forces)
+    Against::measure(name, meaning, compared, forces)
 }

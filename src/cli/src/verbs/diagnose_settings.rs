@@ -283,7 +283,7 @@ fn split(
                 params: model.definition().params_at(setting),
                 axis: Axis::NONE,
                 identification: model.identification.clone(),
-                given: model.given.clone(),
+                specified: model.specified.clone(),
             },
             campaign: Campaign { records, unusable: Vec::new(), ..campaign.clone() },
             left_out,

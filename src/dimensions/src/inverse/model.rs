@@ -27,7 +27,7 @@ impl Identified<'_> {
             return Standing::Off;
         }
         let value = file.params.number(number);
-        let is_stated = file.given.contains(&number.row().index);
+        let is_stated = file.specified.contains(&number.row().index);
         match file.identification.intervals.get(number.name()) {
             _ if file.identification.not_identified.iter().any(|name| name == number.name()) => Standing::Open,
             Some(Interval::Number([low, high])) if low.is_finite() && high.is_finite() => {

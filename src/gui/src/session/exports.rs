@@ -94,8 +94,8 @@ impl Export {
     /// As a model file: with what the fit left beside the values, where the text has it.
     fn file(&self) -> ModelFile {
         let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
-        let (identification, given) = read.map(|file| (file.identification, file.given)).unwrap_or_default();
-        ModelFile { params: self.params, axis: Axis::NONE, identification, given }
+        let (identification, given) = read.map(|file| (file.identification, file.specified)).unwrap_or_default();
+        ModelFile { params: self.params, axis: Axis::NONE, identification, specified: given }
     }
 
     fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {

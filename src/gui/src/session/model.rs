@@ -67,7 +67,7 @@ impl Tuned {
 
     fn new(file: ModelFile) -> Tuned {
         // A damper over a setting is kept whole by who reads it.
-        let ModelFile { params, identification, given, axis: _ } = file;
+        let ModelFile { params, identification, specified: given, axis: _ } = file;
         Tuned {
             path: None,
             over: None,
@@ -144,7 +144,7 @@ impl Tuned {
             params: *self.params(),
             axis: Axis::NONE,
             identification: self.identification.clone(),
-            given: self.given.clone(),
+            specified: self.given.clone(),
         }
     }
 
@@ -406,7 +406,7 @@ mod tests {
             params: Params::new(),
             axis: Axis::NONE,
             identification: Identification::default(),
-            given: Vec::new(),
+            specified: Vec::new(),
         })
     }
 

@@ -6,7 +6,7 @@ use crate::fit::{
     About, check_elements, check_motion, coverage_notes, of_number, search_structure, with_free_measurement,
 };
 use crate::intervals::{Estimate, Known, Standing, sources};
-use crate::of_the_rig::{Measured, measured, tells_delay};
+use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
 use crate::{FitOptions, Stage, TEMPERATURE, phrases};
 use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
@@ -129,7 +129,7 @@ pub fn fit_family(
     let joint = best.hypothesis.joint();
     let joint_refit = best.hypothesis.joint_refit(&best.refit);
     let mut estimates = estimates(&best.hypothesis, &best.refit, &settings);
-    if damper.params.is_on(element!("series_compliance")) && tells_delay(&all) {
+    if damper.params.is_on(element!("series_compliance")) && can_distinguish_delay(&all) {
         hold_too(&mut estimates, &with_open_measurement(&best, &settings, &about.given));
     }
     let mut measured = measured(&joint, &joint_refit, &all);

@@ -50,12 +50,12 @@ pub struct Figures {
 
 impl Figures {
     /// Measures the records, or other forces at their samples.
-    pub fn of(records: &[&Record], forces: Option<&[&[f64]]>) -> Self {
+    pub fn measure(records: &[&Record], forces: Option<&[&[f64]]>) -> Self {
         let mut found = Figures { points: Vec::new(), gaps: Vec::new(), sliding: None };
         let mut slow: Vec<Record> = Vec::new();
         for (k, record) in records.iter().enumerate() {
             let force = forces.map_or(record.force.as_slice(), |all| all[k]);
-            let Some(at) = AtPeak::of(record) else { continue };
+            let Some(at) = AtPeak::find(record) else { continue };
             for peak in at.pick(force) {
                 found.points.push(Point { test: record.name.clone(), amplitude: record.amplitude, peak });
             }

@@ -97,7 +97,7 @@ pub struct Certificate {
     pub passed: bool,
     /// The answer for the damper: a limit that was not tested is no failure, and no pass either.
     pub overall: Overall,
-    /// The same for the model.
+    /// Whether the model keeps every limit that was tested; `None` without a model.
     pub model_passed: Option<bool>,
     /// Every limit, in the order of the file.
     pub limits: Vec<Checked>,
@@ -107,8 +107,8 @@ pub struct Certificate {
 
 /// Compares limits with records, and with the forces of a model at the records' samples where there is one.
 pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) -> Certificate {
-    let simulated = model.map(|forces| Figures::of(records, Some(forces)));
-    Figures::of(records, None).judge(limits, simulated.as_ref())
+    let simulated = model.map(|forces| Figures::measure(records, Some(forces)));
+    Figures::measure(records, None).judge(limits, simulated.as_ref())
 }
 
 impl Figures {

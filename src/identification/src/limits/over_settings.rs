@@ -67,7 +67,8 @@ pub fn judge_over_settings(
         let own: Vec<usize> = (0..records.len()).filter(|k| is_same_setting(settings[*k], setting)).collect();
         let of: Vec<&Record> = own.iter().map(|k| records[*k]).collect();
         let forces: Vec<&[f64]> = own.iter().map(|k| model[*k]).collect();
-        let found = Figures::of(&of, None).judge(std::slice::from_ref(limit), Some(&Figures::of(&of, Some(&forces))));
+        let found =
+            Figures::measure(&of, None).judge(std::slice::from_ref(limit), Some(&Figures::measure(&of, Some(&forces))));
         checked.extend(found.limits);
         if !judged.iter().any(|known| is_same_setting(*known, setting)) {
             judged.push(setting);

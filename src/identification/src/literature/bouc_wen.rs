@@ -54,7 +54,7 @@ impl Law for BoucWen {
         starts
     }
 
-    fn of(n: &[f64], _: &Scales) -> Self {
+    fn from_numbers(n: &[f64], _: &Scales) -> Self {
         BoucWen {
             level_n: n[0],
             stick_distance_m: n[1],

@@ -38,7 +38,7 @@ impl Law for Dahl {
         [0.001, 0.003, 0.01, 0.03, 0.1, 0.3].map(|part| vec![0.0, part * s.displacement, 0.0, 0.0, 0.0]).to_vec()
     }
 
-    fn of(n: &[f64], _: &Scales) -> Self {
+    fn from_numbers(n: &[f64], _: &Scales) -> Self {
         Dahl { friction_n: n[0], stick_distance_m: n[1], stiffness_n_m: n[2], damping_n_s_m: n[3], offset_n: n[4] }
     }
 

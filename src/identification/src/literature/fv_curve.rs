@@ -37,8 +37,9 @@ const SMALLEST: f64 = 0.010;
 const LEAST_SLOPE: f64 = 0.1;
 /// Samples that a point needs between its neighbours.
 const ENOUGH: usize = 12;
-/// Width of the bins that samples are averaged in, as a share of their speed and at least in m/s: far narrower than any
-/// feature of a curve, and the fit then costs the same for any number of tests.
+/// Width of the averaging bins, as a fraction of their speed and at least in m/s.
+///
+/// They are far narrower than any feature of a curve, and the cost of a fit becomes independent of the number of tests.
 const BIN: (f64, f64) = (0.01, 2e-5);
 
 /// Samples averaged over a narrow range of velocity.

@@ -48,7 +48,7 @@ impl Law for Kwok {
         starts
     }
 
-    fn of(n: &[f64], _: &Scales) -> Self {
+    fn from_numbers(n: &[f64], _: &Scales) -> Self {
         Kwok {
             level_n: n[0],
             steepness_s_m: n[1],

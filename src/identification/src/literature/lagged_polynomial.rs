@@ -32,8 +32,9 @@ const RAMP: [f64; 2] = [0.03, 0.3];
 const PARTS: f64 = 2.0;
 /// Most parts of a sample; a force that needs more has long arrived.
 const MOST_PARTS: f64 = 16.0;
-/// Coefficients, in units of force over a power of the fastest velocity, that a polynomial of this degree needs at most: those
-/// of Chebyshev's of degree 7 end at 112.
+/// Largest coefficient that a polynomial of this degree needs, in units of force over a power of the fastest velocity.
+///
+/// Those of Chebyshev's polynomial of degree 7 end at 112.
 const LARGEST: f64 = 120.0;
 
 /// Most coefficients: as many as the kernel's range of coefficients holds. A coefficient of a high power becomes
@@ -46,7 +47,7 @@ fn most_terms(s: &Scales) -> usize {
 /// Number of coefficients whose polynomial, without the lag, predicts tests left out best: a high degree follows the tests
 /// and leaves for infinity beyond them.
 fn terms(tests: &[Observation]) -> usize {
-    let s = Scales::of(tests);
+    let s = Scales::from_tests(tests);
     let most = most_terms(&s);
     if tests.len() < 3 {
         return most;
@@ -145,7 +146,7 @@ impl<const N: usize> Law for WithTerms<N> {
             .to_vec()
     }
 
-    fn of(n: &[f64], s: &Scales) -> Self {
+    fn from_numbers(n: &[f64], s: &Scales) -> Self {
         WithTerms(LaggedPolynomial {
             coefficients: n[..N].to_vec(),
             lag_slow_s: n[N],

@@ -82,7 +82,7 @@ pub trait Law: Sized + Send + Sync + 'static {
     fn starts(scales: &Scales) -> Vec<Vec<f64>>;
 
     /// The model with these numbers.
-    fn of(numbers: &[f64], scales: &Scales) -> Self;
+    fn from_numbers(numbers: &[f64], scales: &Scales) -> Self;
 
     /// Its force at every sample of a motion, N.
     fn forces(&self, motion: &Motion) -> Vec<f64>;
@@ -186,16 +186,18 @@ pub fn fit<L: Law>(tests: &[Observation]) -> Option<L> {
     fit_from(tests, &[])
 }
 
-/// As [`fit`], from further starts too, which are followed whatever their first cost and taken as they are.
+/// Identifies a law from its own and further starts; `None` where none gives finite forces.
+///
+/// The further starts are followed whatever their first cost, and used unchanged.
 pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L> {
-    let scales = Scales::of(tests);
+    let scales = Scales::from_tests(tests);
     let numbers = L::numbers(&scales);
     let make = |numbers: &[f64]| -> Forces {
-        let law = L::of(numbers, &scales);
+        let law = L::from_numbers(numbers, &scales);
         Box::new(move |motion| law.forces(motion))
     };
     let problem = Problem { tests, numbers: &numbers, make: &make };
-    Some(L::of(&best(&problem, &L::starts(&scales), further)?, &scales))
+    Some(L::from_numbers(&best(&problem, &L::starts(&scales), further)?, &scales))
 }
 
 /// The numbers of the lowest cost from several starts.

@@ -26,7 +26,7 @@ pub struct Network {
     /// Constant of the output.
     pub bias: f64,
     /// Straight-through weights of displacement, velocity and acceleration.
-    pub straight: [f64; 3],
+    pub feedthrough: [f64; 3],
 }
 
 /// Hidden neurons.
@@ -121,7 +121,7 @@ fn spread(seed: u64) -> impl FnMut() -> f64 {
 
 /// Trains the network.
 pub fn fit(tests: &[Observation]) -> Option<Network> {
-    let scales = Scales::of(tests);
+    let scales = Scales::from_tests(tests);
     let accelerations: Vec<Vec<f64>> = tests.iter().map(|t| acceleration(&t.motion)).collect();
     let fastest =
         tests.iter().zip(&accelerations).flat_map(|(t, a)| a[t.from..].iter()).fold(1e-6f64, |m, a| m.max(a.abs()));
@@ -131,7 +131,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
         output_scale_n: scales.force,
         neurons: Vec::new(),
         bias: 0.0,
-        straight: [0.0; 3],
+        feedthrough: [0.0; 3],
     };
     let scored: usize = tests.iter().map(|t| t.force.len() - t.from).sum();
     let stride = scored.div_ceil(SAMPLES);
@@ -168,7 +168,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
     network.neurons =
         (0..NEURONS).map(|k| [w[5 * k], w[5 * k + 1], w[5 * k + 2], w[5 * k + 3], w[5 * k + 4]]).collect();
     network.bias = w[5 * NEURONS];
-    network.straight = [w[5 * NEURONS + 1], w[5 * NEURONS + 2], w[5 * NEURONS + 3]];
+    network.feedthrough = [w[5 * NEURONS + 1], w[5 * NEURONS + 2], w[5 * NEURONS + 3]];
     Some(network)
 }
 
@@ -186,7 +186,7 @@ impl Network {
             .iter()
             .map(|u| {
                 let neuron = |n: &[f64; 5]| n[4] * libm::tanh(n[0] + n[1] * u[0] + n[2] * u[1] + n[3] * u[2]);
-                let straight: f64 = self.straight.iter().zip(u).map(|(w, u)| w * u).sum();
+                let straight: f64 = self.feedthrough.iter().zip(u).map(|(w, u)| w * u).sum();
                 self.output_scale_n * (self.bias + straight + self.neurons.iter().map(neuron).sum::<f64>())
             })
             .collect()

@@ -15,8 +15,9 @@ pub struct Motion {
     pub displacement: Vec<f64>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
-    /// Sample one or more whole cycles after the first, where the motion is periodic: what a model remembers there is what
-    /// it remembers at the first.
+    /// Sample one or more whole cycles after the first, where the motion is periodic.
+    ///
+    /// The internal state of a model there equals that at the first sample.
     pub returns: Option<usize>,
 }
 
@@ -40,16 +41,17 @@ const SAME: f64 = 0.05;
 
 impl Motion {
     /// The smoothed motion of a record at its own samples.
-    pub fn of(record: &Record) -> Motion {
+    pub fn from_record(record: &Record) -> Motion {
         let smoothed = smooth(record);
         let dt = std::iter::once(0.0).chain(record.time.windows(2).map(|w| w[1] - w[0])).collect();
         let returns = record.cycles.first().filter(|c| c.start == 0 && c.end < record.time.len()).map(|c| c.end);
         Motion { dt, displacement: smoothed.displacement, velocity: smoothed.velocity, returns }
     }
 
-    /// Runs a model with a memory along the motion: from `rest` for one cycle where the motion is periodic, so that it
-    /// starts as it will be found again, then from the first sample to the last. `step` moves the memory to a sample, from
-    /// the one before it, and gives the force there.
+    /// Simulates a model with internal state along the motion.
+    ///
+    /// A periodic motion runs for one cycle from `rest` first, so that the scored samples begin in the steady state. `step` advances the
+    /// state from the sample before to a sample, and returns the force there.
     pub(super) fn run<M: Clone>(&self, rest: M, step: impl Fn(&mut M, usize) -> f64) -> Vec<f64> {
         let mut memory = rest;
         if let Some(end) = self.returns {
@@ -118,8 +120,8 @@ pub(super) struct Scales {
 }
 
 impl Scales {
-    /// Of the scored samples of all tests.
-    pub fn of(tests: &[Observation]) -> Scales {
+    /// Scales of the scored samples of all tests.
+    pub fn from_tests(tests: &[Observation]) -> Scales {
         let largest = |of: &dyn Fn(&Observation, usize) -> f64| {
             let all = tests.iter().flat_map(|t| (t.from..t.force.len()).map(move |i| (t, i)));
             all.fold(0.0f64, |m, (t, i)| m.max(of(t, i).abs()))

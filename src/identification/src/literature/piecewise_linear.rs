@@ -10,7 +10,7 @@ use dashpot_core::{Params, element, number, parameter};
 use serde::{Deserialize, Serialize};
 
 /// The kernel's numbers of this form of the curve.
-pub const SLOPES_AND_KNEES: [parameter::Number; 8] = [
+pub const COEFFICIENTS_AND_KNEES: [parameter::Number; 8] = [
     number!("fv_rebound_c1"),
     number!("fv_rebound_c2"),
     number!("fv_rebound_c3"),
@@ -25,11 +25,11 @@ pub const SLOPES_AND_KNEES: [parameter::Number; 8] = [
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PiecewiseLinear {
     /// Cr1, Cr2, Cr3, N s/m.
-    pub rebound_slopes_n_s_m: [f64; 3],
+    pub rebound_coefficients_n_s_m: [f64; 3],
     /// First and second rebound knee, m/s.
     pub rebound_knees_m_s: [f64; 2],
     /// Cc1, Cc2, N s/m.
-    pub compression_slopes_n_s_m: [f64; 2],
+    pub compression_coefficients_n_s_m: [f64; 2],
     /// Compression knee as a speed, m/s.
     pub compression_knee_m_s: f64,
     /// Gas force, pushing the rod out, N.
@@ -38,9 +38,9 @@ pub struct PiecewiseLinear {
 
 impl PiecewiseLinear {
     fn at(&self, v: f64) -> f64 {
-        let [c1, c2, c3] = self.rebound_slopes_n_s_m;
+        let [c1, c2, c3] = self.rebound_coefficients_n_s_m;
         let [v1, v2] = self.rebound_knees_m_s;
-        let [b1, b2] = self.compression_slopes_n_s_m;
+        let [b1, b2] = self.compression_coefficients_n_s_m;
         let knee = self.compression_knee_m_s;
         let curve = if v >= 0.0 {
             c1 * v.min(v1) + c2 * (v.min(v2) - v1).max(0.0) + c3 * (v - v2).max(0.0)
@@ -57,10 +57,10 @@ impl PiecewiseLinear {
         params.enable(element!("fv_curve"), true);
         params.enable(element!("gas_preload"), true);
         let _ = params.set(number!("fv_form"), 1.0);
-        let [c1, c2, c3] = self.rebound_slopes_n_s_m;
+        let [c1, c2, c3] = self.rebound_coefficients_n_s_m;
         let [v1, v2] = self.rebound_knees_m_s;
-        let [b1, b2] = self.compression_slopes_n_s_m;
-        let curve = SLOPES_AND_KNEES.into_iter().zip([c1, c2, c3, v1, v2, b1, b2, self.compression_knee_m_s]);
+        let [b1, b2] = self.compression_coefficients_n_s_m;
+        let curve = COEFFICIENTS_AND_KNEES.into_iter().zip([c1, c2, c3, v1, v2, b1, b2, self.compression_knee_m_s]);
         for (number, value) in curve.chain([(number!("gas_force"), self.gas_force_n)]) {
             let _ = params.set(number, number.inside(value));
         }
@@ -89,11 +89,11 @@ impl Law for PiecewiseLinear {
         starts
     }
 
-    fn of(n: &[f64], _: &Scales) -> Self {
+    fn from_numbers(n: &[f64], _: &Scales) -> Self {
         PiecewiseLinear {
-            rebound_slopes_n_s_m: [n[0], n[1], n[2]],
+            rebound_coefficients_n_s_m: [n[0], n[1], n[2]],
             rebound_knees_m_s: [n[3], n[3] + n[4]],
-            compression_slopes_n_s_m: [n[5], n[6]],
+            compression_coefficients_n_s_m: [n[5], n[6]],
             compression_knee_m_s: n[7],
             gas_force_n: n[8],
         }

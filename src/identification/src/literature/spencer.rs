@@ -47,7 +47,7 @@ const RIGID: f64 = 3e3;
 
 /// Identifies the model; among its starts is the plain Bouc-Wen model, which it contains, so that it is never worse.
 pub fn fit(tests: &[Observation]) -> Option<Spencer> {
-    let s = Scales::of(tests);
+    let s = Scales::from_tests(tests);
     let plain = law::fit::<BoucWen>(tests).map(|b| {
         vec![
             b.level_n,
@@ -113,7 +113,7 @@ impl Law for Spencer {
         starts
     }
 
-    fn of(n: &[f64], _: &Scales) -> Self {
+    fn from_numbers(n: &[f64], _: &Scales) -> Self {
         Spencer {
             level_n: n[0],
             stick_distance_m: n[1],

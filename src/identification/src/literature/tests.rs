@@ -43,9 +43,9 @@ fn missed(model: &Literature, tests: &[Observation]) -> f64 {
 fn examples() -> Vec<Literature> {
     vec![
         Literature::Piecewise(piecewise_linear::PiecewiseLinear {
-            rebound_slopes_n_s_m: [9000.0, 3000.0, 1200.0],
+            rebound_coefficients_n_s_m: [9000.0, 3000.0, 1200.0],
             rebound_knees_m_s: [0.03, 0.09],
-            compression_slopes_n_s_m: [5000.0, 900.0],
+            compression_coefficients_n_s_m: [5000.0, 900.0],
             compression_knee_m_s: 0.04,
             gas_force_n: 60.0,
         }),

@@ -1,4 +1,4 @@
-//! The same tests with the models of the literature, each identified from the tests that the model was fitted to.
+//! Comparison with models of the literature, each identified from the tests that the model was fitted to.
 
 use super::compared::Compared;
 use super::deviation::Deviation;
@@ -47,7 +47,7 @@ pub struct AgainstSummary {
 
 impl Against {
     /// Measures forces of a model on every compared test.
-    pub fn of(model: &str, meaning: &str, compared: &[Compared<'_>], forces: &[Vec<f64>]) -> Against {
+    pub fn measure(model: &str, meaning: &str, compared: &[Compared<'_>], forces: &[Vec<f64>]) -> Against {
         let tests = compared
             .iter()
             .zip(forces)

@@ -83,7 +83,7 @@ impl Errors {
         Some(Self { model: Deviation::mean(&model), fv_only: Deviation::mean(&fv_only) })
     }
 
-    /// The same figures with the percent taken of another largest force, N: that of a whole row of tests.
+    /// Figures with the percent of another largest force, N: that of a whole row of tests.
     pub(super) fn in_percent_of(mut self, max_force: f64) -> Self {
         for deviation in [&mut self.model, &mut self.fv_only] {
             deviation.error_percent = percent(deviation.mean_error_n, max_force);

@@ -52,7 +52,7 @@ pub struct Hysteresis {
     pub max_gap_n: OfEach,
     /// Mean over the bins of |gap of the model − measured gap|, N; zero without bins.
     pub gap_error_n: f64,
-    /// The same for the force–velocity curve alone, N.
+    /// Mean over the bins of |gap of the force–velocity curve alone − measured gap|, N; zero without bins.
     pub gap_error_fv_only_n: f64,
     /// ∮F dv of one cycle, N·m/s.
     pub area_n_m_s: OfEach,
@@ -61,7 +61,7 @@ pub struct Hysteresis {
 }
 
 impl OfEach {
-    /// The same computation on each of the three forces.
+    /// Computes a figure of each of the three forces.
     fn of(compared: &Compared<'_>, mut figure: impl FnMut(&[f64]) -> f64) -> Self {
         Self {
             measured: figure(&compared.record.force),

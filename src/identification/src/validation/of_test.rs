@@ -70,7 +70,7 @@ impl TestValidation {
 
 impl PeakForce {
     fn of_test(compared: &Compared<'_>) -> Vec<Self> {
-        let Some(at) = AtPeak::of(compared.record) else { return Vec::new() };
+        let Some(at) = AtPeak::find(compared.record) else { return Vec::new() };
         let [measured, model, fv_only] =
             [&compared.record.force, &compared.model, &compared.fv_only].map(|force| at.pick(force));
         let stroke = |k: usize| PeakForce {
