@@ -3,7 +3,7 @@
 use dashpot_core::list;
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Model, Params};
-use dashpot_diagnosis::{Change, Diagnosis, Options, Status, Verdict, choose_held_out, diagnose};
+use dashpot_diagnosis::{Change, Diagnosis, Options, Status, Verdict, choose_left_out, diagnose};
 use dashpot_identification::model_file;
 use dashpot_records::Record;
 use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
@@ -32,12 +32,12 @@ fn diagnosed(truth: &Params, model: &Params, seed: u64) -> Diagnosis {
 
 fn of(records: &[Record], model: &Params) -> Diagnosis {
     let refs: Vec<&Record> = records.iter().collect();
-    diagnose(&refs, &choose_held_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
+    diagnose(&refs, &choose_left_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
 }
 
 fn told(d: &Diagnosis) -> String {
     let rounds: Vec<String> = d
-        .rounds
+        .iterations
         .iter()
         .map(|r| {
             r.iter()
@@ -49,8 +49,8 @@ fn told(d: &Diagnosis) -> String {
                         t.form,
                         t.confidence,
                         t.evidence.log_odds,
-                        t.evidence.share,
-                        t.evidence.implausibility
+                        t.evidence.fraction,
+                        t.evidence.negative_log_prior
                     )
                 })
                 .collect::<Vec<_>>()
@@ -135,7 +135,7 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
         let records = campaign(truth, &tests(), 5, 0.01);
         let refs: Vec<&Record> = records.iter().collect();
         let options = Options { reference: reference.clone(), ..Options::default() };
-        diagnose(&refs, &choose_held_out(&refs, 0), &base(), &options, &|_, _| ()).unwrap()
+        diagnose(&refs, &choose_left_out(&refs, 0), &base(), &options, &|_, _| ()).unwrap()
     };
     let found = against(&worn);
     assert_eq!(found.verdict, Verdict::Changed, "{}", told(&found));
@@ -174,7 +174,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let model = base();
     let mut records: Vec<Record> = campaign(&model, &tests(), 11, 0.01).iter().map(|r| late(r, 2e-3)).collect();
     let refs: Vec<&Record> = records.iter().collect();
-    let held_out = choose_held_out(&refs, 0);
+    let held_out = choose_left_out(&refs, 0);
     let found = diagnose(&refs, &held_out, &model, &Options::default(), &|_, _| ()).unwrap();
     let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
     assert_eq!(names, ["channel_delay"], "{}", told(&found));

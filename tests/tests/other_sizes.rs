@@ -5,7 +5,7 @@
 
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Params, element, list};
-use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_held_out, diagnose};
+use dashpot_diagnosis::{Diagnosis, Options, Verdict, choose_left_out, diagnose};
 use dashpot_estimation::scale::Scale;
 use dashpot_identification::{Fit, FitOptions, Standing, fit};
 use dashpot_records::Record;
@@ -67,7 +67,7 @@ fn a_fit_of_scaled_forces_is_the_scaled_fit() {
 
 fn diagnosed(records: &[Record], model: &Params) -> Diagnosis {
     let refs: Vec<&Record> = records.iter().collect();
-    diagnose(&refs, &choose_held_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
+    diagnose(&refs, &choose_left_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
 }
 
 #[test]

@@ -4,7 +4,7 @@
 
 use dashpot_core::{Params, parameter};
 use dashpot_core::{element, number};
-use dashpot_diagnosis::{Diagnosis, EFFECTS, Options, choose_held_out, diagnose};
+use dashpot_diagnosis::{Diagnosis, EFFECTS, Options, choose_left_out, diagnose};
 use dashpot_estimation::priors::PRIORS;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::validation::validate;
@@ -68,7 +68,7 @@ fn cases() -> &'static [Case] {
             let refs: Vec<&Record> = records.iter().collect();
             let candidates = only(&["presliding_friction", "aeration", "channel_delay", "oil_compressibility"]);
             let options = Options { max_effects, candidates, reference, ..Options::default() };
-            let found = diagnose(&refs, &choose_held_out(&refs, 0), &base(), &options, &|_, _| ()).unwrap();
+            let found = diagnose(&refs, &choose_left_out(&refs, 0), &base(), &options, &|_, _| ()).unwrap();
             Case { records, found }
         };
         vec![of(&rubbing, 2, Vec::new()), of(&firmer, 1, good), of(&rubbing, 0, Vec::new())]
@@ -135,7 +135,8 @@ fn is_name(word: &str) -> bool {
     // Numbers of the heating and the one effect that no rig can tell have no row of their own.
     let of_measurement = ["cooling_rate", "heat_capacity", "cylinder_expansion"].contains(&word);
     // What looks like something without a name is called by what it is made of.
-    let is_tried = || cases().iter().flat_map(|c| c.found.rounds.iter().flatten()).any(|tried| tried.effect == word);
+    let is_tried =
+        || cases().iter().flat_map(|c| c.found.iterations.iter().flatten()).any(|tried| tried.effect == word);
     let is_test = cases().iter().flat_map(|c| &c.records).any(|record| record.name == word);
     let in_symbols = |word: &str| SYMBOLS.split_whitespace().any(|symbol| symbol == word);
     let is_figure = |part: &str| !part.chars().any(|c| c.is_ascii_alphabetic());

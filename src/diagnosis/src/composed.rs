@@ -39,19 +39,19 @@ const LISTED: usize = 4;
 const SUSPECT: f64 = 0.03;
 /// Log posterior by which an error without a name must beat the best structure to be reported: its prior odds.
 const UNNAMED: f64 = 1.0;
-/// Mean square of a single test, in units of what noise and curves leave, from which it is listed where all in all nothing is missing.
+/// Smallest mean square of a single test that is listed where nothing is missing, in units of what noise and curves leave.
 const LOUD: f64 = 4.0;
 
 /// What the answer is made from.
 pub(super) struct Composed<'a> {
     /// That the reference was read to count the other way, and that it was not as warm, where that is so.
-    pub beside: [Option<Sentence>; 2],
+    pub reference_remarks: [Option<Sentence>; 2],
     pub records: &'a [&'a Record],
     pub fitted: Vec<Test>,
     pub left: Vec<Test>,
     pub search: StructureSearch,
     /// The given model, or the reference's, refitted.
-    pub given: Structure,
+    pub start: Structure,
     /// The most probable structure, refitted.
     pub best: Structure,
     pub situation: Situation,
@@ -79,7 +79,7 @@ struct Judged {
 impl Composed<'_> {
     /// Effects of the best structure that the given model lacks and that are probable enough to be named.
     fn named<'c>(&'c self, probability: &dyn Fn(&str) -> f64) -> Vec<&'c Component> {
-        let is_new = |c: &&Component| !is_change(c) && self.given.components.iter().all(|own| own.effect != c.effect);
+        let is_new = |c: &&Component| !is_change(c) && self.start.components.iter().all(|own| own.effect != c.effect);
         let mut all: Vec<&Component> =
             self.best.components.iter().filter(is_new).filter(|c| probability(c.effect) >= NAMED).collect();
         all.sort_by(|a, b| probability(b.effect).total_cmp(&probability(a.effect)));
@@ -90,7 +90,7 @@ impl Composed<'_> {
     fn settle(&mut self, probability: &dyn Fn(&str) -> f64) {
         loop {
             let doubtful = self.best.components.iter().position(|c| {
-                self.given.components.iter().all(|own| own.effect != c.effect) && probability(c.effect) < NAMED
+                self.start.components.iter().all(|own| own.effect != c.effect) && probability(c.effect) < NAMED
             });
             let Some(place) = doubtful else { return };
             let Some(less) = self.best.without(place, &self.fitted, Effort::FINE) else { return };
@@ -109,9 +109,9 @@ impl Composed<'_> {
             errors(self.accuracy(), &structure.hypothesis, &structure.refit.theta, self.records, tests)
                 .unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
         };
-        let (fitted_before, left_before) = (of(&self.given, &self.fitted), of(&self.given, &self.left));
+        let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
-        let items = inventory(&self.best, Some(&self.given), &self.fitted, &probability);
+        let items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
         let force = |effect: &str| items.iter().find(|i| i.effect == effect).map_or(0.0, |i| i.force_n_rms);
         let changed = if is_against { changes(&self.best, &self.fitted, &probability, &force) } else { Vec::new() };
         let (changed_items, inventory): (Vec<InventoryItem>, Vec<InventoryItem>) =
@@ -139,9 +139,9 @@ impl Composed<'_> {
             Figures {
                 rmse_n: rms_of_tests(fitted),
                 error_percent: every.iter().sum::<f64>() / every.len().max(1) as f64,
-                held_out_rmse_n: (!left.is_empty()).then(|| rms_of_tests(left)),
+                left_out_rmse_n: (!left.is_empty()).then(|| rms_of_tests(left)),
                 noise_n: noise,
-                held_out_noise_n: left_noise,
+                left_out_noise_n: left_noise,
             }
         };
         let gap = if self.left.is_empty() {
@@ -158,7 +158,7 @@ impl Composed<'_> {
         let about_the_reference = self.about_the_reference(&names);
         let or_warm_gas = (effects.contains(&"force_drift") && !self.situation.temperature_measured)
             .then(|| phrases::OR_WARM_GAS.into());
-        let (before, after) = (self.given.evidence.mean(), self.best.evidence.mean());
+        let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
         let deviations = self.deviations();
         let findings = self.findings(&names, &inventory, (&tree, &judged.suspects), &probability, &deviations);
         let estimates = improved::estimates(&self.best, &deviations);
@@ -173,8 +173,8 @@ impl Composed<'_> {
             regions: regions::regions(&self.fitted, &fitted_before),
             before: figures(&fitted_before, &left_before),
             after: figures(&fitted_after, &left_after),
-            gap_closed: gap.filter(|_| self.best.key() != self.given.key()),
-            unexplained_share: 1.0 - explained(before, after).clamp(0.0, 1.0),
+            gap_closed: gap.filter(|_| self.best.key() != self.start.key()),
+            unexplained_fraction: 1.0 - explained(before, after).clamp(0.0, 1.0),
             tree,
             next_tests: self.next_tests(&judged, &names, &probability),
             could_not_test,
@@ -183,15 +183,15 @@ impl Composed<'_> {
                 .notes
                 .iter()
                 .chain(&about_the_reference)
-                .chain(self.beside.iter().flatten())
+                .chain(self.reference_remarks.iter().flatten())
                 .cloned()
                 .chain(or_warm_gas)
                 .chain(of_priors)
                 .collect(),
             about_the_reference,
             tests: Vec::new(),
-            rounds: vec![self.tried(&probability)],
-            base: self.given.hypothesis.params(&self.given.refit.theta),
+            iterations: vec![self.tried(&probability)],
+            base: self.start.hypothesis.params(&self.start.refit.theta),
             improved: self.best.hypothesis.params(&self.best.refit.theta),
             reference: self
                 .against
@@ -210,7 +210,7 @@ impl Composed<'_> {
                 let less = |e: &[f64]| measured.iter().zip(e).map(|(m, e)| m - e).collect();
                 diagnosis.tests.push(TestOutcome {
                     test: test.segment.name.clone(),
-                    held_out,
+                    left_out: held_out,
                     before_rmse_n: rms(&before[k]),
                     after_rmse_n: rms(&after[k]),
                     noise_n: test.mean_noise,
@@ -260,7 +260,7 @@ impl Composed<'_> {
                 seen.push(effect);
                 let share = explained(before, t.structure.evidence.mean()).max(0.0);
                 let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
-                Some(Rival { effect, confidence: probability(effect), share, why })
+                Some(Rival { effect, confidence: probability(effect), fraction: share, why })
             })
             .collect();
         // Rivals of a swap are in the table alone.
@@ -268,9 +268,9 @@ impl Composed<'_> {
             if is_open(effect) && all.iter().all(|r| r.effect != effect) {
                 let best = self.search.table.iter().filter(|(key, _)| key.iter().any(|form| form.0 == effect));
                 let square = best.map(|(_, row)| row).max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior));
-                let share = square.map_or(0.0, |row| explained(self.given.evidence.mean(), row.mean_square)).max(0.0);
+                let share = square.map_or(0.0, |row| explained(self.start.evidence.mean(), row.mean_square)).max(0.0);
                 let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
-                all.push(Rival { effect, confidence: probability(effect), share, why });
+                all.push(Rival { effect, confidence: probability(effect), fraction: share, why });
             }
         }
         all.retain(|r| r.confidence >= SUSPECT);
@@ -286,7 +286,7 @@ impl Composed<'_> {
         items: &[InventoryItem],
         probability: &dyn Fn(&str) -> f64,
     ) -> Judged {
-        let (before, after) = (self.given.evidence.mean(), self.best.evidence.mean());
+        let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
         let times =
             |mean_square: f64| Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()));
         let mut notes = Vec::new();
@@ -363,7 +363,7 @@ impl Composed<'_> {
             };
             let summary =
                 Sentence::from(phrases::CANNOT_TELL).with_sentence("times", times(before)).with_sentence("why", why);
-            return Judged { verdict: Verdict::CannotTell, summary, suspects, notes };
+            return Judged { verdict: Verdict::Ambiguous, summary, suspects, notes };
         }
         if !gone.is_empty() && after.sqrt() <= QUIET {
             let names = gone.iter().map(|i| i.effect);
@@ -373,7 +373,7 @@ impl Composed<'_> {
         let nearest = match (looks_like, suspects.first()) {
             (Some((unnamed, _)), _) => Some(Sentence::from(phrases::LOOKS_LIKE).with_sentence("what", looks(*unnamed))),
             (None, Some(first)) => Some(
-                Sentence::from(phrases::NEAREST).with("effect", first.effect).with("percent", percent(first.share)),
+                Sentence::from(phrases::NEAREST).with("effect", first.effect).with("percent", percent(first.fraction)),
             ),
             (None, None) => None,
         };
@@ -383,22 +383,22 @@ impl Composed<'_> {
     }
 
     /// All forms that were tried beside the best structure, most probable first.
-    fn tried(&self, probability: &dyn Fn(&str) -> f64) -> Vec<Tried> {
+    fn tried(&self, probability: &dyn Fn(&str) -> f64) -> Vec<Trial> {
         let before = &self.search.best.evidence;
         let of = |t: &dashpot_estimation::structure::expansion::Trial| {
             let after = &t.structure.evidence;
             let better = before.mean_squares.iter().zip(&after.mean_squares).filter(|(b, a)| a < b).count();
-            Tried {
+            Trial {
                 effect: t.form.0,
                 form: t.form.1,
                 confidence: probability(t.form.0),
                 evidence: Evidence {
-                    share: explained(before.mean(), after.mean()),
+                    fraction: explained(before.mean(), after.mean()),
                     mean_square_before: before.mean(),
                     mean_square_after: after.mean(),
                     log_odds: t.structure.log_posterior - self.search.best.log_posterior,
                     numbers: after.numbers - before.numbers,
-                    implausibility: after.implausibility - before.implausibility,
+                    negative_log_prior: after.implausibility - before.implausibility,
                     tests_better: better as f64 / before.mean_squares.len().max(1) as f64,
                 },
             }
@@ -415,7 +415,7 @@ impl Composed<'_> {
         deviations: &[f64],
     ) -> Vec<Finding> {
         let (hypothesis, theta) = (&self.best.hypothesis, &self.best.refit.theta);
-        let (whole, before) = (self.best.evidence.mean(), self.given.evidence.mean());
+        let (whole, before) = (self.best.evidence.mean(), self.start.evidence.mean());
         let one = |component: &&Component| {
             let effect = component.effect;
             let mut parameters = BTreeMap::new();
@@ -438,7 +438,7 @@ impl Composed<'_> {
             let place = self.best.components.iter().position(|c| c.effect == effect);
             let less = place.and_then(|place| self.best.without(place, &self.fitted, Effort::COMPARE));
             let without = less.as_ref().map_or(before, |less| less.evidence.mean());
-            let other = less.as_ref().unwrap_or(&self.given);
+            let other = less.as_ref().unwrap_or(&self.start);
             let squares = self.best.evidence.mean_squares.iter().zip(&other.evidence.mean_squares);
             let better = squares.filter(|(own, other)| own < other).count();
             let card = effects::card(effect);
@@ -455,18 +455,18 @@ impl Composed<'_> {
                 family,
                 confidence: probability(effect),
                 family_confidence: family_confidence.max(probability(effect)).min(1.0),
-                share: ((without - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
+                fraction: ((without - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
                 force_n_rms: item.map_or(0.0, |i| i.force_n_rms),
                 of_the_rig: component.is_of_measurement(),
                 parameters,
                 gap_closed: less.as_ref().and_then(|less| self.gap_without(less)),
                 evidence: Evidence {
-                    share: explained(without, whole),
+                    fraction: explained(without, whole),
                     mean_square_before: without,
                     mean_square_after: whole,
                     log_odds: self.best.log_posterior - other.log_posterior,
                     numbers: component.numbers,
-                    implausibility: self.best.evidence.implausibility - other.evidence.implausibility,
+                    negative_log_prior: self.best.evidence.implausibility - other.evidence.implausibility,
                     tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
                 rivals: suspects.to_vec(),
@@ -496,7 +496,7 @@ impl Composed<'_> {
             let theta = &structure.refit.theta;
             errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
         };
-        let (before, with, less) = (of(&self.given)?, of(&self.best)?, of(less)?);
+        let (before, with, less) = (of(&self.start)?, of(&self.best)?, of(less)?);
         (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
     }
 
@@ -539,19 +539,19 @@ impl Composed<'_> {
 
     /// Scalars of the given model that moved by more than three of their deviations.
     fn shifts(&self) -> Vec<Shift> {
-        let (given, best) = (&self.given, &self.best);
-        if given.key() == best.key() || self.against.is_some() {
+        let (start, best) = (&self.start, &self.best);
+        if start.key() == best.key() || self.against.is_some() {
             return Vec::new();
         }
-        let Some((covariance, _)) = sandwich(&given.hypothesis, &given.refit, &self.fitted) else { return Vec::new() };
-        given
+        let Some((covariance, _)) = sandwich(&start.hypothesis, &start.refit, &self.fitted) else { return Vec::new() };
+        start
             .hypothesis
             .numbers
             .iter()
             .enumerate()
             .filter_map(|(k, n)| {
                 let Free::Model(Unknown::Log(number) | Unknown::Linear(number)) = n.free else { return None };
-                let (before, after) = (given.refit.theta[k], best.refit.theta[best.hypothesis.place_of(&n.free)?]);
+                let (before, after) = (start.refit.theta[k], best.refit.theta[best.hypothesis.place_of(&n.free)?]);
                 ((after - before).abs() > 3.0 * covariance[(k, k)].max(0.0).sqrt()).then(|| Shift {
                     parameter: number.name(),
                     before: physical(&n.free, before),
@@ -591,7 +591,7 @@ impl Composed<'_> {
                 });
             }
         }
-        next_test::propose(&rivals, &next_test::Rig::of(&self.fitted))
+        next_test::propose(&rivals, &next_test::Rig::from_tests(&self.fitted))
     }
 }
 

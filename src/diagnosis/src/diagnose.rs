@@ -49,14 +49,15 @@ pub fn diagnose(
     if prepared.fitted.is_empty() {
         return Err(DiagnosisError::NoTests);
     }
-    let beside = [opposite::opposite(records, &options.reference), warmer::warmer(records, &options.reference)];
+    let reference_remarks =
+        [opposite::opposite(records, &options.reference), warmer::warmer(records, &options.reference)];
     let composed = if options.reference.is_empty() {
         alone(records, prepared, params, options, progress)?
     } else {
         against_reference(records, prepared, params, options, progress)?
     };
     progress(0.95, phrases::WHAT_IS_LEFT);
-    let diagnosis = Composed { beside, ..composed }.diagnosis();
+    let diagnosis = Composed { reference_remarks, ..composed }.diagnosis();
     progress(1.0, phrases::DONE);
     Ok(diagnosis)
 }
@@ -97,7 +98,17 @@ fn alone<'a>(
     if given.log_posterior >= best.log_posterior {
         best = given.clone();
     }
-    Ok(Composed { beside: [None, None], records, fitted, left, search, given, best, situation, against: None })
+    Ok(Composed {
+        reference_remarks: [None, None],
+        records,
+        fitted,
+        left,
+        search,
+        start: given,
+        best,
+        situation,
+        against: None,
+    })
 }
 
 /// The sparse set of changes against a reference.
@@ -133,5 +144,15 @@ fn against_reference<'a>(
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
     let against = Some(against);
-    Ok(Composed { beside: [None, None], records, fitted, left, search, given, best, situation, against })
+    Ok(Composed {
+        reference_remarks: [None, None],
+        records,
+        fitted,
+        left,
+        search,
+        start: given,
+        best,
+        situation,
+        against,
+    })
 }

@@ -27,8 +27,9 @@ fn nothing(_: &Situation) -> Option<Sentence> {
 
 /// Side force span, N, with the damper of a car, from which friction under side force can be told from friction.
 const SIDE_FORCE: f64 = 50.0;
-/// Span of the places that tests pass at speed, m, and ratio of the frequencies, from which a place and a frequency can be told from
-/// anything else: of two tests at one speed one must go to where the other does not.
+/// Smallest span of the positions that tests pass at speed, m, and smallest ratio of their frequencies.
+///
+/// They identify a dependence on position or frequency: of two tests at one speed, one must go to where the other does not.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
 /// Span of the heat that tests of such a damper bring in, J, below which nothing warms.

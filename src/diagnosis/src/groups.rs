@@ -10,9 +10,9 @@ use dashpot_records::sentence::Template;
 use dashpot_records::{Campaign, Record, Sentence, Unusable};
 use serde::Serialize;
 
-/// The answer for one group.
+/// The result for one group.
 #[derive(Debug, Serialize)]
-pub struct Answer {
+pub struct GroupResult {
     /// Its name.
     pub group: String,
     /// Number of tests.
@@ -21,9 +21,9 @@ pub struct Answer {
     pub diagnosis: Diagnosis,
 }
 
-/// The answers for all groups. Its JSON form is what `dashpot diagnose --group` writes.
+/// The results for all groups. Its JSON form is what `dashpot diagnose --group` writes.
 #[derive(Debug, Serialize)]
-pub struct Answers {
+pub struct GroupResults {
     /// What they were compared with.
     pub reference: String,
     /// Tests that belong to no group.
@@ -37,7 +37,7 @@ pub struct Answers {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<Sentence>,
     /// Every group but the reference.
-    pub groups: Vec<Answer>,
+    pub groups: Vec<GroupResult>,
 }
 
 /// What groups are compared with, beside those that are among them.
@@ -81,7 +81,7 @@ pub fn diagnose_groups(
     options: Options,
     seed: u64,
     progress: &(dyn Fn(f64, &str) + Sync),
-) -> Result<Answers, GroupsError> {
+) -> Result<GroupResults, GroupsError> {
     let Split { mut groups, left_aside, without_test, mut unusable, .. } = split;
     let (name, mut reference) = match good {
         Some(Good { name, campaign }) => {
@@ -108,10 +108,10 @@ pub fn diagnose_groups(
             progress((k as f64 + done) / count, &format!("{name}: {}", text.english()));
         };
         match diagnose(&all, &left, &model.params, &options, &told) {
-            Ok(diagnosis) => Ok(Answer { group: name.clone(), tests: all.len(), diagnosis }),
+            Ok(diagnosis) => Ok(GroupResult { group: name.clone(), tests: all.len(), diagnosis }),
             Err(source) => Err(GroupsError::Group { name: name.clone(), source }),
         }
     };
     let groups = groups.into_iter().enumerate().map(one).collect::<Result<_, _>>()?;
-    Ok(Answers { reference: name, left_aside, without_test, unusable, as_the_fit_saw, groups })
+    Ok(GroupResults { reference: name, left_aside, without_test, unusable, as_the_fit_saw, groups })
 }

@@ -69,8 +69,9 @@ fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured])
 }
 
 impl Diagnosis {
-    /// The improved model as a fit to the records that were not held out, in the place of the model that was diagnosed: with the plain curve of
-    /// these records to compare with, and what that model's fit and this diagnosis found of the measurement.
+    /// The improved model as a fit to the records that were not left out.
+    ///
+    /// It has the plain curve of these records, and the measurement errors that the diagnosed model's fit and this diagnosis found.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
         let used: Vec<&Record> = records
             .iter()

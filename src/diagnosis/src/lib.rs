@@ -51,7 +51,7 @@ pub use changes::Change;
 pub use dashpot_estimation::structure::inventory::{InventoryItem, Status};
 pub use diagnose::diagnose;
 pub use effects::{CARDS, Card, EFFECTS, meaning};
-pub use hold_out::choose as choose_held_out;
+pub use hold_out::choose as choose_left_out;
 pub use options::{DiagnosisError, Options};
 pub use outcome::*;
 pub use phrases::templates;

@@ -6,7 +6,9 @@ use super::outcome::{Diagnosis, NextTest};
 const HEADING: &str = "name,amplitude_mm,frequency_hz,mean_displacement_mm,side_force_n";
 
 impl NextTest {
-    /// The test as a row of a matrix; nothing where it is no sine of known amplitude and frequency, such as a soak or a road.
+    /// The test as a row of a matrix.
+    ///
+    /// `None` where it is no sine of known amplitude and frequency, such as a soak or a road.
     fn row(&self, number: usize) -> Option<String> {
         let (amplitude, frequency) = (self.amplitude_m?, self.frequency_hz?);
         let short = |v: f64| {
@@ -24,8 +26,9 @@ impl NextTest {
 }
 
 impl Diagnosis {
-    /// The tests that would tell more as a matrix (CSV), the one that tells most first, and how many of them are no sine and have no row;
-    /// nothing where none has one.
+    /// The proposed tests as a matrix (CSV), the most informative first, and the number of them without a row.
+    ///
+    /// A test that is no sine has no row; `None` where no test has one.
     pub fn next_matrix(&self) -> Option<(String, usize)> {
         let rows: Vec<String> = self.next_tests.iter().enumerate().filter_map(|(k, test)| test.row(k + 1)).collect();
         let without = self.next_tests.len() - rows.len();

@@ -211,8 +211,8 @@ pub fn in_words(effect: &'static str) -> NextTest {
 }
 
 impl Rig {
-    /// What the campaign's own tests show.
-    pub fn of(tests: &[Test]) -> Rig {
+    /// The limits of a rig that the campaign's own tests reached.
+    pub fn from_tests(tests: &[Test]) -> Rig {
         let mut rig =
             Rig { reach: (f64::INFINITY, f64::NEG_INFINITY), speed: 0.0, side_forces: Vec::new(), force: 0.0 };
         for test in tests {

@@ -17,10 +17,11 @@ pub enum Verdict {
     Named,
     /// What is left is noise, or no larger than the form of the curves allows.
     NothingMissing,
-    /// The same against a reference, whose damper has other numbers than this one: see [`Diagnosis::changes`].
+    /// Nothing is missing, but the numbers differ from those of the reference damper: see [`Diagnosis::changes`].
     Changed,
     /// Something is missing, and more than one effect explains it as well.
-    CannotTell,
+    #[serde(rename = "cannot_tell")]
+    Ambiguous,
     /// Something is missing that no known effect explains.
     UnknownEffect,
 }
@@ -56,8 +57,8 @@ pub struct Diagnosis {
     pub after: Figures,
     /// Share of the gap between model and noise that is closed, on left-out tests (on fitted ones where none is left out).
     pub gap_closed: Option<f64>,
-    /// Share of the disagreement that the findings leave, in mean squares beyond the noise.
-    pub unexplained_share: f64,
+    /// Fraction of the disagreement that the findings leave, in mean squares beyond the noise.
+    pub unexplained_fraction: f64,
     /// All probabilities of the first look, as they were before anything was added: path, family, effect, form.
     pub tree: Vec<Branch>,
     /// Tests that would tell more.
@@ -73,8 +74,8 @@ pub struct Diagnosis {
     pub about_the_reference: Option<Sentence>,
     /// Each test before and after.
     pub tests: Vec<TestOutcome>,
-    /// Every effect that was tried in full, round by round.
-    pub rounds: Vec<Vec<Tried>>,
+    /// Every effect that was refitted in full, by iteration of the search.
+    pub iterations: Vec<Vec<Trial>>,
     /// The model as it came, refitted.
     #[serde(skip)]
     pub base: Params,
@@ -114,8 +115,8 @@ pub struct Finding {
     pub confidence: f64,
     /// Probability that the family is right.
     pub family_confidence: f64,
-    /// Share of the disagreement that it explains, in mean squares beyond the noise: what opens again without it.
-    pub share: f64,
+    /// Fraction of the disagreement that it explains, in mean squares beyond the noise: what opens again without it.
+    pub fraction: f64,
     /// Force that it carries, N rms.
     pub force_n_rms: f64,
     /// Whether it is of the rig: then it is corrected in the comparison and not put into the model.
@@ -152,8 +153,8 @@ pub struct Rival {
     pub effect: &'static str,
     /// Probability that it is the right one.
     pub confidence: f64,
-    /// Share of the excess that it explains.
-    pub share: f64,
+    /// Fraction of the excess that it explains.
+    pub fraction: f64,
     /// Why it lost.
     pub why: Sentence,
 }
@@ -177,7 +178,7 @@ pub struct Region {
     pub mean_n: f64,
     /// What noise makes there, N.
     pub noise_n: f64,
-    /// The same in words.
+    /// Description of the region in a sentence.
     pub text: Sentence,
 }
 
@@ -189,11 +190,11 @@ pub struct Figures {
     /// Mean absolute error over the largest force of the test, mean over all tests, percent.
     pub error_percent: f64,
     /// Root mean square over the left-out tests, N.
-    pub held_out_rmse_n: Option<f64>,
+    pub left_out_rmse_n: Option<f64>,
     /// What noise alone makes of the fitted tests, N.
     pub noise_n: f64,
-    /// The same of the left-out tests, N.
-    pub held_out_noise_n: Option<f64>,
+    /// What noise alone makes of the left-out tests, N.
+    pub left_out_noise_n: Option<f64>,
 }
 
 /// A rig test worth running.
@@ -243,7 +244,7 @@ pub struct TestOutcome {
     /// Name.
     pub test: String,
     /// Whether it was left out.
-    pub held_out: bool,
+    pub left_out: bool,
     /// Root mean square error before, N.
     pub before_rmse_n: f64,
     /// After.
@@ -276,7 +277,7 @@ pub struct Curves {
 
 /// An effect that was tried by refitting everything with it.
 #[derive(Debug, Clone, Serialize)]
-pub struct Tried {
+pub struct Trial {
     /// Its name.
     pub effect: &'static str,
     /// Its form.
@@ -290,19 +291,20 @@ pub struct Tried {
 /// What a refit with an effect brought.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Evidence {
-    /// Share of the disagreement that it explains, in mean squares beyond the noise.
-    pub share: f64,
-    /// Mean square that is left of a test before it, in units of what noise and curves leave.
+    /// Fraction of the disagreement that it explains, in mean squares beyond the noise.
+    pub fraction: f64,
+    /// Mean square residual of a test before it, in units of what noise and curves leave.
     pub mean_square_before: f64,
-    /// The same with it.
+    /// Mean square residual of a test with it, in units of what noise and curves leave.
     pub mean_square_after: f64,
-    /// How many more times the records are likely with it, as a natural logarithm, each test counted as one independent sample; its
-    /// numbers are paid for.
+    /// Natural logarithm of the posterior odds of the records with the effect against those without it.
+    ///
+    /// Each test counts as one independent sample; the effect's numbers are penalized.
     pub log_odds: f64,
-    /// How many numbers it adds; those that stay near what is usual count half.
+    /// How many numbers it adds; those that stay near their prior count half.
     pub numbers: f64,
-    /// What values that dampers do not show cost it, in the same units as the logarithm of the odds.
-    pub implausibility: f64,
+    /// Negative log prior of its values, in the units of `log_odds`.
+    pub negative_log_prior: f64,
     /// Share of the tests of which it leaves less.
     pub tests_better: f64,
 }

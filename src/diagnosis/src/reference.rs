@@ -5,8 +5,9 @@ use dashpot_core::Input;
 use dashpot_estimation::samples::Test;
 use std::f64::consts::TAU;
 
-/// How far two tests may differ and still be the same: relative, of amplitude and frequency; of the amplitude, of the mean
-/// displacement; in N, of the side force.
+/// Largest relative difference of amplitude and frequency between two tests that count as one.
+///
+/// The mean displacement may differ by the second fraction of the amplitude, the side force by the third value, N.
 const SAME: f64 = 0.05;
 const SAME_PLACE: f64 = 0.1;
 const SAME_SIDE: f64 = 25.0;

@@ -4,8 +4,9 @@ use super::effects::{CARDS, EFFECTS, meaning};
 use super::phrases::{FORMS, TEMPLATES};
 use dashpot_records::sentence::each_once;
 
-/// Every English text that is said of a diagnosis, each once: sentences with the places of their values, and what paths, families,
-/// effects and forms are called.
+/// Every English text of a diagnosis, each once.
+///
+/// These are sentences with placeholders for their values, and the names of paths, families, effects and forms.
 pub fn texts() -> Vec<&'static str> {
     let of_cards = CARDS.iter().flat_map(|card| [card.path, card.family]);
     let words = of_cards.chain(EFFECTS.iter().map(|e| meaning(e)));

@@ -1,9 +1,13 @@
-//! Whether a damper was as warm as the reference: heat changes gas and oil, and looks like a change of the damper or of its rig.
+//! Comparison of a damper's temperature with that of the reference.
+//!
+//! Heat changes gas and oil, and appears as a change of the damper or of its rig.
 
 use super::phrases;
 use dashpot_records::{Record, Sentence};
 
-/// Difference of the mean temperatures of a test, K, from which it is told: gas force differs by 3 % then, as much as valves of one series do.
+/// Smallest reported difference of the mean temperatures of a test, K.
+///
+/// Gas force differs by 3 % then, as much as valves of one series do.
 const WARMER: f64 = 8.0;
 
 /// How warm a record was in the mean, °C, where it says so.

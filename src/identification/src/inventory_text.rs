@@ -14,6 +14,6 @@ pub fn describe_item(item: &InventoryItem) -> Sentence {
     };
     sentence
         .with("force", format!("{:.1}", item.force_n_rms))
-        .with("share", percent(item.share))
+        .with("share", percent(item.fraction))
         .with("probability", percent(item.probability))
 }

@@ -94,7 +94,7 @@ fn main() {
                     eprintln!("   {s:?}");
                 }
             }
-            for round in &found.rounds {
+            for round in &found.iterations {
                 let words: Vec<String> = round
                     .iter()
                     .take(4)
@@ -105,8 +105,8 @@ fn main() {
                             t.form,
                             t.confidence,
                             t.evidence.log_odds,
-                            t.evidence.share,
-                            t.evidence.implausibility
+                            t.evidence.fraction,
+                            t.evidence.negative_log_prior
                         )
                     })
                     .collect();

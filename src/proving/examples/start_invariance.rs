@@ -3,7 +3,7 @@
 //! The starts are the plain fit; FV curve, series spring and gas alone; the same with presliding friction; and the plain FV curve. Prints the
 //! effects of each improved model and the worst residual over the best.
 
-use dashpot_diagnosis::{Options, Status, choose_held_out, diagnose};
+use dashpot_diagnosis::{Options, Status, choose_left_out, diagnose};
 use dashpot_identification::{Family, FitOptions, fit};
 use dashpot_records::{self as records, Record};
 use std::time::Instant;
@@ -29,7 +29,7 @@ fn main() {
             }
         };
         let all: Vec<&Record> = loaded.iter().collect();
-        let held_out = choose_held_out(&all, 0);
+        let held_out = choose_left_out(&all, 0);
         let seen: Vec<&Record> = all.iter().zip(&held_out).filter(|(_, out)| !**out).map(|(r, _)| *r).collect();
         let mut answers: Vec<(Vec<&str>, f64)> = Vec::new();
         for (name, options) in &starts {

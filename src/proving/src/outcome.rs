@@ -121,7 +121,7 @@ pub fn judged(
         gap_closed: found.gap_closed,
         seconds,
         evidence: found
-            .rounds
+            .iterations
             .iter()
             .map(|round| round.iter().map(|t| (t.effect.to_owned(), t.confidence, t.evidence)).collect())
             .collect(),
@@ -171,7 +171,7 @@ fn against_clean(measured: &Measured, found: &Diagnosis) -> (f64, f64) {
     let records: Vec<&Record> = measured.clean.iter().collect();
     let clean = dashpot_diagnosis::mean_cycles(&records);
     let (mut before, mut after, mut count) = (0.0, 0.0, 0.0);
-    for test in found.tests.iter().filter(|t| t.held_out) {
+    for test in found.tests.iter().filter(|t| t.left_out) {
         let Some((_, forces)) =
             clean.iter().find(|(name, f)| *name == test.test && f.len() == test.curves.before.len())
         else {

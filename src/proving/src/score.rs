@@ -181,7 +181,7 @@ pub fn confusion(all: &[Outcome]) -> String {
         let answer = match (o.named.first(), o.verdict) {
             (Some((name, _)), _) => name.clone(),
             (None, Verdict::NothingMissing | Verdict::Changed) => "(nothing missing)".to_owned(),
-            (None, Verdict::CannotTell) => "(cannot tell)".to_owned(),
+            (None, Verdict::Ambiguous) => "(cannot tell)".to_owned(),
             (None, _) => "(unknown)".to_owned(),
         };
         *counts.entry(truth).or_default().entry(answer).or_default() += 1;

@@ -4,7 +4,7 @@ use crate::campaign::Campaign;
 use crate::errors::{DiagnosisError, raise};
 use crate::model::Model;
 use crate::work;
-use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_held_out};
+use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::select_hold_out;
 use dashpot_records::sentence::Template;
@@ -86,7 +86,7 @@ pub fn diagnose<'py>(
     about.notes.extend(note.clone());
     let records: Vec<&Record> = own.iter().collect();
     let left_out = if hold_out.is_empty() {
-        choose_held_out(&records, seed)
+        choose_left_out(&records, seed)
     } else {
         select_hold_out(&of_damper.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
     };

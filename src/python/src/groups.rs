@@ -6,7 +6,7 @@ use crate::examine::arrays;
 use crate::model::Model;
 use crate::work;
 use dashpot_diagnosis::Options;
-use dashpot_diagnosis::groups::{Answers, Good};
+use dashpot_diagnosis::groups::{Good, GroupResults};
 use dashpot_records::groups::{GroupError, split};
 use dashpot_records::load;
 use pyo3::prelude::*;
@@ -49,11 +49,11 @@ pub struct Grouping {
     strict: bool,
 }
 
-/// Answers for groups as their papers are made from; they live as long as this process.
+/// GroupResults for groups as their papers are made from; they live as long as this process.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Grouped {
     /// The answers.
-    pub results: Answers,
+    pub results: GroupResults,
     /// The model as it came.
     pub model: Py<Model>,
     /// Every file read beside it.
@@ -123,7 +123,7 @@ pub fn diagnose_groups<'py>(
     })?;
     let json = serde_json::to_string(&answers).map_err(raise::<DiagnosisError>)?;
     let notes = serde_json::to_string(&notes).map_err(raise::<DiagnosisError>)?;
-    let of_group = |answer: &dashpot_diagnosis::groups::Answer| {
+    let of_group = |answer: &dashpot_diagnosis::groups::GroupResult| {
         answer.diagnosis.tests.iter().map(|test| arrays(py, &test.curves)).collect::<PyResult<_>>()
     };
     let cycles = answers.groups.iter().map(of_group).collect::<PyResult<_>>()?;

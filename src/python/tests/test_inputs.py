@@ -119,7 +119,7 @@ def test_a_single_name_may_stand_alone(own: dashpot.Campaign) -> None:
     one, listed = dashpot.fit(own, family="fv", hold_out=first), dashpot.fit(own, family="fv", hold_out=[first])
     assert one == listed and first not in one.tests
     found = dashpot.diagnose(one, own, candidates="free_play", max_effects=0, hold_out=first)
-    assert [t.test for t in found.tests if t.held_out] == [first]
+    assert [t.test for t in found.tests if t.left_out] == [first]
 
 
 def test_numbers_of_a_mapping_are_numbers(own: dashpot.Campaign) -> None:

@@ -185,16 +185,16 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
 
 def test_an_effect_without_numbers_is_in_the_table() -> None:
     pytest.importorskip("pandas")
-    evidence = dict.fromkeys(("share", "mean_square_before", "mean_square_after", "log_odds", "numbers", "implausibility", "tests_better"), 0.5)
+    evidence = dict.fromkeys(("fraction", "mean_square_before", "mean_square_after", "log_odds", "numbers", "negative_log_prior", "tests_better"), 0.5)
     words = dict.fromkeys(("effect", "form", "meaning", "path", "family"), "word")
-    finding: dict[str, Any] = {**words, **dict.fromkeys(("confidence", "family_confidence", "share", "force_n_rms"), 0.9), "of_the_rig": True, "parameters": {}, "gap_closed": None}
-    empty: dict[str, Any] = dict.fromkeys(("where", "tree", "next_tests", "could_not_test", "shifts", "changes", "inventory", "notes", "tests", "rounds"), ())
-    off = {"rmse_n": 1.0, "error_percent": 1.0, "held_out_rmse_n": None, "noise_n": 1.0, "held_out_noise_n": None}
+    finding: dict[str, Any] = {**words, **dict.fromkeys(("confidence", "family_confidence", "fraction", "force_n_rms"), 0.9), "of_the_rig": True, "parameters": {}, "gap_closed": None}
+    empty: dict[str, Any] = dict.fromkeys(("where", "tree", "next_tests", "could_not_test", "shifts", "changes", "inventory", "notes", "tests", "iterations"), ())
+    off = {"rmse_n": 1.0, "error_percent": 1.0, "left_out_rmse_n": None, "noise_n": 1.0, "left_out_noise_n": None}
     errors = dict.fromkeys(("mean_error_n", "error_percent", "region1_n", "region2_n", "rmse_n"), 1.0)
     whole = dict.fromkeys(("as_it_came", "refitted", "improved"), errors)
     found = dashpot.Diagnosis.from_dict({
         **empty, "verdict": "v", "summary": "s", "findings": [{**finding, "evidence": evidence, "rivals": []}], "before": off, "after": off,
-        "suspects": [{"effect": "another", "confidence": 0.3, "share": 0.1, "why": "because"}], "gap_closed": None, "unexplained_share": 0.1,
+        "suspects": [{"effect": "another", "confidence": 0.3, "fraction": 0.1, "why": "because"}], "gap_closed": None, "unexplained_fraction": 0.1,
         "corrections": {}, "over_whole_records": whole,
     })  # fmt: skip
     with pytest.raises(ValueError, match="kept by diagnose"):

@@ -8,7 +8,7 @@ use crate::plot::palette::Role;
 use crate::words::Words;
 use crate::{Cell, Made, Workbook, made};
 use dashpot_core::{Model, Params};
-use dashpot_diagnosis::groups::{Answer, Answers};
+use dashpot_diagnosis::groups::{GroupResult, GroupResults};
 use dashpot_diagnosis::{Change, Diagnosis, Finding};
 use dashpot_identification::Standing;
 use dashpot_simulation::prediction::between_velocities;
@@ -20,7 +20,7 @@ fn finding(finding: &Finding, words: &Words) -> String {
 }
 
 /// The report for people.
-pub fn page(answers: &Answers, model: &Path, made: Made, words: &'static Words) -> Page {
+pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Words) -> Page {
     let mut first: Vec<Block> = curves(answers, words).map(Block::Wide).into_iter().collect();
     first.push(Block::Table(of_groups(answers, words)));
     let mut sections = vec![Section::new("groups", words.groups_section, first)];
@@ -50,8 +50,8 @@ pub fn page(answers: &Answers, model: &Path, made: Made, words: &'static Words) 
 }
 
 /// A row a group: its answer and its errors.
-fn of_groups(answers: &Answers, words: &Words) -> Table {
-    let of_group = |answer: &Answer| {
+fn of_groups(answers: &GroupResults, words: &Words) -> Table {
+    let of_group = |answer: &GroupResult| {
         let names: Vec<String> = answer.diagnosis.findings.iter().map(|f| finding(f, words)).collect();
         let rms = |value: f64| Cell::digits(value, 3);
         vec![
@@ -88,7 +88,7 @@ const HUES: usize = 8;
 /// The FV curves of all groups over each other, with that of the reference.
 ///
 /// Friction and gas included, as far as the tests of each reach.
-fn curves(answers: &Answers, words: &Words) -> Option<Figure> {
+fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
         velocities.fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)))
@@ -146,7 +146,7 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
 }
 
 /// Every number that changed in any group, of the reference and of all groups.
-fn numbers(answers: &Answers, words: &Words) -> Table {
+fn numbers(answers: &GroupResults, words: &Words) -> Table {
     let mut numbers: BTreeMap<String, (&Change, String)> = BTreeMap::new();
     for one in answers.groups.iter().flat_map(|a| &a.diagnosis.changes) {
         numbers.entry(one.label()).or_insert_with(|| (one, changed_name(one, words)));

@@ -27,7 +27,7 @@ pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Tab
         let mut cells = vec![words.named(item.effect).into(), words.word(item.form).into()];
         cells.extend([
             Cell::number(item.force_n_rms, |force| if force.is_finite() { error(force) } else { "–".into() }),
-            Cell::fraction(item.share),
+            Cell::fraction(item.fraction),
             Cell { text: probability(item.probability), ..Cell::fraction(item.probability) },
         ]);
         cells.extend(status.then(|| Cell::from(status_text(item, words))));
@@ -75,7 +75,7 @@ mod tests {
             effect: "aeration",
             form: "",
             force_n_rms: 12.345,
-            share: 0.034,
+            fraction: 0.034,
             force_by_test_n: Vec::new(),
             probability: 0.97,
             status,

@@ -72,7 +72,7 @@ fn assert_inventory(found: &Value) {
     let mut effects = BTreeSet::new();
     for item in items {
         assert!(effects.insert(word(item, "effect")), "{item}");
-        assert!(number(item, "force_n_rms") >= 0.0 && number(item, "share") >= 0.0, "{item}");
+        assert!(number(item, "force_n_rms") >= 0.0 && number(item, "fraction") >= 0.0, "{item}");
         assert_share(item, "probability");
         assert!(item["form"].is_string() && item.get("force_by_test_n").is_none(), "{item}");
         let status = word(item, "status");
@@ -132,7 +132,7 @@ fn assert_contract(found: &Value) {
     }
     for key in ["before", "after"] {
         let figures = &found[key];
-        for error in ["rmse_n", "error_percent", "held_out_rmse_n", "noise_n"] {
+        for error in ["rmse_n", "error_percent", "left_out_rmse_n", "noise_n"] {
             assert!(number(figures, error) >= 0.0, "{key}.{error}");
         }
         // 1 N or so of noise in dampers of a few kN: a unit gone wrong would be off by a thousand.
@@ -174,13 +174,13 @@ fn the_json_is_what_scripts_were_promised() {
     assert_contract(&found);
     for test in list(&found, "tests") {
         let name = word(test, "test");
-        assert_eq!(test["held_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
+        assert_eq!(test["left_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
     }
     // The gap is what its definition says of these very figures.
-    let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["held_out"] == Value::Bool(true)).collect();
+    let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).collect();
     let rms = |key: &str| (tests.iter().map(|t| number(t, key).powi(2)).sum::<f64>() / tests.len() as f64).sqrt();
     let before = rms("before_rmse_n");
-    assert!((number(&found["before"], "held_out_rmse_n") - before).abs() < 1e-9 * before);
+    assert!((number(&found["before"], "left_out_rmse_n") - before).abs() < 1e-9 * before);
     let allowed = |key: &str| {
         let of = |t: &&Value| (number(t, key) / number(t, "allowed_n")).powi(2);
         (tests.iter().map(of).sum::<f64>() / tests.len() as f64).sqrt()
@@ -227,7 +227,7 @@ fn the_improved_model_is_an_ordinary_model_file() {
     let (before, after) = (errors("plain.toml"), errors("better.toml"));
     assert!(number(&after["overall"], "error_percent") < number(&before["overall"], "error_percent"));
     let held_out: BTreeSet<&str> =
-        list(&found, "tests").iter().filter(|t| t["held_out"] == Value::Bool(true)).map(|t| word(t, "test")).collect();
+        list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).map(|t| word(t, "test")).collect();
     for test in list(&after, "tests") {
         // The file says which tests the refits saw.
         assert_eq!(test["used_in_fit"], Value::Bool(!held_out.contains(word(test, "name"))), "{test}");
@@ -255,7 +255,7 @@ fn the_report_tells_everything_and_asks_nobody() {
             assert!(report.contains(word(rival, "why")));
         }
     }
-    for round in list(&found, "rounds") {
+    for round in list(&found, "iterations") {
         for tried in round.as_array().unwrap() {
             assert!(report.contains(word(tried, "effect")), "{tried}");
         }
@@ -348,7 +348,7 @@ fn little_data_and_little_leave_give_honest_answers() {
     };
     // One test: nothing can be left out, and the figures say so by their absence.
     let one = ask(&["records/a50mm_v0262mm_s.csv"]);
-    assert!(one["before"]["held_out_rmse_n"].is_null());
+    assert!(one["before"]["left_out_rmse_n"].is_null());
     assert!(list(&one, "could_not_test").len() > 1, "{}", one["could_not_test"]);
     let report = std::fs::read_to_string(dir.join("d.html")).unwrap();
     assert!(report.contains("No test was left out") || list(&one, "findings").is_empty());
@@ -364,7 +364,7 @@ fn little_data_and_little_leave_give_honest_answers() {
         assert!(asked.contains(&word(finding, "effect")), "{finding}");
     }
     // Two wrong names that each take the other's place came round for ever once; a name that explains nothing is none.
-    let shares = list(&some, "findings").iter().map(|f| f["share"].as_f64().unwrap()).collect::<Vec<_>>();
+    let shares = list(&some, "findings").iter().map(|f| f["fraction"].as_f64().unwrap()).collect::<Vec<_>>();
     assert!(shares.iter().all(|share| *share > 0.02), "{shares:?}");
 }
 

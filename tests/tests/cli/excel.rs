@@ -85,7 +85,7 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
 
     done(dir, &["diagnose", "m.toml", "records", "--json", "d.json", "--excel", "d.xlsx"]);
     let diagnosed = sheets(&dir.join("d.xlsx"));
-    let tried = json(&dir.join("d.json"))["rounds"][0].as_array().expect("a round").len();
+    let tried = json(&dir.join("d.json"))["iterations"][0].as_array().expect("a round").len();
     assert_eq!(column(sheet(&diagnosed, "Everything that was tried"), "probability, %").len(), tried);
     assert_inventory(&diagnosed, &json(&dir.join("d.json")));
 }

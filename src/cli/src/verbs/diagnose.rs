@@ -8,7 +8,7 @@ use super::{groups, model};
 use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_diagnosis::groups::{Good, diagnose_groups};
-use dashpot_diagnosis::{Diagnosis, Options, choose_held_out};
+use dashpot_diagnosis::{Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::groups::split;
@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 pub fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     if patterns.is_empty() {
-        return Ok(choose_held_out(&records, seed));
+        return Ok(choose_left_out(&records, seed));
     }
     Ok(hold_out::select_hold_out(campaign, patterns, "look at")?)
 }

@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_diagnosis::settings::{EffectOverSettings, effects_over_settings, is_shown, summarize_settings};
-use dashpot_diagnosis::{Diagnosis, Options, choose_held_out};
+use dashpot_diagnosis::{Diagnosis, Options, choose_left_out};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{fit_family, model_file};
@@ -261,7 +261,7 @@ fn split(
         let records: Vec<Record> = places.iter().map(|k| campaign.records[*k].clone()).collect();
         let left_out = match &held_out {
             Some(out) => places.iter().map(|k| out[*k]).collect(),
-            None => choose_held_out(&records.iter().collect::<Vec<_>>(), args.seed),
+            None => choose_left_out(&records.iter().collect::<Vec<_>>(), args.seed),
         };
         let reference: Vec<Record> = match (good, &of_good) {
             (Some(good), Some(settings)) => {

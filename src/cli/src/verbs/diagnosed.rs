@@ -162,7 +162,7 @@ fn one(finding: &Finding) -> Vec<String> {
         finding.path,
         finding.family,
         fraction(finding.family_confidence),
-        fraction(finding.share)
+        fraction(finding.fraction)
     ));
     for (name, v) in &finding.parameters {
         let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
@@ -183,7 +183,7 @@ fn one(finding: &Finding) -> Vec<String> {
 fn errors(found: &Diagnosis) -> Vec<String> {
     let row = |name: &str, f: &Figures| {
         let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| digits(v, 3));
-        let (left, left_noise) = (optional(f.held_out_rmse_n), optional(f.held_out_noise_n));
+        let (left, left_noise) = (optional(f.left_out_rmse_n), optional(f.left_out_noise_n));
         format!("  {name:<10}{:>10}{:>10}{left:>10}{left_noise:>10}", digits(f.rmse_n, 3), digits(f.noise_n, 3))
     };
     let mut lines = vec![
@@ -194,7 +194,7 @@ fn errors(found: &Diagnosis) -> Vec<String> {
         lines.push(row("after", &found.after));
     }
     if let Some(gap) = found.gap_closed {
-        let tests = if found.after.held_out_rmse_n.is_some() { "left-out" } else { "fitted" };
+        let tests = if found.after.left_out_rmse_n.is_some() { "left-out" } else { "fitted" };
         lines.push(format!(
             "  {} of the gap is closed on {tests} tests, each counted in units of its own noise",
             fraction(gap)
@@ -213,6 +213,6 @@ fn inventory_line(item: &InventoryItem) -> String {
         (Status::Removed, None) => "removed".to_owned(),
     };
     let form = if item.form.is_empty() { String::new() } else { format!(" ({})", item.form) };
-    let (force, part, probability) = (digits(item.force_n_rms, 3), fraction(item.share), fraction(item.probability));
+    let (force, part, probability) = (digits(item.force_n_rms, 3), fraction(item.fraction), fraction(item.probability));
     format!("  {:<28} {force:>10} {part:>6} {probability:>12}  {status}{form}", item.effect)
 }

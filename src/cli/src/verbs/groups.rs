@@ -1,7 +1,7 @@
 //! Many dampers, or one at many settings, each against the same reference, in lines: `dashpot diagnose --group`.
 
 use dashpot_diagnosis::Change;
-use dashpot_diagnosis::groups::Answers;
+use dashpot_diagnosis::groups::GroupResults;
 use dashpot_report::numbers::{fraction, with_interval, with_unit};
 use dashpot_report::words::TERMINAL;
 
@@ -19,7 +19,7 @@ fn foremost(changed: &[Change]) -> &[Change] {
 }
 
 /// One line a group, and the numbers that changed in any of them.
-pub fn format_groups(answers: &Answers) -> Vec<String> {
+pub fn format_groups(answers: &GroupResults) -> Vec<String> {
     let mut lines = vec![format!("Compared with {}:", answers.reference)];
     for answer in &answers.groups {
         let names: Vec<String> = answer

@@ -32,7 +32,7 @@ pub struct InventoryItem {
     /// Force that it carries: root mean square over all fitted tests of what its removal changes, everything else kept, N.
     pub force_n_rms: f64,
     /// That force over the root mean square of the measured force.
-    pub share: f64,
+    pub fraction: f64,
     /// The force in each fitted test, N rms, in the order of the tests; empty where the model gives none without the effect.
     #[serde(skip)]
     pub force_by_test_n: Vec<f64>,
@@ -86,7 +86,7 @@ pub fn inventory(
             effect: component.effect,
             form: component.form,
             force_n_rms: size,
-            share: size / measured.max(1e-9),
+            fraction: size / measured.max(1e-9),
             force_by_test_n: force.map_or_else(Vec::new, |force| force.iter().map(|f| rms(f)).collect()),
             probability: probability(component.effect),
             status,

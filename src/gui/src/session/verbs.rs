@@ -6,7 +6,7 @@ use crate::session::study::{Question, study};
 use crate::session::tasks::{Kind, Outcome};
 use crate::session::{Session, progress};
 use dashpot_core::{Model, Params};
-use dashpot_diagnosis::{Options as DiagnosisOptions, choose_held_out, diagnose};
+use dashpot_diagnosis::{Options as DiagnosisOptions, choose_left_out, diagnose};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::validation::{Compared, validate};
 use dashpot_identification::{Family, FitOptions, fit};
@@ -51,7 +51,7 @@ impl Session {
         let Some(basis) = self.basis() else { return };
         self.begin(Kind::Diagnose, move |report| {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
-            let left_out = choose_held_out(&records, 0);
+            let left_out = choose_left_out(&records, 0);
             let good = reference.as_ref().map_or_else(Vec::new, |r| r.campaign.records.clone());
             let options = DiagnosisOptions { reference: good, ..DiagnosisOptions::default() };
             let found = diagnose(&records, &left_out, &params, &options, &|done, text| report(done, Some(text)))

@@ -208,12 +208,12 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
         for (name, f) in [(w.before, &found.before), (w.after, &found.after)] {
             ui.label(name);
             ui.label(format!("{} N", w.digits(f.rmse_n)));
-            ui.label(left(f.held_out_rmse_n));
+            ui.label(left(f.left_out_rmse_n));
             ui.end_row();
         }
         ui.label(w.noise);
         ui.label(format!("{} N", w.digits(found.before.noise_n)));
-        ui.label(left(found.before.held_out_noise_n));
+        ui.label(left(found.before.left_out_noise_n));
         ui.end_row();
     });
     for region in found.regions.iter().take(5) {

@@ -257,19 +257,19 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Invent
             match all.iter_mut().find(|known| known.effect == item.effect) {
                 Some(known) => {
                     known.force_n_rms += item.force_n_rms.powi(2) / count;
-                    known.share += item.share.powi(2) / count;
+                    known.fraction += item.fraction.powi(2) / count;
                     known.force_by_test_n.extend(item.force_by_test_n);
                 }
                 None => all.push(InventoryItem {
                     force_n_rms: item.force_n_rms.powi(2) / count,
-                    share: item.share.powi(2) / count,
+                    fraction: item.fraction.powi(2) / count,
                     ..item
                 }),
             }
         }
     }
     for item in &mut all {
-        (item.force_n_rms, item.share) = (item.force_n_rms.sqrt(), item.share.sqrt());
+        (item.force_n_rms, item.fraction) = (item.force_n_rms.sqrt(), item.fraction.sqrt());
     }
     all.sort_by(|a, b| b.force_n_rms.total_cmp(&a.force_n_rms));
     all

@@ -29,12 +29,12 @@ if TYPE_CHECKING:
 class Evidence(Result):
     """What a refit with an effect brought."""
 
-    share: float
+    fraction: float
     mean_square_before: float
     mean_square_after: float
     log_odds: float
     numbers: float
-    implausibility: float
+    negative_log_prior: float
     tests_better: float
 
 
@@ -55,7 +55,7 @@ class Rival(Result):
 
     effect: str
     confidence: float
-    share: float
+    fraction: float
     why: str
 
 
@@ -70,7 +70,7 @@ class Finding(Result):
     family: str
     confidence: float
     family_confidence: float
-    share: float
+    fraction: float
     force_n_rms: float
     of_the_rig: bool
     parameters: dict[str, Value]
@@ -100,9 +100,9 @@ class Figures(Result):
 
     rmse_n: float
     error_percent: float
-    held_out_rmse_n: float | None
+    left_out_rmse_n: float | None
     noise_n: float
-    held_out_noise_n: float | None
+    left_out_noise_n: float | None
 
 
 @dataclass(frozen=True, repr=False)
@@ -176,7 +176,7 @@ class TestOutcome(Result):
     __test__ = False  # no test case of pytest's
 
     test: str
-    held_out: bool
+    left_out: bool
     before_rmse_n: float
     after_rmse_n: float
     noise_n: float
@@ -216,14 +216,14 @@ class Findings(Result):
     before: Figures
     after: Figures
     gap_closed: float | None
-    unexplained_share: float
+    unexplained_fraction: float
     tree: tuple[Branch, ...]
     next_tests: tuple[NextTest, ...]
     could_not_test: tuple[CouldNotTest, ...]
     shifts: tuple[Shift, ...]
     notes: tuple[str, ...]
     tests: tuple[TestOutcome, ...]
-    rounds: tuple[tuple[Tried, ...], ...]
+    iterations: tuple[tuple[Tried, ...], ...]
     corrections: dict[str, float]
     _curves: tuple[dict[str, npt.NDArray[np.float64]], ...] | None = field(
         default=None, metadata={"hidden": True}, compare=False, repr=False
@@ -242,7 +242,7 @@ class Findings(Result):
         """Effects with their numbers, suspects, and changes against the reference; the first column says which of these a row is."""
         rows: list[Row] = []
         for found in self.findings:
-            of_it: Row = {"what": "effect", "effect": found.effect, "form": found.form, "confidence": found.confidence, "share": found.share}
+            of_it: Row = {"what": "effect", "effect": found.effect, "form": found.form, "confidence": found.confidence, "fraction": found.fraction}
             of_it["of the rig"] = found.of_the_rig
             numbers = [{"parameter": name, **number.to_dict()} for name, number in found.parameters.items()]
             rows += [{**of_it, **number} for number in numbers or [{}]]

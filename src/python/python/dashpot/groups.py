@@ -108,7 +108,7 @@ class GroupsDiagnosis(Tables, Result):
             of_it: Row = {"group": one.group, "tests": one.tests, "verdict": found.verdict}
             errors: Row = {"before_rmse_n": found.before.rmse_n, "after_rmse_n": found.after.rmse_n, "noise_n": found.before.noise_n}
             for effect in found.findings or (None,):
-                named: Row = {name: None if effect is None else getattr(effect, name) for name in ("effect", "form", "confidence", "share")}
+                named: Row = {name: None if effect is None else getattr(effect, name) for name in ("effect", "form", "confidence", "fraction")}
                 rows.append({**of_it, **named, **errors, "summary": found.summary})
         return rows
 

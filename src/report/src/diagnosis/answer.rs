@@ -35,8 +35,8 @@ pub(super) fn sentence(text: &Sentence, words: &Words) -> String {
 
 /// What the verdict means and how much of the gap is closed.
 fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
-    let left_out = found.tests.iter().filter(|t| t.held_out).count();
-    let (text, before, after) = match (left_out, found.before.held_out_rmse_n, found.after.held_out_rmse_n) {
+    let left_out = found.tests.iter().filter(|t| t.left_out).count();
+    let (text, before, after) = match (left_out, found.before.left_out_rmse_n, found.after.left_out_rmse_n) {
         (1.., Some(before), Some(after)) => (words.error_unseen, before, after),
         _ => (words.error_fitted, found.before.rmse_n, found.after.rmse_n),
     };
@@ -49,7 +49,7 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
         },
         Verdict::NothingMissing => words.nothing_stays.to_owned(),
         Verdict::Changed => words.changed_stays.to_owned(),
-        Verdict::CannotTell => words.nothing_added_rivals.to_owned(),
+        Verdict::Ambiguous => words.nothing_added_rivals.to_owned(),
         Verdict::UnknownEffect => words.nothing_added_unknown.to_owned(),
     })
 }
@@ -59,10 +59,10 @@ fn worse(found: &Diagnosis, words: &Words) -> Option<String> {
     if found.findings.is_empty() {
         return None;
     }
-    let is_worse = |t: &&TestOutcome| t.held_out && t.after_rmse_n > t.before_rmse_n + 0.1 * t.noise_n;
+    let is_worse = |t: &&TestOutcome| t.left_out && t.after_rmse_n > t.before_rmse_n + 0.1 * t.noise_n;
     let names: Vec<&str> = found.tests.iter().filter(is_worse).map(|t| t.test.as_str()).collect();
     let (first, count) = (names.first()?, names.len().to_string());
-    let all = found.tests.iter().filter(|t| t.held_out).count().to_string();
+    let all = found.tests.iter().filter(|t| t.left_out).count().to_string();
     Some(words.fill(words.worse_tests, &[("count", &count), ("all", &all), ("test", first)]))
 }
 
@@ -76,8 +76,8 @@ fn key_table(found: &Diagnosis, words: &Words) -> Table {
                 name.into(),
                 Cell::digits(f.rmse_n, 4),
                 Cell::digits(f.noise_n, 4),
-                held_out(f.held_out_rmse_n),
-                held_out(f.held_out_noise_n),
+                held_out(f.left_out_rmse_n),
+                held_out(f.left_out_noise_n),
                 Cell::number(f.error_percent, percent),
             ]
         })
@@ -109,10 +109,10 @@ pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
     let title = match found.verdict {
         Verdict::Named => words.fill(words.picture_named, &[("names", &named.join(words.comma))]),
         Verdict::NothingMissing | Verdict::Changed => words.picture_nothing.to_owned(),
-        Verdict::CannotTell => words.picture_cannot_tell.to_owned(),
+        Verdict::Ambiguous => words.picture_cannot_tell.to_owned(),
         Verdict::UnknownEffect => words.picture_unknown.to_owned(),
     };
-    let kind = if shown.held_out { words.kind_left_out } else { words.kind_fitted };
+    let kind = if shown.left_out { words.kind_left_out } else { words.kind_fitted };
     let top = 48.0;
     let mut svg = Svg::new((2.0 * wide).max(size("width")), top + tall + size("height"), &title);
     svg.text([20.0, 20.0], &title, TextStyle { bold: true, ..TextStyle::plain(15.0, Anchor::Start) });

@@ -16,7 +16,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     }
     if !found.suspects.is_empty() {
         let caption = match found.verdict {
-            Verdict::CannotTell => words.suspects_cannot_tell,
+            Verdict::Ambiguous => words.suspects_cannot_tell,
             Verdict::Named => words.suspects_beside,
             _ => words.suspects_nearest,
         };
@@ -75,7 +75,7 @@ fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
         ("path", words.word(finding.path)),
         ("family", words.word(finding.family)),
         ("family_sure", &fraction(finding.family_confidence)),
-        ("share", &fraction(finding.share)),
+        ("share", &fraction(finding.fraction)),
         ("tests", &fraction(finding.evidence.tests_better)),
     ];
     let mut blocks = vec![
@@ -118,7 +118,7 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
             vec![
                 words.named(r.effect).into(),
                 Cell::fraction(r.confidence),
-                Cell::fraction(r.share),
+                Cell::fraction(r.fraction),
                 words.say(&r.why).into(),
             ]
         })

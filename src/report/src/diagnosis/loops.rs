@@ -18,7 +18,7 @@ pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let mut places = of(true).chain(of(false));
     let blocks = |place: usize| {
         let test = &found.tests[place];
-        let kind = if test.held_out { words.kind_left_out } else { words.kind_fitted };
+        let kind = if test.left_out { words.kind_left_out } else { words.kind_fitted };
         let figure = |kind: &str, svg: String| Figure::new(format!("{:03}-{kind}", place + 1), svg);
         let figures = vec![
             figure("force-velocity", before_after::force_velocity(test, words)),
@@ -57,7 +57,7 @@ fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
         t.before_rmse_n.is_finite() && t.after_rmse_n.is_finite() && t.curves.measured.len() > 1 && gap(t).is_finite()
     };
     let mut places: Vec<usize> =
-        (0..tests.len()).filter(|k| tests[*k].held_out == held_out && whole(&tests[*k])).collect();
+        (0..tests.len()).filter(|k| tests[*k].left_out == held_out && whole(&tests[*k])).collect();
     let cyclic = |k: usize| tests[k].curves.frequency > 0.0;
     places.sort_by(|a, b| cyclic(*b).cmp(&cyclic(*a)).then(gap(&tests[*b]).total_cmp(&gap(&tests[*a]))).then(a.cmp(b)));
     places

@@ -43,7 +43,7 @@ fn mean_cycles(tests: &[TestOutcome], records: &[&Record]) -> Vec<(Record, Vec<f
         let curves = &test.curves;
         let finite = curves.before.iter().chain(&curves.after).all(|f| f.is_finite());
         let Some(of) = records.iter().find(|r| r.name == test.test).filter(|_| finite) else { continue };
-        let same = all.last().is_some_and(|(r, _, _, out)| r.name == test.test && *out == test.held_out);
+        let same = all.last().is_some_and(|(r, _, _, out)| r.name == test.test && *out == test.left_out);
         if !same {
             let record = Record {
                 time: Vec::new(),
@@ -55,7 +55,7 @@ fn mean_cycles(tests: &[TestOutcome], records: &[&Record]) -> Vec<(Record, Vec<f
                 temperature: None,
                 ..(*of).clone()
             };
-            all.push((record, Vec::new(), Vec::new(), test.held_out));
+            all.push((record, Vec::new(), Vec::new(), test.left_out));
         }
         let Some((record, before, after, _)) = all.last_mut() else { continue };
         let start = record.force.len();

@@ -7,7 +7,7 @@ use dashpot_diagnosis::Diagnosis;
 
 /// One table per round; `None` where nothing was tried.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
-    let rounds: Vec<_> = found.rounds.iter().filter(|round| !round.is_empty()).collect();
+    let rounds: Vec<_> = found.iterations.iter().filter(|round| !round.is_empty()).collect();
     if rounds.is_empty() {
         return None;
     }
@@ -21,10 +21,10 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
                     words.named(t.effect).into(),
                     words.word(t.form).into(),
                     Cell::fraction(t.confidence),
-                    Cell::fraction(e.share),
+                    Cell::fraction(e.fraction),
                     Cell::digits(e.mean_square_after.sqrt(), 3),
                     Cell::digits(e.log_odds, 3),
-                    Cell::digits(e.implausibility, 2),
+                    Cell::digits(e.negative_log_prior, 2),
                     Cell::fraction(e.tests_better),
                 ]
             })

@@ -13,7 +13,7 @@ const FLOOR: f64 = 0.01;
 
 /// Name of every test; the stretches of a long one are numbered.
 pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
-    let same = |a: &TestOutcome, b: &TestOutcome| a.test == b.test && a.held_out == b.held_out;
+    let same = |a: &TestOutcome, b: &TestOutcome| a.test == b.test && a.left_out == b.left_out;
     tests
         .iter()
         .enumerate()
@@ -33,7 +33,7 @@ pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
 /// Root-mean-square error of every test before and after, with what noise alone makes; fitted tests left, left-out ones
 /// right.
 pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
-    let fitted = tests.iter().filter(|t| !t.held_out).count();
+    let fitted = tests.iter().filter(|t| !t.left_out).count();
     let groups = usize::from(fitted > 0) + usize::from(fitted < tests.len());
     let pitch = (900.0 / tests.len().max(1) as f64).clamp(13.0, 60.0);
     let gap = if groups == 2 { pitch } else { 0.0 };
@@ -79,7 +79,7 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
         label(&mut svg, x + 6.0, words.left_out);
     }
     for (i, (test, name)) in tests.iter().zip(&names).enumerate() {
-        let x = left + (i as f64 + 0.5) * pitch + if test.held_out { gap } else { 0.0 };
+        let x = left + (i as f64 + 0.5) * pitch + if test.left_out { gap } else { 0.0 };
         svg.text([x + 4.0, bottom + 8.0], name, TextStyle { turn: -90.0, ..TextStyle::faint(TICK, Anchor::End) });
         let known = [test.before_rmse_n, test.after_rmse_n, test.noise_n].iter().all(|v| v.is_finite());
         if !known {
@@ -162,7 +162,7 @@ pub mod tests {
         let force = |friction: f64| move |p: f64| 900.0 * libm::cos(p) + friction * libm::cos(p).signum();
         TestOutcome {
             test: name.into(),
-            held_out,
+            left_out: held_out,
             before_rmse_n: 20.0,
             after_rmse_n: 1.0,
             noise_n: 0.5,

@@ -98,7 +98,7 @@ fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
 
 /// The figure; `None` where no effect carries a force in a fitted test.
 pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) -> Option<String> {
-    let fitted: Vec<&TestOutcome> = tests.iter().filter(|test| !test.held_out).collect();
+    let fitted: Vec<&TestOutcome> = tests.iter().filter(|test| !test.left_out).collect();
     let layers = layers(items, fitted.len(), words);
     let amplitude = |test: &&TestOutcome| {
         let x = &test.curves.displacement;
@@ -190,7 +190,7 @@ mod tests {
             effect,
             form: "",
             force_n_rms: force,
-            share: 0.1,
+            fraction: 0.1,
             force_by_test_n: by_test.to_vec(),
             probability: 1.0,
             status,
