@@ -3,7 +3,7 @@
 use dashpot_core::Params;
 use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, Number, Parameter, Row, Shape};
-use dashpot_estimation::priors::{self, PRIORS, Usual};
+use dashpot_estimation::priors::{self, Distribution, PRIORS};
 use dashpot_estimation::scale::Scale;
 use dashpot_tests::header::{bounds, short};
 use std::fmt::Write as _;
@@ -11,10 +11,10 @@ use std::path::Path;
 
 /// What is usual of a parameter, in words; empty where nothing is known.
 fn usual(row: Row) -> String {
-    match Number::try_from(row).ok().and_then(|number| priors::of(number, Scale::CAR)) {
-        Some(Usual::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
-        Some(Usual::Strength(median, factor)) => format!("strength {median} × {factor}"),
-        Some(Usual::Place(mean, deviation)) => format!("{mean} ± {deviation}"),
+    match Number::try_from(row).ok().and_then(|number| priors::distribution(number, Scale::CAR)) {
+        Some(Distribution::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
+        Some(Distribution::Strength(median, factor)) => format!("strength {median} × {factor}"),
+        Some(Distribution::Place(mean, deviation)) => format!("{mean} ± {deviation}"),
         None => String::new(),
     }
 }

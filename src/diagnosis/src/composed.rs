@@ -398,7 +398,7 @@ impl Composed<'_> {
                     mean_square_after: after.mean(),
                     log_odds: t.structure.log_posterior - self.search.best.log_posterior,
                     numbers: after.numbers - before.numbers,
-                    negative_log_prior: after.implausibility - before.implausibility,
+                    negative_log_prior: after.negative_log_prior - before.negative_log_prior,
                     tests_better: better as f64 / before.mean_squares.len().max(1) as f64,
                 },
             }
@@ -466,7 +466,7 @@ impl Composed<'_> {
                     mean_square_after: whole,
                     log_odds: self.best.log_posterior - other.log_posterior,
                     numbers: component.numbers,
-                    negative_log_prior: self.best.evidence.implausibility - other.evidence.implausibility,
+                    negative_log_prior: self.best.evidence.negative_log_prior - other.evidence.negative_log_prior,
                     tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
                 rivals: suspects.to_vec(),
@@ -551,7 +551,7 @@ impl Composed<'_> {
             .enumerate()
             .filter_map(|(k, n)| {
                 let Free::Model(Unknown::Log(number) | Unknown::Linear(number)) = n.free else { return None };
-                let (before, after) = (start.refit.theta[k], best.refit.theta[best.hypothesis.place_of(&n.free)?]);
+                let (before, after) = (start.refit.theta[k], best.refit.theta[best.hypothesis.position(&n.free)?]);
                 ((after - before).abs() > 3.0 * covariance[(k, k)].max(0.0).sqrt()).then(|| Shift {
                     parameter: number.name(),
                     before: physical(&n.free, before),

@@ -64,7 +64,7 @@ pub fn diagnose(
 
 /// The given model and the most probable structure, refitted to the end.
 fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Structure)> {
-    let given = search.given.as_ref()?.refitted(tests, Effort::FINE)?;
+    let given = search.start.as_ref()?.refitted(tests, Effort::FINE)?;
     Some((given, search.best.refitted(tests, Effort::FINE)?))
 }
 
@@ -91,7 +91,7 @@ fn alone<'a>(
     // Asked about some effects alone, or for none, the given model is the only one to compare with.
     let is_open = options.candidates.is_none() && options.max_effects > 0;
     let plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
-    let search = StructureSearch::run(&context, Some(starts::given(params, &heating)), plain);
+    let search = StructureSearch::run(&context, Some(starts::from_params(params, &heating)), plain);
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);
     let (given, mut best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;

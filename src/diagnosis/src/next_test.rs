@@ -105,7 +105,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
     }
     let zero = [0.0];
-    let scale = Scale::of(&rivals[0].hypothesis.base);
+    let scale = Scale::from_params(&rivals[0].hypothesis.base);
     let side_matters = rivals.iter().any(|r| r.effect == element!("side_force_friction").name());
     let sides = if side_matters && !rig.side_forces.is_empty() { &rig.side_forces[..] } else { &zero };
     let mut designs = Vec::new();

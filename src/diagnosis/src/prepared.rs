@@ -60,7 +60,7 @@ fn with_friction(structure: Structure, own: &Prepared) -> Structure {
         return structure;
     }
     let read = read_step(&params).and_then(|read| {
-        let (mut hypothesis, components) = starts::given(&read, &own.heating);
+        let (mut hypothesis, components) = starts::from_params(&read, &own.heating);
         hypothesis.heating.clone_from(&structure.hypothesis.heating);
         Structure::fit(hypothesis, components, &own.fitted, Effort::FINE)
     });
@@ -88,7 +88,7 @@ impl Prepared {
             (hypothesis.with_priors(&options.priors), components)
         };
         let has = |element: Element| params.is_on(element);
-        let mut all = vec![no_heat(starts::given(params, &own.heating))];
+        let mut all = vec![no_heat(starts::from_params(params, &own.heating))];
         let lacks_friction = ["presliding_friction", "coulomb_friction", "stribeck_friction"]
             .iter()
             .all(|name| Element::find(name).is_ok_and(|element| !has(element)));

@@ -8,8 +8,8 @@ use crate::oil;
 use crate::uncertain::{Uncertain, through};
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
+use dashpot_estimation::distribution::Distribution;
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
-use dashpot_estimation::usual::Usual;
 
 /// A parameter with what the drawing gives it.
 #[derive(Debug, Clone, PartialEq)]
@@ -224,8 +224,8 @@ pub fn priors(of: &Dimensions) -> PriorSet {
     let row = |expectation: Expectation| {
         let Expectation { number, expected, from, source, .. } = expectation;
         let distribution = match Rule::of(number)?.shape {
-            Shape::Size => Usual::Size(expected.value, expected.factor()),
-            Shape::Place => Usual::Place(expected.value, expected.deviation()),
+            Shape::Size => Distribution::Size(expected.value, expected.factor()),
+            Shape::Place => Distribution::Place(expected.value, expected.deviation()),
         };
         Some(DamperPrior { number, expected: distribution, source: format!("{}: {source}", from.join(", ")) })
     };

@@ -1,4 +1,6 @@
-//! How steep an FV curve begins: the bleed of a damper carries its flow up to the knee, so less than the knee's force stands at a lower speed.
+//! Prior of the initial steepness of an FV curve.
+//!
+//! The bleed of a damper carries its flow up to the knee, so the force at a lower speed is below that at the knee.
 //!
 //! Records without a motion between rest and their slowest speed do not tell a step of the curve there from dry friction. Without this
 //! expectation a free curve takes all friction up.
@@ -11,9 +13,10 @@ use dashpot_core::{Params, list};
 /// curve; a faster one draws the bleed of firm race dampers down.
 const SLOWEST_KNEE: f64 = 0.03;
 
-/// Largest usual rise of the FV curve from rest to a neighboring point, N, with a knee at the largest force; `None` for any other
-/// unknown.
-pub fn usual_rise(params: &Params, unknown: &Unknown) -> Option<f64> {
+/// Prior scale of the rise of the FV curve from rest to a neighboring point, N.
+///
+/// It has a knee at the largest force. `None` for any other unknown.
+pub fn prior_rise(params: &Params, unknown: &Unknown) -> Option<f64> {
     let Unknown::Rise { curve: CurveName::Fv, point } = *unknown else { return None };
     let velocity = params.list(list!("fv_velocity"));
     let zero = anchor(velocity);
@@ -34,7 +37,7 @@ mod tests {
         let velocity = params.list(list!("fv_velocity"));
         let zero = anchor(velocity);
         for point in (0..velocity.len()).filter(|point| *point != zero) {
-            let usual = usual_rise(&params, &Unknown::Rise { curve: CurveName::Fv, point });
+            let usual = prior_rise(&params, &Unknown::Rise { curve: CurveName::Fv, point });
             assert_eq!(usual.is_some(), point.abs_diff(zero) == 1, "{point}");
         }
     }

@@ -27,12 +27,16 @@ impl Cancel {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Does the work on threads of its own, as many as there are processors; nothing where it was asked to stop, or the system gives no threads.
+    /// Runs the work on threads of its own, as many as there are processors.
+    ///
+    /// `None` where it was cancelled, or the system provides no threads.
     pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Option<T> {
         self.run_on(0, work)
     }
 
-    /// As [`Cancel::run`], on so many threads; 0 is as many as there are processors.
+    /// Runs the work on `threads` threads of its own; 0 is as many as there are processors.
+    ///
+    /// `None` where it was cancelled, or the system provides no threads.
     pub fn run_on<T: Send>(&self, threads: usize, work: impl FnOnce() -> T + Send) -> Option<T> {
         let flag = self.0.clone();
         let pool = rayon::ThreadPoolBuilder::new()

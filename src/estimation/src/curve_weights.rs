@@ -43,7 +43,7 @@ impl CurveWeights {
     }
 
     /// ∂f(at)/∂(force of point j): the first point it names and the derivatives for four points from there.
-    pub fn at(&self, at: f64) -> (usize, [f64; 4]) {
+    pub fn evaluate(&self, at: f64) -> (usize, [f64; 4]) {
         let n = self.u.len();
         let right = self.u.partition_point(|u| *u <= at);
         let mut weights = [0.0; 4];
@@ -86,7 +86,7 @@ mod tests {
         let f = [-900.0, -500.0, -300.0, 0.0, 250.0, 700.0, 1900.0];
         let weights = CurveWeights::new(&u, &f);
         for at in [-1.7, -0.9, -0.2, -0.03, 0.02, 0.2, 0.9, 1.6] {
-            let (first, w) = weights.at(at);
+            let (first, w) = weights.evaluate(at);
             for j in 0..u.len() {
                 let moved = |d: f64| {
                     let mut g = f;

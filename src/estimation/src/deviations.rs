@@ -7,9 +7,10 @@ use super::samples::Test;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
-/// Covariance in the sandwich form (White, Econometrica 48, 1980): the noise of every test is taken from its own residual and its samples
-/// are discounted for their correlation, so that form errors widen the intervals. With it, how well each number is determined apart from
-/// all others and from its prior, 1 fully, 0 not at all.
+/// Covariance in the sandwich form (White, Econometrica 48, 1980), with how well each number is determined.
+///
+/// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
+/// intervals. A number is determined apart from all others and from its prior: 1 fully, 0 not at all.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     let n = hypothesis.numbers.len();
     let mut first = 0;
@@ -49,8 +50,9 @@ pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Optio
     Some((&bread * meat * &bread, determined))
 }
 
-/// Samples that stand for one independent sample: the sum of the residual's autocorrelation up to where it first falls below noise
-/// (Geyer's initial positive sequence, Stat. Sci. 7, 1992).
+/// Number of samples that equal one independent sample: the integrated autocorrelation of the residual.
+///
+/// The sum ends where it first falls below noise (Geyer's initial positive sequence, Stat. Sci. 7, 1992).
 fn correlation_factor(residual: &[f64]) -> f64 {
     let n = residual.len();
     let variance: f64 = residual.iter().map(|r| r * r).sum();

@@ -119,8 +119,9 @@ pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |_, _| true)
 }
 
-/// Forces of the FV table from samples at which the damper slows down alone: voids and lost strokes begin at a turn and are closed before
-/// the next.
+/// Forces of the FV table from only those samples at which the damper slows down.
+///
+/// Voids and lost strokes begin at a turn and are closed before the next.
 pub fn slowing_forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |s, k| {
         s.input.get(k + 1).is_some_and(|next| next.velocity.abs() < s.input[k].velocity.abs())

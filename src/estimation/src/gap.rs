@@ -33,8 +33,9 @@ pub fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
     rms(&errors.iter().map(|e| rms(e)).collect::<Vec<_>>())
 }
 
-/// Errors in units of what each test's noise and form allow: root mean square over tests, so that a slow test of small
-/// forces counts like a fast one.
+/// Root mean square error over tests, in units of what each test's noise and form allow.
+///
+/// So a slow test of small forces counts like a fast one.
 pub fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
     rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
 }

@@ -2,8 +2,9 @@
 
 use nalgebra::DMatrix;
 
-/// Columns whose products with as many others are summed at a time: nine sums of two rows each, and the six factors, are the registers of every
-/// processor of 64 bits.
+/// Columns whose products with as many others are summed at a time.
+///
+/// Nine sums of two rows each, and the six factors, fill the registers of every processor of 64 bits.
 const TILE: usize = 3;
 /// Rows whose products are summed before the next columns: six columns of them stay in the nearest cache, 24 KB. A sum of so few also rounds less than
 /// one over all rows.

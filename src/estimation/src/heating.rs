@@ -38,7 +38,7 @@ impl Heating {
         Heating { inputs, looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), continues }
     }
 
-    /// The same heat, looked at in the middle of other tests.
+    /// Heat of the campaign, evaluated in the middle of other tests.
     pub fn of_tests(&self, tests: &[Test]) -> Heating {
         Heating { looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), ..self.clone() }
     }
@@ -49,12 +49,12 @@ impl Heating {
         self.at(t, record, cooling)
     }
 
-    /// The same when record `record` begins.
+    /// Temperature rise times heat capacity, J, at the beginning of record `record`.
     pub fn at_the_begin(&self, record: usize, cooling: f64) -> f64 {
         self.at(self.inputs[record].0, record, cooling)
     }
 
-    /// The same at time `t` of the campaign's clock, during a record.
+    /// Temperature rise times heat capacity, J, at time `t` of the campaign's clock, during a record.
     fn at(&self, t: f64, record: usize, cooling: f64) -> f64 {
         let of = |(begin, end, power): &(f64, f64, f64)| {
             let end = end.min(t);

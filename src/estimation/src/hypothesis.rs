@@ -1,7 +1,6 @@
-//! One explanation of the records: a model with some of its numbers free, what the rig added, and how likely its numbers
-//! are before any record is seen.
+//! One explanation of the records: a model with free numbers, measurement errors, and priors of both.
 
-use super::bleed::usual_rise;
+use super::bleed::prior_rise;
 use super::heating::Heating;
 use super::measurement::{Artefact, earlier, finer, low_pass};
 use super::samples::Test;
@@ -79,8 +78,8 @@ impl Hypothesis {
         [-Z, Z].map(|z| restrict(value + z * deviation, low, high))
     }
 
-    /// Where in its vector a number stands, if it is free.
-    pub fn place_of(&self, free: &Free) -> Option<usize> {
+    /// Index of a number in its vector, if it is free.
+    pub fn position(&self, free: &Free) -> Option<usize> {
         self.numbers.iter().position(|n| n.free == *free)
     }
 
@@ -151,12 +150,12 @@ impl Hypothesis {
 
     /// A number that is given by its logarithm, where it is free.
     fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
-        self.place_of(free).map(|place| libm::exp(theta[place]))
+        self.position(free).map(|place| libm::exp(theta[place]))
     }
 
     /// A number of the rig.
     fn of_the_rig(&self, artefact: Artefact, theta: &[f64]) -> Option<f64> {
-        self.place_of(&Free::Rig(artefact)).map(|place| theta[place])
+        self.position(&Free::Rig(artefact)).map(|place| theta[place])
     }
 
     /// The segment with the motion at which the force that was read was made.
@@ -167,9 +166,10 @@ impl Hypothesis {
         }
     }
 
-    /// The segment as the damper went through it when it made the forces that were read: with the temperatures that its own
-    /// heating gives it, where `place` counts the test, earlier where the force channel is late, at finer steps where
-    /// it is filtered.
+    /// The segment that the damper saw when it made the measured forces.
+    ///
+    /// Its temperatures include self-heating, where `place` is the index of the test. It is earlier by a delay of the force channel, and
+    /// has finer steps behind a filter.
     fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
         let mut segment = self.delayed(test, theta);
         let free = |free| self.exponential(&free, theta);
@@ -207,8 +207,9 @@ impl Hypothesis {
         Some(model.with_integration(accuracy.integration(&self.base, &model)))
     }
 
-    /// Takes every value that stands for a sample through the filter of the force channel, if there is one, and leaves those
-    /// at the samples; `values` may be forces or derivatives of them.
+    /// Applies the filter of the force channel, if there is one, and keeps the values at the samples.
+    ///
+    /// `values` may be forces or derivatives of them.
     fn filtered(&self, segment: &Segment, theta: &[f64], values: &mut Vec<f64>) {
         if let Some(tau) = self.of_the_rig(Artefact::LowPass, theta) {
             low_pass(tau, &segment.dt, values);
@@ -356,7 +357,7 @@ pub fn number(base: &Params, unknown: Unknown) -> Number {
     let one = Unknowns { base: *base, list: vec![unknown] };
     let start = one.start()[0];
     let (low, high) = one.bounds();
-    let scale = Scale::of(base);
+    let scale = Scale::from_params(base);
     let by_default = |parameter: &Parameter, factor: f64| {
         let typical = factor * parameter.default.first().map_or(1.0, |d| d.abs());
         (0.3 * start.abs()).max(0.1 * typical).max(1e-3 * factor)
@@ -369,6 +370,6 @@ pub fn number(base: &Params, unknown: Unknown) -> Number {
     };
     let bounds = (low[0], high[0]);
     let start = restrict(start, bounds.0, bounds.1);
-    let prior = in_search(&unknown, scale).or_else(|| Some((0.0, usual_rise(base, &unknown)?)));
+    let prior = in_search(&unknown, scale).or_else(|| Some((0.0, prior_rise(base, &unknown)?)));
     Number { free: Free::Model(unknown), start, step, bounds, prior }
 }

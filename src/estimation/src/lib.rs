@@ -1,5 +1,6 @@
-//! One estimation problem for fit, validation and diagnosis: observations made from records, a model with free numbers and what
-//! is known of them before the data, its least squares, and how far the data leave them open.
+//! One estimation problem for fit, validation and diagnosis.
+//!
+//! It has observations made from records, a model with free numbers and their priors, least squares, and the uncertainty of the numbers.
 //!
 //! | module | what |
 //! |---|---|
@@ -29,13 +30,14 @@ pub mod cancel;
 pub mod curve_part;
 pub mod curve_weights;
 pub mod deviations;
+pub mod distribution;
 pub mod family;
 pub mod first_guess;
 pub mod gap;
 pub mod gram;
 pub mod heating;
 pub mod hypothesis;
-pub mod implausibility;
+pub mod log_prior;
 pub mod measurement;
 pub mod prior_set;
 pub mod priors;
@@ -50,6 +52,5 @@ pub mod spring_end;
 pub mod step_at_rest;
 pub mod structure;
 pub mod unknowns;
-pub mod usual;
 pub mod vocabulary;
 pub mod warmth;

@@ -1,9 +1,9 @@
 //! Priors of one damper, which replace those that all dampers share.
 
+use crate::distribution::Distribution;
 use crate::priors;
 use crate::scale::Scale;
 use crate::unknowns::Unknown;
-use crate::usual::Usual;
 use dashpot_core::parameter::Number;
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ pub struct DamperPrior {
     /// Parameter.
     pub number: Number,
     /// What is expected of it, in its own unit.
-    pub expected: Usual,
+    pub expected: Distribution,
     /// Where that comes from: what is known of the damper, a colon, and the publication of the formula.
     pub source: String,
 }
@@ -27,24 +27,26 @@ impl DamperPrior {
     /// The ends of its 95 % interval, in the parameter's own unit.
     pub fn interval(&self) -> (f64, f64) {
         match self.expected {
-            Usual::Size(median, factor) | Usual::Strength(median, factor) => {
+            Distribution::Size(median, factor) | Distribution::Strength(median, factor) => {
                 let factor = libm::pow(factor, Z);
                 (median / factor, median * factor)
             }
-            Usual::Place(mean, deviation) => (mean - Z * deviation, mean + Z * deviation),
+            Distribution::Place(mean, deviation) => (mean - Z * deviation, mean + Z * deviation),
         }
     }
 
     /// Its center, in the parameter's own unit.
     pub fn center(&self) -> f64 {
-        let (Usual::Size(center, _) | Usual::Strength(center, _) | Usual::Place(center, _)) = self.expected;
+        let (Distribution::Size(center, _) | Distribution::Strength(center, _) | Distribution::Place(center, _)) =
+            self.expected;
         center
     }
 
     /// Logarithm of how many times narrower it is than what all dampers show.
     fn sharpness(&self, unknown: &Unknown, scale: Scale) -> f64 {
-        let spread = |usual: Usual| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
-        let shared = priors::of(self.number, scale).map_or(1.0, |usual| spread(usual) / spread(self.expected));
+        let spread = |usual: Distribution| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
+        let shared =
+            priors::distribution(self.number, scale).map_or(1.0, |usual| spread(usual) / spread(self.expected));
         libm::log(shared.max(1.0))
     }
 }
@@ -73,8 +75,8 @@ impl PriorSet {
     }
 
     /// What is expected of a parameter: of this damper, or else of all dampers of its size.
-    pub fn distribution(&self, number: Number, scale: Scale) -> Option<Usual> {
-        self.find(number).map(|row| row.expected).or_else(|| priors::of(number, scale))
+    pub fn distribution(&self, number: Number, scale: Scale) -> Option<Distribution> {
+        self.find(number).map(|row| row.expected).or_else(|| priors::distribution(number, scale))
     }
 
     /// Mean and standard deviation of a free number where a search moves it; `None` where nothing is known of this damper.
@@ -104,15 +106,15 @@ mod tests {
     fn set(factor: f64) -> PriorSet {
         let number = number!("oil_stiffness");
         let source = "bore_mm, rod_mm: Merritt 1967".to_owned();
-        PriorSet::new(vec![DamperPrior { number, expected: Usual::Size(9e6, factor), source }])
+        PriorSet::new(vec![DamperPrior { number, expected: Distribution::Size(9e6, factor), source }])
     }
 
     #[test]
     fn a_row_replaces_that_of_all_dampers_and_no_other() {
         let own = set(1.3);
         let (oil, gas) = (number!("oil_stiffness"), number!("gas_force"));
-        assert_eq!(own.distribution(oil, Scale::CAR), Some(Usual::Size(9e6, 1.3)));
-        assert_eq!(own.distribution(gas, Scale::CAR), priors::of(gas, Scale::CAR));
+        assert_eq!(own.distribution(oil, Scale::CAR), Some(Distribution::Size(9e6, 1.3)));
+        assert_eq!(own.distribution(gas, Scale::CAR), priors::distribution(gas, Scale::CAR));
         assert_eq!(own.rows()[0].facts(), "bore_mm, rod_mm");
         let (low, high) = own.rows()[0].interval();
         assert!(low < 9e6 / 1.6 && high > 9e6 * 1.6);

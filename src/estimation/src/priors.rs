@@ -4,9 +4,9 @@
 //! bound. A number that many dampers would have to be strange to show costs its explanation something: little at first and never
 //! without limit, as under Student's distribution (four degrees of freedom), because there are strange dampers.
 
+pub use crate::distribution::Distribution;
 use crate::scale::Scale;
 use crate::unknowns::Unknown;
-pub use crate::usual::Usual;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
 
@@ -15,8 +15,8 @@ use dashpot_core::parameter::Number;
 pub struct Prior {
     /// Parameter.
     pub number: Number,
-    /// What is usual of it, in its own unit.
-    pub usual: Usual,
+    /// Its distribution, in its own unit.
+    pub distribution: Distribution,
     /// Where that comes from.
     pub source: &'static str,
 }
@@ -28,11 +28,11 @@ impl Prior {
     }
 }
 
-const fn row(number: Number, usual: Usual, source: &'static str) -> Prior {
-    Prior { number, usual, source }
+const fn row(number: Number, distribution: Distribution, source: &'static str) -> Prior {
+    Prior { number, distribution, source }
 }
 
-use Usual::{Place, Size, Strength};
+use Distribution::{Place, Size, Strength};
 
 const SEALS: &str =
     "seals and guides of passenger-car dampers: Deubel & Prokop, J. Automob. Eng. 2023; thesis, chapter 4";
@@ -126,31 +126,32 @@ pub const PRIORS: &[Prior] = &[
     row(number!("lag_fast"), Size(1e-3, 3.0), THESIS),
 ];
 
-/// What is usual of a parameter of a damper of this size.
-pub fn of(number: Number, scale: Scale) -> Option<Usual> {
-    PRIORS.iter().find(|p| p.number == number).map(|p| scale.usual(number, p.usual))
+/// Prior distribution of a parameter of a damper of this size.
+pub fn distribution(number: Number, scale: Scale) -> Option<Distribution> {
+    PRIORS.iter().find(|p| p.number == number).map(|p| scale.scale_distribution(number, p.distribution))
 }
 
 /// Whether a parameter is the force of an effect, which is absent where it is zero. A damping may be zero where its element is not.
 pub fn is_force_of_effect(number: Number) -> bool {
-    let is_strength = PRIORS.iter().any(|p| p.number == number && matches!(p.usual, Strength(..)));
+    let is_strength = PRIORS.iter().any(|p| p.number == number && matches!(p.distribution, Strength(..)));
     is_strength && number.parameter().unit == "N"
 }
 
-/// Degrees of freedom of Student's distribution: with four, five standard deviations cost five units of the logarithm of the odds where
-/// the normal distribution asks for twelve.
+/// Degrees of freedom of Student's t-distribution.
+///
+/// With four, five standard deviations cost five units of the log odds, where the normal distribution costs twelve.
 const FREEDOM: f64 = 4.0;
 
-/// Fall of the logarithm of the odds by a number so many standard deviations off.
-pub fn price(off: f64) -> f64 {
-    0.5 * (FREEDOM + 1.0) * libm::log1p(off * off / FREEDOM)
+/// Decrease of the log odds by a number at `score` standard deviations from its prior.
+pub fn log_cost(score: f64) -> f64 {
+    0.5 * (FREEDOM + 1.0) * libm::log1p(score * score / FREEDOM)
 }
 
 /// Mean and standard deviation of a free number of the model where a search moves it.
 pub fn in_search(unknown: &Unknown, scale: Scale) -> Option<(f64, f64)> {
     match unknown {
-        Unknown::Log(number) => of(*number, scale).map(|usual| usual.in_search(true)),
-        Unknown::Linear(number) => of(*number, scale).map(|usual| usual.in_search(false)),
+        Unknown::Log(number) => distribution(*number, scale).map(|usual| usual.in_search(true)),
+        Unknown::Linear(number) => distribution(*number, scale).map(|usual| usual.in_search(false)),
         // A share above the level: seals show 0.1 to 0.6.
         Unknown::Above(..) => Some((0.2, 0.5)),
         Unknown::Rise { .. } | Unknown::Entry(..) => None,
@@ -164,7 +165,8 @@ mod tests {
     #[test]
     fn every_row_lies_inside_its_bounds_and_stands_once() {
         for (k, prior) in PRIORS.iter().enumerate() {
-            let (Usual::Size(at, _) | Usual::Strength(at, _) | Usual::Place(at, _)) = prior.usual;
+            let (Distribution::Size(at, _) | Distribution::Strength(at, _) | Distribution::Place(at, _)) =
+                prior.distribution;
             assert_eq!(prior.number.inside(at), at, "{} is outside {:?}", prior.number, prior.number.bounds());
             assert!(PRIORS[..k].iter().all(|other| other.number != prior.number), "{} stands twice", prior.number);
             assert!(!prior.source.is_empty());
@@ -173,10 +175,10 @@ mod tests {
 
     #[test]
     fn the_usual_costs_nothing_and_the_strange_something_but_never_all() {
-        assert_eq!(price(0.0), 0.0);
-        assert!(price(1.0) < 0.6 && price(5.0) > 4.0 && price(100.0) < 25.0);
-        assert_eq!(Usual::Strength(40.0, 3.0).off(5.0), 0.0);
-        assert!((Usual::Strength(40.0, 3.0).off(360.0) - 2.0).abs() < 1e-12);
-        assert!((Usual::Size(2e6, 2.0).off(5e5) + 2.0).abs() < 1e-12);
+        assert_eq!(log_cost(0.0), 0.0);
+        assert!(log_cost(1.0) < 0.6 && log_cost(5.0) > 4.0 && log_cost(100.0) < 25.0);
+        assert_eq!(Distribution::Strength(40.0, 3.0).standard_score(5.0), 0.0);
+        assert!((Distribution::Strength(40.0, 3.0).standard_score(360.0) - 2.0).abs() < 1e-12);
+        assert!((Distribution::Size(2e6, 2.0).standard_score(5e5) + 2.0).abs() < 1e-12);
     }
 }

@@ -1,13 +1,13 @@
 //! One explanation refitted to the tests, with little more than one run of the model per step.
 //!
-//! To compare explanations the Jacobian is taken once and then kept up ([`Slopes::Kept`]), since those that a diagnosis compares
+//! To compare explanations the Jacobian is taken once and then kept up ([`Derivatives::Kept`]), since those that a diagnosis compares
 //! differ by two or three numbers from one whose Jacobian is known. The likely ones are then refitted with a Jacobian of
 //! their own in every step.
 
 use super::hypothesis::{Hypothesis, Number, Residual};
 use super::samples::Test;
 use crate::sensitivity::Accuracy;
-use crate::solve::{Bounds, Loss, Options, Prior, Residuals, Rows, Slopes, solve_knowing};
+use crate::solve::{Bounds, Derivatives, Loss, Options, Prior, Residuals, Rows, solve_knowing};
 use nalgebra::DMatrix;
 
 /// Weighted residual beyond which a sample counts linearly.
@@ -30,8 +30,8 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// To see which explanations are worth more.
-    pub const LOOK: Effort =
+    /// To screen which explanations are worth more.
+    pub const SCREEN: Effort =
         Effort { steps: 4, tolerance: 2e-3, renews: false, derivatives: Accuracy::Cheap, residuals: Accuracy::Single };
     /// To compare explanations.
     pub const COMPARE: Effort =
@@ -61,7 +61,7 @@ pub struct Refit {
 
 impl Refit {
     /// An explanation as it stands at `theta`.
-    pub fn at(hypothesis: &Hypothesis, theta: Vec<f64>, residual: Residual, jacobian: DMatrix<f64>) -> Refit {
+    pub fn from_point(hypothesis: &Hypothesis, theta: Vec<f64>, residual: Residual, jacobian: DMatrix<f64>) -> Refit {
         let chi2 = chi2(&residual);
         let cost = chi2 + prior_cost(hypothesis, &theta);
         Refit { theta, residual, jacobian, chi2, cost }
@@ -73,7 +73,7 @@ impl Refit {
 /// The allowed error of a sample is already that of correlated noise, so a sum over all samples counts each piece of
 /// information once.
 pub fn chi2(residual: &Residual) -> f64 {
-    residual.iter().map(|r| 2.0 * LOSS.of(*r).0).sum()
+    residual.iter().map(|r| 2.0 * LOSS.evaluate(*r).0).sum()
 }
 
 /// What leaving the expected values costs.
@@ -97,7 +97,7 @@ struct Problem<'a> {
 impl Residuals for Problem<'_> {
     type At = Vec<f64>;
 
-    fn at(&self, theta: &[f64]) -> Option<Vec<f64>> {
+    fn prepare(&self, theta: &[f64]) -> Option<Vec<f64>> {
         Some(theta.to_vec())
     }
 
@@ -123,7 +123,7 @@ pub fn options(numbers: &[Number], effort: Effort) -> Options {
         tolerance: effort.tolerance,
         loss: LOSS,
         priors: numbers.iter().map(|n| n.prior.map(|(mean, spread)| Prior { mean, spread })).collect(),
-        slopes: if effort.renews { Slopes::Fresh } else { Slopes::Kept },
+        derivatives: if effort.renews { Derivatives::Fresh } else { Derivatives::Kept },
         damping: DAMPING,
         quiet: 1,
     }
@@ -154,17 +154,17 @@ pub fn refit_by(
     if hypothesis.numbers.is_empty() {
         let residual = residual_at(&[])?;
         let jacobian = DMatrix::zeros(residual.len(), 0);
-        return Some(Refit::at(hypothesis, Vec::new(), residual, jacobian));
+        return Some(Refit::from_point(hypothesis, Vec::new(), residual, jacobian));
     }
     let problem = Problem { hypothesis, tests, derivatives: effort.derivatives, residual_at };
     let (low, high) = hypothesis.numbers.iter().map(|n| n.bounds).unzip();
     let options = options(&hypothesis.numbers, effort);
     let mut found = solve_knowing(&problem, start, jacobian.map(|j| vec![j]), &Bounds { low, high }, &options);
     let Rows { residual, jacobian } = found.rows.pop()?;
-    found.cost.is_finite().then(|| Refit::at(hypothesis, found.x, -residual, jacobian))
+    found.cost.is_finite().then(|| Refit::from_point(hypothesis, found.x, -residual, jacobian))
 }
 
 /// Square roots of Huber's weights.
 pub fn weights(residual: &Residual) -> Vec<f64> {
-    residual.iter().map(|r| LOSS.of(*r).1.sqrt()).collect()
+    residual.iter().map(|r| LOSS.evaluate(*r).1.sqrt()).collect()
 }

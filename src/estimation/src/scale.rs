@@ -6,8 +6,8 @@
 //! compared with that of cars after both are divided by what the damper is stronger. Lengths, speeds and times stay as they are: clearances,
 //! films of oil and valves do not grow so.
 
+use crate::distribution::Distribution;
 use crate::measurement::Artefact;
-use crate::usual::Usual;
 use dashpot_core::parameter::Number;
 use dashpot_core::schema::has_force;
 use dashpot_core::{Params, element, list, number};
@@ -54,8 +54,8 @@ impl Scale {
         Scale(libm::pow(largest / TYPICAL, share))
     }
 
-    /// Of the damper that a model is of, which is there before anything else is known.
-    pub fn of(params: &Params) -> Scale {
+    /// Scale of the damper of a model, which is known before anything else.
+    pub fn from_params(params: &Params) -> Scale {
         Scale::of_force(largest_force(params))
     }
 
@@ -98,13 +98,13 @@ impl Scale {
         (low.max(from * factor), high.min(to * factor))
     }
 
-    /// What is usual of a number, of one that is usual of cars.
-    pub fn usual(self, number: Number, of_cars: Usual) -> Usual {
+    /// Scales the distribution of a number from dampers of cars to this damper.
+    pub fn scale_distribution(self, number: Number, of_cars: Distribution) -> Distribution {
         let factor = self.of_number(number);
         match of_cars {
-            Usual::Size(median, spread) => Usual::Size(factor * median, spread),
-            Usual::Strength(median, spread) => Usual::Strength(factor * median, spread),
-            Usual::Place(mean, deviation) => Usual::Place(factor * mean, factor * deviation),
+            Distribution::Size(median, spread) => Distribution::Size(factor * median, spread),
+            Distribution::Strength(median, spread) => Distribution::Strength(factor * median, spread),
+            Distribution::Place(mean, deviation) => Distribution::Place(factor * mean, factor * deviation),
         }
     }
 
@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn what_is_said_of_cars_is_not_changed() {
         for factor in [0.1, 1.0, 2.0] {
-            let scale = Scale::of(&with_forces(factor));
+            let scale = Scale::from_params(&with_forces(factor));
             assert!(scale.is_car(), "{factor}: {scale:?}");
             assert_eq!(scale.reach(number!("internal_mass")), (0.05, 20.0));
         }
@@ -166,9 +166,9 @@ mod tests {
     fn a_model_as_of_a_car_has_the_forces_of_a_car() {
         for factor in [1e-3, 0.01, 0.08, 3.0, 30.0] {
             let model = with_forces(factor);
-            let scale = Scale::of(&model);
+            let scale = Scale::from_params(&model);
             assert!(!scale.is_car(), "{factor}");
-            assert!(Scale::of(&scale.as_car(&model)).is_car(), "{factor}: {scale:?}");
+            assert!(Scale::from_params(&scale.as_car(&model)).is_car(), "{factor}: {scale:?}");
         }
     }
 

@@ -92,14 +92,14 @@ impl Follow for Tangent<'_> {
                 Direction::FvPoint(_) | Direction::SpringPoint(_) => 0.0,
             };
         }
-        let (first, weights) = self.fv.at(s.u);
+        let (first, weights) = self.fv.evaluate(s.u);
         if self.first_fv < self.directions.len() {
             for (k, w) in weights.iter().enumerate().take(self.fv.points()) {
                 du[self.first_fv + first + k] -= s.g * w;
             }
         }
         if let Some(spring) = self.spring {
-            let (first, weights) = spring.at(s.x_m);
+            let (first, weights) = spring.evaluate(s.x_m);
             for (k, w) in weights.iter().enumerate().take(spring.points()) {
                 du[self.first_spring + first + k] -= s.g * w;
             }
@@ -117,7 +117,7 @@ impl Follow for Tangent<'_> {
     }
 }
 
-/// As [`Tangent`], for dampers with elements in their series or hydraulic path.
+/// Directional derivatives for dampers with elements in their series or hydraulic path.
 struct PathsTangent<'a> {
     directions: &'a [Direction],
     fv: &'a CurveWeights,
@@ -131,10 +131,10 @@ impl FollowPaths for PathsTangent<'_> {
     fn paths_stage(&mut self, s: &dyn StageDerivatives) {
         let [by_stiffness, by_damping, by_mass] = s.series_by_frame();
         let x_m = s.mass_displacement();
-        let (first_weight, weights) = self.fv.at(s.oil_velocity());
-        let (first_standing, standing) = self.fv.at(0.0);
-        let read = s.valve_read().map(|w| if w == 0.0 { (0, [0.0; 4]) } else { self.fv.at(w) });
-        let springs = self.spring.map(|spring| spring.at(x_m));
+        let (first_weight, weights) = self.fv.evaluate(s.oil_velocity());
+        let (first_standing, standing) = self.fv.evaluate(0.0);
+        let read = s.valve_read().map(|w| if w == 0.0 { (0, [0.0; 4]) } else { self.fv.evaluate(w) });
+        let springs = self.spring.map(|spring| spring.evaluate(x_m));
         let of = |first: usize, weights: &[f64; 4], point: usize| {
             point.checked_sub(first).and_then(|k| weights.get(k)).copied().unwrap_or(0.0)
         };
@@ -406,13 +406,13 @@ impl Run {
                     }
                 }
                 if self.first_fv != NOWHERE {
-                    let (first, w) = self.fv.at(input.velocity);
+                    let (first, w) = self.fv.evaluate(input.velocity);
                     for (k, w) in w.iter().enumerate().take(self.fv.points()) {
                         by_point[self.first_fv + first + k] += w;
                     }
                 }
                 if self.first_spring != NOWHERE {
-                    let (first, w) = self.spring.at(x);
+                    let (first, w) = self.spring.evaluate(x);
                     for (k, w) in w.iter().enumerate().take(self.spring.points()) {
                         by_point[self.first_spring + first + k] += w;
                     }

@@ -114,7 +114,7 @@ impl Situation {
         let frequencies = span(&mut tests.iter().map(|t| t.frequency));
         let forces = span(&mut tests.iter().flat_map(|t| t.forces().iter().copied()));
         let fastest = span(&mut inputs().map(|i| i.velocity));
-        let scale = Scale::of(base);
+        let scale = Scale::from_params(base);
         let mut friction = 0.0;
         if base.is_on(element!("coulomb_friction")) {
             friction += base.number(number!("coulomb_force"));
@@ -168,7 +168,7 @@ impl Situation {
         }
     }
 
-    /// The same of a damper of a car, of which the searches' starts and the sizes that a damper shows were learned.
+    /// The situation scaled to a damper of a car, of which the start values and the priors were learned.
     pub fn as_car(&self) -> Situation {
         let of_car = |force: f64| force / self.scale.force();
         Situation {

@@ -33,7 +33,7 @@ pub trait Residuals: Sync {
     type At: Sync;
 
     /// Prepares it; `None` where the numbers make no model.
-    fn at(&self, x: &[f64]) -> Option<Self::At>;
+    fn prepare(&self, x: &[f64]) -> Option<Self::At>;
 
     /// Number of blocks: one a test, so that tests are computed side by side.
     fn blocks(&self) -> usize {
@@ -57,7 +57,7 @@ pub trait Residuals: Sync {
 
 /// [`Residuals`] of any kind: the search is compiled once for all of them.
 trait Problem: Sync {
-    fn at(&self, x: &[f64]) -> Option<Box<dyn Point + '_>>;
+    fn prepare(&self, x: &[f64]) -> Option<Box<dyn Point + '_>>;
     fn blocks(&self) -> usize;
     fn is_measured(&self, block: usize) -> bool;
 }
@@ -69,8 +69,8 @@ trait Point: Sync {
 }
 
 impl<R: Residuals> Problem for R {
-    fn at(&self, x: &[f64]) -> Option<Box<dyn Point + '_>> {
-        let at = Residuals::at(self, x)?;
+    fn prepare(&self, x: &[f64]) -> Option<Box<dyn Point + '_>> {
+        let at = Residuals::prepare(self, x)?;
         Some(Box::new(There { problem: self, at }))
     }
 
@@ -138,7 +138,7 @@ pub enum Loss {
 
 impl Loss {
     /// Cost of one residual, and the weight that stays on its square.
-    pub fn of(self, r: f64) -> (f64, f64) {
+    pub fn evaluate(self, r: f64) -> (f64, f64) {
         match self {
             Loss::Huber(knee) if r.abs() > knee => (knee * (r.abs() - 0.5 * knee), knee / r.abs()),
             _ => (0.5 * r * r, 1.0),
@@ -146,11 +146,11 @@ impl Loss {
     }
 }
 
-/// Where the derivatives of a step come from.
+/// Source of the derivatives of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Slopes {
-    /// Taken anew after every step, and steps follow the curvature.
-    Bent,
+pub enum Derivatives {
+    /// Computed after every step, and steps follow the curvature (geodesic acceleration).
+    Accelerated,
     /// Taken anew after every step.
     Fresh,
     /// Taken once and kept up by what every step shows.
@@ -169,11 +169,12 @@ pub struct Options {
     /// What is known of the numbers: empty, or one entry a number.
     pub priors: Vec<Option<Prior>>,
     /// Derivatives.
-    pub slopes: Slopes,
+    pub derivatives: Derivatives,
     /// Damping of the first step, of columns scaled to length 1: 1 from a start that is anybody's guess, little from a good one.
     pub damping: f64,
-    /// Accepted steps, one after the other, that gain less than the tolerance before a search gives up on the rest: in
-    /// directions that the data leave open the linear step promises gains that never come.
+    /// Number of successive accepted steps that gain less than the tolerance before a search ends.
+    ///
+    /// In directions that the data leave open, the linear step promises gains that never come.
     pub quiet: usize,
 }
 
@@ -184,7 +185,7 @@ impl Default for Options {
             tolerance: 1e-8,
             loss: Loss::Squares,
             priors: Vec::new(),
-            slopes: Slopes::Bent,
+            derivatives: Derivatives::Accelerated,
             damping: 1.0,
             quiet: 4,
         }
@@ -246,7 +247,7 @@ impl Search<'_> {
         let priors = self.prior_rows(x).iter().map(|(.., r)| 0.5 * r * r).sum::<f64>();
         let of = |(block, residual): (usize, &DVector<f64>)| {
             let loss = self.loss(block);
-            residual.iter().map(|r| loss.of(*r).0).sum::<f64>()
+            residual.iter().map(|r| loss.evaluate(*r).0).sum::<f64>()
         };
         let each = residuals.into_iter().enumerate().map(of);
         let sum = each.sum::<f64>() + priors;
@@ -261,7 +262,7 @@ impl Search<'_> {
 
     /// What is known at the start.
     fn first_rows(&self, x: &[f64], jacobian: Option<Vec<DMatrix<f64>>>) -> Option<Vec<Rows>> {
-        let at = self.problem.at(x)?;
+        let at = self.problem.prepare(x)?;
         match jacobian {
             Some(known) => {
                 let join = |(residual, jacobian)| Rows { residual, jacobian };
@@ -288,7 +289,7 @@ impl Search<'_> {
     /// Roots of the weights that the loss leaves of a block's rows; `None` where all are 1.
     fn weights(&self, block: usize, residual: &DVector<f64>) -> Option<DVector<f64>> {
         let loss @ Loss::Huber(_) = self.loss(block) else { return None };
-        let roots = residual.map(|r| loss.of(r).1.sqrt());
+        let roots = residual.map(|r| loss.evaluate(r).1.sqrt());
         roots.iter().any(|w| *w < 1.0).then_some(roots)
     }
 
@@ -333,7 +334,7 @@ impl Search<'_> {
         if self.bounds.inside(&probe) != probe {
             return None;
         }
-        let ahead = self.residuals(&*self.problem.at(&probe)?)?;
+        let ahead = self.residuals(&*self.problem.prepare(&probe)?)?;
         let parts: Vec<DVector<f64>> = rows
             .par_iter()
             .zip(&ahead)
@@ -435,7 +436,7 @@ fn search(
             }
             first = false;
         }
-        let bend = (options.slopes == Slopes::Bent).then(|| search.bend(&x, &rows, &step)).flatten();
+        let bend = (options.derivatives == Derivatives::Accelerated).then(|| search.bend(&x, &rows, &step)).flatten();
         if let Some(correction) = bend.and_then(|bend| system.against(&bend, &triangle))
             && length(correction.as_slice()) <= MOST_BEND * length(step.as_slice())
         {
@@ -443,9 +444,9 @@ fn search(
         }
         let predicted =
             0.5 * (linear.right.norm_squared() - (&linear.right + &linear.factor * &straight).norm_squared());
-        let there = problem.at(&tried).and_then(|at| search.residuals(&*at).map(|residuals| (at, residuals)));
+        let there = problem.prepare(&tried).and_then(|at| search.residuals(&*at).map(|residuals| (at, residuals)));
         let tried_cost = there.as_ref().map_or(f64::INFINITY, |(_, residuals)| search.cost(&tried, residuals));
-        if let (Slopes::Kept, Some((_, residuals))) = (options.slopes, &there) {
+        if let (Derivatives::Kept, Some((_, residuals))) = (options.derivatives, &there) {
             let moved = DVector::from_fn(n, |i, _| tried[i] - x[i]);
             keep_up(&mut rows, residuals, &moved, &lengths);
         }
@@ -463,7 +464,7 @@ fn search(
                     end.converged = true;
                     break;
                 }
-                if options.slopes != Slopes::Kept {
+                if options.derivatives != Derivatives::Kept {
                     match search.rows(&*at, &x) {
                         Some(fresh) => rows = fresh,
                         None => break,
@@ -481,7 +482,7 @@ fn search(
                 }
                 damping = (damping * growth).max(LEAST_DAMPING);
                 growth *= 2.0;
-                if options.slopes == Slopes::Kept {
+                if options.derivatives == Derivatives::Kept {
                     // What the refused step showed is in the derivatives now.
                     linear = search.linear(&x, &rows);
                 }
@@ -602,7 +603,7 @@ mod tests {
 
     impl<F: Fn(&[f64]) -> Vec<f64> + Sync> Residuals for Of<F> {
         type At = Vec<f64>;
-        fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        fn prepare(&self, x: &[f64]) -> Option<Vec<f64>> {
             Some(x.to_vec())
         }
         fn residuals(&self, _: usize, x: &Vec<f64>) -> Option<Vec<f64>> {
@@ -701,7 +702,7 @@ mod tests {
         struct Root;
         impl Residuals for Root {
             type At = f64;
-            fn at(&self, x: &[f64]) -> Option<f64> {
+            fn prepare(&self, x: &[f64]) -> Option<f64> {
                 (x[0] > 0.0).then_some(x[0])
             }
             fn residuals(&self, _: usize, x: &f64) -> Option<Vec<f64>> {
@@ -718,7 +719,7 @@ mod tests {
         struct Blocks(usize);
         impl Residuals for Blocks {
             type At = Vec<f64>;
-            fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+            fn prepare(&self, x: &[f64]) -> Option<Vec<f64>> {
                 Some(x.to_vec())
             }
             fn blocks(&self) -> usize {
@@ -745,7 +746,7 @@ mod tests {
                 .map(|t| x[0] * libm::exp(-x[1] * t) - 3.0 * libm::exp(-0.7 * t))
                 .collect()
         });
-        let kept = Options { slopes: Slopes::Kept, damping: 1e-3, steps: 60, ..Options::default() };
+        let kept = Options { derivatives: Derivatives::Kept, damping: 1e-3, steps: 60, ..Options::default() };
         let found = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &kept);
         near(&found.x, &[3.0, 0.7], 1e-4);
         // Derivatives of another point, a tenth off.

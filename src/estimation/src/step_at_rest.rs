@@ -6,8 +6,10 @@
 use crate::unknowns::anchor;
 use dashpot_core::{Params, element, list, number};
 
-/// The same forces at all points of the curve but rest, with the step at rest taken by Coulomb friction and gas force. `None` where the curve has
-/// too few points or no step: friction below this fraction of the slowest force.
+/// Moves the step of the FV curve at rest to Coulomb friction and gas force.
+///
+/// The forces at all other points of the curve stay. `None` where the curve has too few points or no step: friction below this fraction of
+/// the slowest force.
 pub fn read_step(params: &Params) -> Option<Params> {
     /// Fraction of the force at the slowest speed. Below it bleed and friction are of one size, and the curve may stay as it is.
     const LEAST: f64 = 0.3;

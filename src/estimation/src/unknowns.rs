@@ -38,8 +38,9 @@ pub enum Unknown {
 const STRIBECK_WIDEST: f64 = 0.05;
 const WIDTHS: [Number; 2] = [number!("stribeck_velocity"), number!("stribeck_breakaway_velocity")];
 
-/// Highest break-away peak that a fit may take, as a share above the Coulomb level: seals show 0.1 to 0.6, and a free
-/// one would turn dry friction into part of the FV curve.
+/// Highest break-away peak of a fit, as a fraction above the Coulomb level.
+///
+/// Seals show 0.1 to 0.6, and a free one would turn dry friction into part of the FV curve.
 const HIGHEST_PEAK: f64 = 1.0;
 
 /// The curves whose points can be fitted.
@@ -108,7 +109,7 @@ impl Unknowns {
 
     /// Bounds of the vector: how far a search may go with a damper of this size.
     pub fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
-        let scale = Scale::of(&self.base);
+        let scale = Scale::from_params(&self.base);
         self.list
             .iter()
             .map(|unknown| match unknown {

@@ -47,13 +47,13 @@ fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
 mod tests {
     use super::*;
     use dashpot_core::number;
-    use dashpot_estimation::priors::Usual;
+    use dashpot_estimation::priors::Distribution;
 
     #[test]
     fn a_number_far_from_its_prior_contradicts_it_by_so_much() {
         let number = number!("gas_force");
         let source = "gas_pressure_bar, rod_mm: Dixon 2007, chapter 5".to_owned();
-        let priors = PriorSet::new(vec![DamperPrior { number, expected: Usual::Place(114.0, 8.0), source }]);
+        let priors = PriorSet::new(vec![DamperPrior { number, expected: Distribution::Place(114.0, 8.0), source }]);
         let estimate = |value: f64| Estimate {
             name: "gas_force",
             index: None,

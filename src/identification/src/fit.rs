@@ -199,11 +199,11 @@ const USUAL_MASS: f64 = 2.0;
 /// `None` where both are free or specified already.
 pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -> Option<Hypothesis> {
     let mut freed = of.clone();
-    let scale = Scale::of(&freed.base).force();
+    let scale = Scale::from_params(&freed.base).force();
     let open = [(Artefact::Delay, USUAL_DELAY, given.delay_s), (Artefact::Mass, USUAL_MASS * scale, given.mass_kg)];
     for (artefact, spread, _) in open.into_iter().filter(|(_, _, given)| *given == 0.0) {
         let free = Free::Rig(artefact);
-        if freed.place_of(&free).is_none() {
+        if freed.position(&free).is_none() {
             let (low, high) = artefact.bounds();
             // The mean of a mass that is not negative is half its spread at most.
             let start = if artefact == Artefact::Mass { 0.1 * spread } else { 0.0 };
@@ -547,7 +547,7 @@ fn as_found(tests: &[Test], (base, list): (Params, Vec<Unknown>)) -> Found {
     let at = hypothesis
         .residual(tests, &theta)
         .zip(hypothesis.jacobian(Accuracy::Single, tests, &theta))
-        .map(|(residual, jacobian)| Refit::at(&hypothesis, theta, residual, jacobian));
+        .map(|(residual, jacobian)| Refit::from_point(&hypothesis, theta, residual, jacobian));
     let estimates = at.map_or_else(Vec::new, |refit| estimates(&hypothesis, &refit, tests));
     Found { params: base, estimates, inventory: Vec::new(), measured: Vec::new(), notes: Vec::new(), misfit }
 }

@@ -94,7 +94,7 @@ impl Known {
         let top = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.top));
         let stroke = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.amplitude));
         let speed = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.peak_velocity));
-        let scale = Scale::of(&hypothesis.base);
+        let scale = Scale::from_params(&hypothesis.base);
         let model = |number: &dashpot_estimation::hypothesis::Number| match &number.free {
             Free::Model(unknown) => Some(*unknown),
             _ => None,

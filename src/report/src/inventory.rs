@@ -76,7 +76,7 @@ mod tests {
             form: "",
             force_n_rms: 12.345,
             fraction: 0.034,
-            force_by_test_n: Vec::new(),
+            test_forces_n: Vec::new(),
             probability: 0.97,
             status,
             replaces,

@@ -10,7 +10,7 @@ use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::prior_set::PriorSet;
-use dashpot_estimation::priors::{self, Usual};
+use dashpot_estimation::priors::{self, Distribution};
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
 
@@ -86,8 +86,8 @@ fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: 
     }
     let is = |other: f64| (value - other).abs() <= 1e-9 * other.abs();
     let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
-    let median = prior.map(|prior| match prior.usual {
-        Usual::Size(median, _) | Usual::Strength(median, _) | Usual::Place(median, _) => median,
+    let median = prior.map(|prior| match prior.distribution {
+        Distribution::Size(median, _) | Distribution::Strength(median, _) | Distribution::Place(median, _) => median,
     });
     let of_damper = own.rows().iter().find(|own| *own.number.row() == row);
     // Where the value is neither, a fit left it there: between what dampers show and what the records hardly say.

@@ -74,7 +74,7 @@ fn assert_inventory(found: &Value) {
         assert!(effects.insert(word(item, "effect")), "{item}");
         assert!(number(item, "force_n_rms") >= 0.0 && number(item, "fraction") >= 0.0, "{item}");
         assert_share(item, "probability");
-        assert!(item["form"].is_string() && item.get("force_by_test_n").is_none(), "{item}");
+        assert!(item["form"].is_string() && item.get("test_forces_n").is_none(), "{item}");
         let status = word(item, "status");
         assert!(["kept", "added", "replaced", "removed"].contains(&status), "{item}");
         if let Some(replaced) = item["replaces"].as_str() {

@@ -148,7 +148,7 @@ impl FamilyHypothesis {
             jacobian.rows_mut(row, own.len()).copy_from(derivatives);
             row += own.len();
         }
-        Refit::at(&self.joint(), refit.theta.clone(), residual, jacobian)
+        Refit::from_point(&self.joint(), refit.theta.clone(), residual, jacobian)
     }
 
     /// A refit as that of the ordinary damper at a setting, whose derivatives are over the numbers of the template.
@@ -156,7 +156,7 @@ impl FamilyHypothesis {
         let columns = &self.columns()[setting];
         let theta = self.theta_at(&refit.theta, setting);
         let jacobian = refit.jacobians[setting].select_columns(columns);
-        Refit::at(&self.template, theta, refit.residuals[setting].clone(), jacobian)
+        Refit::from_point(&self.template, theta, refit.residuals[setting].clone(), jacobian)
     }
 }
 
@@ -177,7 +177,7 @@ impl Problem<'_> {
 impl Residuals for Problem<'_> {
     type At = Vec<f64>;
 
-    fn at(&self, theta: &[f64]) -> Option<Vec<f64>> {
+    fn prepare(&self, theta: &[f64]) -> Option<Vec<f64>> {
         Some(theta.to_vec())
     }
 

@@ -31,13 +31,18 @@ pub fn evidence(
     settings: &[SettingTests],
 ) -> Evidence {
     let count = numbers(&hypothesis.template, &hypothesis.varies, settings.len());
-    let mut all =
-        Evidence { mean_squares: Vec::new(), weights: Vec::new(), numbers: count, implausibility: 0.0, relief: 0.0 };
+    let mut all = Evidence {
+        mean_squares: Vec::new(),
+        weights: Vec::new(),
+        numbers: count,
+        negative_log_prior: 0.0,
+        relief: 0.0,
+    };
     for (setting, (of, residual)) in settings.iter().zip(residuals).enumerate() {
         let own = Evidence::new(&hypothesis.template, &hypothesis.theta_at(theta, setting), residual, &of.tests, 0.0);
         all.mean_squares.extend(own.mean_squares);
         all.weights.extend(own.weights);
-        all.implausibility = all.implausibility.max(own.implausibility);
+        all.negative_log_prior = all.negative_log_prior.max(own.negative_log_prior);
     }
     all
 }

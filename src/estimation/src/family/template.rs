@@ -60,7 +60,7 @@ pub fn varying_family(
                         Free::Model(Unknown::Rise { curve: CurveName::Fv, point }) => {
                             (forces[*point] - forces[towards_zero(*point, zero)]).abs()
                         }
-                        free => own.hypothesis.place_of(free).map_or(number.start, |place| own.refit.theta[place]),
+                        free => own.hypothesis.position(free).map_or(number.start, |place| own.refit.theta[place]),
                     };
                     restrict(value, number.bounds.0, number.bounds.1)
                 })
@@ -98,7 +98,7 @@ pub fn with_effect(
     let own = source.hypothesis.numbers.iter().zip(&source.refit.theta).filter(|(n, _)| is_own(&n.free));
     let mut can_vary = false;
     for (number, value) in own {
-        if template.place_of(&number.free).is_none() {
+        if template.position(&number.free).is_none() {
             let varies = varies && site_of(&number.free).is_some();
             can_vary |= varies;
             template.numbers.push(number.clone());

@@ -1,10 +1,12 @@
-//! A mass between load cell and damper: eye, clamp and joint that move with the damper's end, so that the load cell shows the force
-//! that speeds them up as well.
+//! A mass between load cell and damper: eye, clamp and joint that move with the damper's end.
+//!
+//! The load cell measures their inertia too.
 
 use dashpot_core::Input;
 
-/// Adds M a, with the slope of the parabola through three velocities as the acceleration a: at fifty samples a cycle it is 0.3 % short, and
-/// what is fitted has no noise left that it could make worse.
+/// Adds M a, with the derivative of the parabola through three velocities as the acceleration a.
+///
+/// At fifty samples a cycle it is 0.3 % short, and the fitted motion has no noise that it could amplify.
 pub(super) fn inertia(mass: f64, dt: &[f64], input: &[Input], forces: &mut [f64]) {
     let n = input.len();
     let slope = |k: usize| (input[k].velocity - input[k - 1].velocity) / dt[k].max(f64::MIN_POSITIVE);

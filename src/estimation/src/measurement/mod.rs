@@ -42,12 +42,13 @@ pub enum Artefact {
     Guide(Load),
     /// The growth of that share with displacement, 1/m.
     GuideAlong(Load),
-    /// A loop over force, whatever the speed, as a share of the force: that of a load cell which turns over within so much
-    /// force, N.
+    /// A rate-independent loop over force, as a fraction of the force.
+    ///
+    /// The load cell reverses within this force, N.
     Loop(u32),
     /// A resonance at this frequency, Hz, in phase with the force and across, as shares of it.
     Ring(u32),
-    /// The same across: in phase with its rate.
+    /// A resonance at this frequency, Hz, in quadrature: in phase with the rate of the force, as a fraction of it.
     RingAcross(u32),
 }
 
@@ -120,8 +121,9 @@ impl Artefact {
         }
     }
 
-    /// What the force at the samples of a test becomes; late by a time it is that of an earlier motion
-    /// ([`earlier`]), and behind a filter what [`low_pass`] makes of it at finer steps.
+    /// Applies the measurement error to the forces at the samples of a test.
+    ///
+    /// A delay is the force of an earlier motion ([`earlier`]); a filter is [`low_pass`] at finer steps.
     pub fn apply(self, value: f64, segment: &Segment, forces: &mut [f64]) {
         match self {
             Artefact::Delay | Artefact::LowPass => {}

@@ -5,8 +5,10 @@ use super::second_order::SecondOrder;
 /// Damping ratio: so wide a peak reaches to the next frequency that is tried.
 const DAMPING: f64 = 0.15;
 
-/// Adds the share of what a resonance at `frequency`, Hz, makes of the force: `across`, its rate over ω; otherwise its
-/// acceleration over ω², which is in phase with the force below resonance. y follows the force by the second order.
+/// Adds a fraction of the response of a resonance at `frequency`, Hz, to the force.
+///
+/// With `across` that is its rate over ω; otherwise its acceleration over ω², which is in phase with the force below resonance. y follows
+/// the force by the second order.
 pub(super) fn resonance(share: f64, frequency: f64, across: bool, dt: &[f64], forces: &mut [f64]) {
     let omega = std::f64::consts::TAU * frequency;
     SecondOrder { omega, damping: DAMPING }.follow(dt, forces, |force, y, rate| {

@@ -5,8 +5,10 @@ use crate::segment::Segment;
 /// Error that is allowed whatever the noise: no curve through a dozen points is better than this share of the largest
 /// force.
 const FORM: f64 = 0.002;
-/// Small error of time as a share of a sample: of the change from sample to sample it makes that share, and in that share
-/// of cases it puts a sample on the other side of a jump, where friction turns over within a sample.
+/// Small timing error as a fraction of a sample.
+///
+/// It makes that fraction of the change from sample to sample. In that fraction of cases it puts a sample on the other side of a jump,
+/// where friction reverses within a sample.
 const TIMING: f64 = 0.05;
 
 /// The typical one, N: of a sample beside which the force does not change.
@@ -14,14 +16,15 @@ pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }
 
-/// Of a mean cycle, N: `noise` is the variance of a sample's mean, `times` how often that each sample has, `mean_noise`
-/// what a jump must exceed.
+/// Allowed error of each sample of a mean cycle, N.
+///
+/// `noise` is the variance of a sample's mean, `times` its factor at each sample, `mean_noise` what a jump must exceed.
 pub fn in_cycle(segment: &Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
     let n = times.len();
     allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)
 }
 
-/// The same of a road signal.
+/// Allowed error of each scored sample of a road signal, N.
 pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
     let n = segment.force.len() - segment.from;
     allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))

@@ -123,7 +123,7 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
             (input, force)
         })
         .collect();
-    let lead = lead_in::usual(period, count);
+    let lead = lead_in::initial_length(period, count);
     // Scored is one turn from the first phase on; the motion before it is the end of the same turn.
     let turned = |k: usize| (k + 2 * count - lead % count) % count;
     let places = lead_in::places(lead, count);

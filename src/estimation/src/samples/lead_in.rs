@@ -9,12 +9,14 @@ use crate::sensitivity::forces;
 use dashpot_core::{Model, Params};
 use rayon::prelude::*;
 
-/// Time that the motion runs ahead at least, s, and the same in cycles at least and at most: what remembers longer begins
-/// at rest in the middle of the stroke, as it does on a rig.
+/// Shortest lead-in of the motion, s, and its shortest and longest length in cycles.
+///
+/// A longer internal state begins at rest in the middle of the stroke, as it does on a rig.
 const TIME: f64 = 0.15;
 const CYCLES: (f64, f64) = (1.5, 3.5);
-/// Share of a cycle just before the scored samples in which it takes every sample, and of how many one before that: an error
-/// there has died out.
+/// Fraction of a cycle just before the scored samples in which the lead-in uses every sample.
+///
+/// Before that it uses one of `COARSER`: an error there has died out.
 const FINE: f64 = 0.25;
 const COARSER: usize = 4;
 /// Most cycles that it is made longer by.
@@ -24,14 +26,13 @@ const LEFT: f64 = 0.1;
 /// Ratio of one cycle's change to the one's before from which the damper warms or drifts, which no run-in ends.
 const SLOWEST: f64 = 0.95;
 
-/// Samples of a cycle of `count` that run ahead of it at first.
-pub fn usual(period: f64, count: usize) -> usize {
+/// Initial length of the lead-in of a cycle of `count` samples, in samples.
+pub fn initial_length(period: f64, count: usize) -> usize {
     let half_cycles = (2.0 * (TIME / period).clamp(CYCLES.0, CYCLES.1)).round();
     (0.5 * half_cycles * count as f64) as usize
 }
 
-/// Where the motion is taken that leads `lead` samples into a cycle of `count`, and that cycle: places from the start of
-/// the lead, in samples.
+/// Sample indices, from the start of the lead-in, of a lead-in of `lead` samples and its cycle of `count`.
 pub fn places(lead: usize, count: usize) -> Vec<usize> {
     let near = (FINE * count as f64) as usize;
     let is_taken = |k: &usize| *k + near >= lead || (lead - near - k).is_multiple_of(COARSER);
@@ -46,7 +47,7 @@ pub fn as_long_as_remembered(tests: Vec<Test>, params: &Params) -> Vec<Test> {
         .map(|test| match further_cycles(&test, &model) {
             0 => test,
             cycles => {
-                let lead = usual(1.0 / test.frequency, test.count()) + cycles * test.count();
+                let lead = initial_length(1.0 / test.frequency, test.count()) + cycles * test.count();
                 Test { segment: led_in(&test, &places(lead, test.count()), lead), ..test }
             }
         })
@@ -73,7 +74,7 @@ fn further_cycles(test: &Test, model: &Model) -> usize {
     if test.frequency <= 0.0 || count <= COARSER {
         return 0;
     }
-    let usual = usual(1.0 / test.frequency, count);
+    let usual = initial_length(1.0 / test.frequency, count);
     // The cycle that would count, and those after it, at the same phases in each.
     let from = usual % count;
     let places: Vec<usize> =
@@ -133,7 +134,7 @@ mod tests {
             noise_freedom: 100.0,
             frequency,
         };
-        let lead = usual(1.0 / frequency, COUNT);
+        let lead = initial_length(1.0 / frequency, COUNT);
         Test { segment: led_in(&test, &places(lead, COUNT), lead), ..test }
     }
 
@@ -156,7 +157,7 @@ mod tests {
             let led = &as_long_as_remembered(vec![test.clone()], &params)[0];
             assert_eq!(led.segment.from > test.segment.from, is_soft, "{stiffness}");
             assert_eq!((led.inputs(), led.count()), (test.inputs(), test.count()));
-            let lead = usual(1.0 / 25.0, COUNT) + 60 * COUNT;
+            let lead = initial_length(1.0 / 25.0, COUNT) + 60 * COUNT;
             let long = led_in(&test, &places(lead, COUNT), lead);
             let off = |segment: &Segment| {
                 let (all, settled) = (forces(&model, segment), forces(&model, &long));

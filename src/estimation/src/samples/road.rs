@@ -6,8 +6,9 @@ use dashpot_core::Input;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Samples of it that are scored at least, and the step, s, at which the model goes through it at most: what the damper does between two
-/// scored samples it remembers at the next. A record of more samples than the last takes longer steps.
+/// Smallest number of scored samples of a road, and largest step of the model, s.
+///
+/// Between two scored samples the internal state advances. A record of more samples than `MOST` has longer steps.
 const SCORED: usize = 1000;
 const STEP: f64 = 2e-3;
 const MOST: usize = 40_000;

@@ -15,7 +15,7 @@ pub(super) fn central(
     x: &[f64],
     bounds: &Bounds,
 ) -> Option<(Vec<f64>, DMatrix<f64>)> {
-    let residuals = |x: &[f64]| problem.at(x)?.residuals(block);
+    let residuals = |x: &[f64]| problem.prepare(x)?.residuals(block);
     let middle = residuals(x)?;
     let mut jacobian = DMatrix::zeros(middle.len(), x.len());
     for i in 0..x.len() {

@@ -19,7 +19,7 @@ struct Problem {
 impl Residuals for Problem {
     type At = Vec<f64>;
 
-    fn at(&self, b: &[f64]) -> Option<Vec<f64>> {
+    fn prepare(&self, b: &[f64]) -> Option<Vec<f64>> {
         Some(b.to_vec())
     }
 

@@ -3,8 +3,9 @@
 use crate::gram::gram;
 use nalgebra::{DMatrix, DVector};
 
-/// Smallest share of a column that stands out from the columns before it at which squared (normal) equations keep enough digits:
-/// they lose twice as many as this has, of sixteen.
+/// Smallest independent fraction of a column at which the normal equations keep enough digits.
+///
+/// It is what is linearly independent of the columns before it. They lose twice as many digits as this has, of sixteen.
 const APART: f64 = 1e-4;
 
 /// Triangular factor of the rows, and the residuals turned with them.

@@ -4,7 +4,7 @@ use super::component::Component;
 use super::curve_points::with_enough_points;
 use super::evidence::{Evidence, noise_chi2};
 use super::prior_odds::log_prior;
-use super::series_restart::{is_bent, unbent};
+use super::series_restart::{has_implausible_series, restart_series};
 use crate::hypothesis::{Free, Hypothesis};
 use crate::prior_set::PriorSet;
 use crate::refit::{Effort, Refit, refit};
@@ -114,8 +114,8 @@ impl Structure {
         let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
             return self.clone();
         };
-        if is_bent(&self.hypothesis, tests, &fine.theta) {
-            fine = unbent(&self.hypothesis, tests, fine);
+        if has_implausible_series(&self.hypothesis, tests, &fine.theta) {
+            fine = restart_series(&self.hypothesis, tests, fine);
         }
         let now = (self.hypothesis.clone().starting_at(&fine.theta), fine);
         let finer = with_enough_points(now.clone(), tests, noise_chi2(tests));

@@ -15,7 +15,7 @@ const STEPS: [f64; 5] = [0.8, 0.4, 0.2, 0.1, 0.05];
 const RUNS: usize = 60;
 
 /// The numbers at which `residual` costs least, the numbers at `places` moved alone.
-pub fn settle(
+pub fn minimize(
     hypothesis: &Hypothesis,
     at: &Refit,
     places: Range<usize>,
@@ -71,8 +71,8 @@ mod tests {
         };
         for gap in [0.4e-4f64, 1.5e-4, 2.2e-4, 6e-4] {
             let start = vec![libm::log(gap)];
-            let at = Refit::at(&hypothesis, start.clone(), residual(&start).unwrap(), DMatrix::zeros(400, 1));
-            let found = settle(&hypothesis, &at, 0..1, &residual);
+            let at = Refit::from_point(&hypothesis, start.clone(), residual(&start).unwrap(), DMatrix::zeros(400, 1));
+            let found = minimize(&hypothesis, &at, 0..1, &residual);
             assert!(jump(&found).abs_diff(90) <= 1, "{gap}: {} of 90", jump(&found));
         }
     }

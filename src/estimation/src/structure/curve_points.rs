@@ -1,5 +1,6 @@
-//! An FV curve with more points, where a dozen on each stroke are too few for the valves at hand: what a curve can hold is
-//! no missing effect.
+//! Refinement of an FV curve whose dozen points on each stroke are too few for the valves.
+//!
+//! What a curve can represent is no missing effect.
 
 use super::screening::Projection;
 use crate::hypothesis::{Free, Hypothesis, number};
@@ -60,8 +61,9 @@ fn middles(from: &Hypothesis) -> Vec<f64> {
         .collect()
 }
 
-/// The middles that promise a fall of χ² worth a point each, once everything else has given way to first order, and what
-/// they promise together: one after the other, the best first.
+/// The middles whose decrease of χ² justifies a point each, and their total decrease.
+///
+/// Everything else adapts to first order. They are chosen one after the other, the best first.
 fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(Vec<f64>, f64)> {
     let room = MAX_POINTS - from.base.list(list!("fv_velocity")).len();
     let middles = middles(from);
@@ -71,7 +73,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let zero = anchor(&velocity);
     let rise = |point: usize| {
         let of = Free::Model(Unknown::Rise { curve: CurveName::Fv, point });
-        all.place_of(&of).map(|k| jacobian.column(k))
+        all.position(&of).map(|k| jacobian.column(k))
     };
     let here = Refit { jacobian: from.jacobian(Accuracy::Cheap, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);

@@ -9,7 +9,7 @@
 
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};
-use crate::implausibility::implausibility;
+use crate::log_prior::negative_log_prior;
 use crate::refit::HUBER;
 use crate::samples::Test;
 use crate::scale::Scale;
@@ -34,7 +34,7 @@ pub struct Evidence {
     /// Free numbers; weakly informed ones count half.
     pub numbers: f64,
     /// Negative log prior of the values.
-    pub implausibility: f64,
+    pub negative_log_prior: f64,
     /// What the numbers need not cost since more is known of this damper than of others.
     pub relief: f64,
 }
@@ -68,7 +68,7 @@ impl Evidence {
         numbers: f64,
     ) -> Evidence {
         let mean_squares = mean_squares(tests, residual);
-        let (scale, per_number) = (Scale::of(&hypothesis.base), per_number(mean_squares.len()));
+        let (scale, per_number) = (Scale::from_params(&hypothesis.base), per_number(mean_squares.len()));
         let relief = |number: &Number| match &number.free {
             Free::Model(unknown) => hypothesis.priors.relief(unknown, scale, weight(&number.free) * per_number),
             _ => 0.0,
@@ -77,7 +77,7 @@ impl Evidence {
             mean_squares,
             weights: tests.iter().map(|t| if t.frequency > 0.0 { 1.0 } else { ROAD }).collect(),
             numbers,
-            implausibility: implausibility(hypothesis, theta),
+            negative_log_prior: negative_log_prior(hypothesis, theta),
             relief: hypothesis.numbers.iter().map(relief).sum(),
         }
     }
@@ -103,7 +103,7 @@ impl Evidence {
 
     /// Log evidence.
     pub fn log_evidence(&self) -> f64 {
-        self.log_likelihood() - self.numbers * self.per_number() + self.relief - self.implausibility
+        self.log_likelihood() - self.numbers * self.per_number() + self.relief - self.negative_log_prior
     }
 }
 
@@ -147,7 +147,7 @@ mod tests {
 
     fn evidence(mean_squares: &[f64], numbers: f64) -> Evidence {
         let weights = vec![1.0; mean_squares.len()];
-        Evidence { mean_squares: mean_squares.to_vec(), weights, numbers, implausibility: 0.0, relief: 0.0 }
+        Evidence { mean_squares: mean_squares.to_vec(), weights, numbers, negative_log_prior: 0.0, relief: 0.0 }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::hypothesis::{Free, Hypothesis, Number, number};
 use crate::scale::Scale;
 use crate::spring_end::straighten;
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
-use crate::vocabulary::{Candidate, DrawnOn, Fresh, Start};
+use crate::vocabulary::{Candidate, Fresh, LinearExtension, Start};
 use dashpot_core::Params;
 use dashpot_core::list;
 use dashpot_core::parameter;
@@ -83,14 +83,14 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
             Number { free: fresh.free.clone(), start: value, step: 0.1, bounds: (-0.95, 3.0), prior }
         }
         Free::Rig(artefact) => {
-            let ((low, high), factor) = (artefact.bounds(), Scale::of(base).of_artefact(*artefact));
+            let ((low, high), factor) = (artefact.bounds(), Scale::from_params(base).of_artefact(*artefact));
             // A delay that stood out at once may be far beyond those of filters: it is searched as far about where it was seen.
             let about = if (low..=high).contains(&value) { 0.0 } else { value };
             let bounds = (factor * low + about, factor * high + about);
             Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds, prior: None }
         }
         Free::Cooling | Free::HeatCapacity => {
-            let heat = Scale::of(base).force();
+            let heat = Scale::from_params(base).force();
             let (low, high) = if fresh.free == Free::Cooling { (1e-4f64, 1.0f64) } else { (50.0 * heat, 1e5 * heat) };
             let start = libm::log(value);
             let prior = fresh.deviation.map(|d| (start, d));
@@ -157,7 +157,7 @@ fn level(to: &mut Hypothesis, force: f64) {
 }
 
 /// Draws one stroke's branch of the FV curve on from where it is trusted.
-fn unbend(to: &mut Hypothesis, drawn: &DrawnOn) {
+fn unbend(to: &mut Hypothesis, drawn: &LinearExtension) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);
     let (mut force, mut slope) = (0.0, None);

@@ -1,10 +1,10 @@
 //! Successive halving: many short refits, then longer ones of the best, then full ones of the very best.
 
 use super::budget::Budget;
-use super::coordinate_search::settle;
+use super::coordinate_search::minimize;
 use super::nearby::Nearby;
 use super::screening::Screened;
-use super::series_restart::{is_bent, unbent};
+use super::series_restart::{has_implausible_series, restart_series};
 use crate::refit::{Effort, Refit, refit, refit_by};
 use crate::samples::Test;
 use crate::vocabulary::Candidate;
@@ -12,8 +12,9 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// How far behind the most probable, in units of the log posterior, a form may lie after the second heat to be refitted in full: a full
-/// refit rarely gains more.
+/// Largest distance from the most probable form after the second stage, in units of the log posterior, for a full refit.
+///
+/// A full refit rarely gains more.
 const REACH: f64 = 8.0;
 
 /// A start with the Jacobian there.
@@ -53,7 +54,7 @@ pub fn halve(
     let short = |entrant: Entrant| {
         let place = entrant.screened;
         let residual = |theta: &[f64]| nearby.residual(of(place), tests, theta);
-        let end = refit_by(of(place), tests, &entrant.start, Some(entrant.jacobian), Effort::LOOK, &residual)?;
+        let end = refit_by(of(place), tests, &entrant.start, Some(entrant.jacobian), Effort::SCREEN, &residual)?;
         Some((log_posterior(place, &end), place, end))
     };
     let mut ahead: Vec<(f64, usize, Refit)> = entrants.into_par_iter().filter_map(short).collect();
@@ -78,12 +79,16 @@ pub fn halve(
         let candidate = &list[form_of(place)];
         let start = if candidate.jumps {
             let fresh = known.theta.len() - candidate.fresh.len()..known.theta.len();
-            settle(of(place), &known, fresh, &|theta| nearby.residual(of(place), tests, theta))
+            minimize(of(place), &known, fresh, &|theta| nearby.residual(of(place), tests, theta))
         } else {
             known.theta.clone()
         };
         let judged = refit(of(place), tests, &start, None, Effort::JUDGE).unwrap_or(known);
-        let judged = if is_bent(of(place), tests, &judged.theta) { unbent(of(place), tests, judged) } else { judged };
+        let judged = if has_implausible_series(of(place), tests, &judged.theta) {
+            restart_series(of(place), tests, judged)
+        } else {
+            judged
+        };
         (place, judged)
     };
     let mut all: Vec<(usize, Refit)> = refits.into_par_iter().zip(finals).map(full).collect();

@@ -35,7 +35,7 @@ pub struct InventoryItem {
     pub fraction: f64,
     /// The force in each fitted test, N rms, in the order of the tests; empty where the model gives none without the effect.
     #[serde(skip)]
-    pub force_by_test_n: Vec<f64>,
+    pub test_forces_n: Vec<f64>,
     /// Probability that the damper has it.
     pub probability: f64,
     /// What became of it.
@@ -87,7 +87,7 @@ pub fn inventory(
             form: component.form,
             force_n_rms: size,
             fraction: size / measured.max(1e-9),
-            force_by_test_n: force.map_or_else(Vec::new, |force| force.iter().map(|f| rms(f)).collect()),
+            test_forces_n: force.map_or_else(Vec::new, |force| force.iter().map(|f| rms(f)).collect()),
             probability: probability(component.effect),
             status,
             replaces: None,

@@ -1,7 +1,8 @@
-//! Residuals near an explanation that is known exactly: by the cheap integration, corrected by what that is off there; and
-//! derivatives, taken over from there as far as they are known.
+//! Residuals near an explanation that is known exactly, by the cheap integration with its error there corrected.
 //!
-//! What is compared in a round differs in little from where the round begins, and so does the error of the integration
+//! Derivatives are reused from there as far as they are known.
+//!
+//! What is compared in an iteration differs in little from where it begins, and so does the error of the integration
 //! (a defect correction: Stetter, Numer. Math. 29, 1978).
 
 use crate::hypothesis::{Hypothesis, Residual};

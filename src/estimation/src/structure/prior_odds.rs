@@ -140,11 +140,14 @@ mod tests {
 
     #[test]
     fn an_oil_column_of_known_dimensions_is_no_rare_fault() {
+        use crate::distribution::Distribution;
         use crate::prior_set::DamperPrior;
-        use crate::usual::Usual;
         let effects = [("oil_compressibility", "both chambers", false)];
-        let row =
-            DamperPrior { number: number!("oil_stiffness"), expected: Usual::Size(9e6, 1.3), source: String::new() };
+        let row = DamperPrior {
+            number: number!("oil_stiffness"),
+            expected: Distribution::Size(9e6, 1.3),
+            source: String::new(),
+        };
         let (unknown, known) = (PriorSet::default(), PriorSet::new(vec![row]));
         assert_eq!(log_prior(&effects, &unknown), RARE);
         assert_eq!(log_prior(&effects, &known), COMMON);

@@ -51,8 +51,8 @@ impl Projection {
         DVector::from_fn(b.len(), |i, _| b[i] * self.weights[i])
     }
 
-    /// Changes of the base numbers that answer a residual best.
-    pub fn answer(&self, b: &Residual) -> DVector<f64> {
+    /// Least-squares changes of the base numbers for a residual.
+    pub fn solve(&self, b: &Residual) -> DVector<f64> {
         let right = self.jacobian.tr_mul(&self.weighted(b));
         match &self.solver {
             Some(solver) => solver.solve(&right),
@@ -62,7 +62,7 @@ impl Projection {
 
     /// What the base leaves of a residual.
     pub fn rest(&self, b: &Residual) -> Residual {
-        self.rest_of(b, &self.answer(b))
+        self.rest_of(b, &self.solve(b))
     }
 
     /// Residual after the projection whose solution is known.
@@ -109,7 +109,7 @@ pub fn screen(
     tests: &[Test],
     nearby: &Nearby,
 ) -> Vec<Screened> {
-    let answer = projection.answer(&at.residual);
+    let answer = projection.solve(&at.residual);
     let left = projection.rest_of(&at.residual, &answer);
     let jobs: Vec<(usize, &Candidate, &Start)> =
         candidates.iter().enumerate().flat_map(|(k, c)| c.starts.iter().map(move |s| (k, c, s))).collect();
@@ -126,7 +126,7 @@ pub fn screen(
                 Some(added) => added,
                 None => &at.residual - nearby.residual(&extended, tests, &theta)?,
             };
-            let mut taken_up = projection.answer(&change);
+            let mut taken_up = projection.solve(&change);
             let response = projection.rest_of(&change, &taken_up);
             let visible = response.norm_squared();
             let moved = start.moves_the_base();
@@ -148,7 +148,7 @@ pub fn screen(
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {
                         let change = &at.residual - residual;
-                        let taken_up_there = projection.answer(&change);
+                        let taken_up_there = projection.solve(&change);
                         let response = projection.rest_of(&change, &taken_up_there);
                         let gain_there = 2.0 * left.dot(&response) - response.norm_squared();
                         if gain_there > gain {

@@ -39,7 +39,7 @@ pub struct StructureSearch {
     /// Effects that leave no trace, with the squared norm of their response in σ².
     pub visible: Vec<(&'static str, f64)>,
     /// The given model, refitted; `None` without one, or where it makes no finite force.
-    pub given: Option<Structure>,
+    pub start: Option<Structure>,
 }
 
 /// Rise of the log posterior below which a move is not made.
@@ -52,8 +52,9 @@ const PROMISING: f64 = 25.0;
 const FORMS: usize = 2;
 /// Log posterior that a removal may cost for every promising effect to be tried in its place; beyond it, only the effect's alternatives are.
 const CONTESTED: f64 = 12.0;
-/// How far, in units of the log posterior, a structure with one more effect, or with another in its place, may lie behind the best to be
-/// refined: more points on the FV curve and a removal gain about so much.
+/// Largest distance from the best, in units of the log posterior, of a structure that is refined with an added effect.
+///
+/// The second value holds for a swapped effect. More points on the FV curve and a removal gain about so much.
 const ADDED: f64 = 3.0;
 const SWAPPED: f64 = 2.0;
 /// Most rounds of add, remove and swap: a guard. A search that begins from the records alone needs up to a dozen for four faults of the
@@ -82,14 +83,14 @@ impl StructureSearch {
             last: Vec::new(),
             rivals: Vec::new(),
             visible: Vec::new(),
-            given,
+            start: given,
         };
-        for structure in starts.iter().chain(&search.given) {
+        for structure in starts.iter().chain(&search.start) {
             record(&mut search.table, structure);
         }
         if context.most == 0 {
             // Nothing may be added: the given model stays, and what could have been is tried once.
-            search.best = search.given.clone()?;
+            search.best = search.start.clone()?;
             if let Some(Expansion { trials, visible }) = expand(context, &search.best, &|_| true, Budget::WIDE) {
                 search.note(&trials);
                 (search.last, search.visible) = (trials, visible);
@@ -98,7 +99,7 @@ impl StructureSearch {
         }
         search.climb(context);
         let given =
-            search.given.as_ref().filter(|_| !starts.is_empty()).map(|given| given.refined(tests, Effort::JUDGE));
+            search.start.as_ref().filter(|_| !starts.is_empty()).map(|given| given.refined(tests, Effort::JUDGE));
         if let Some(given) = given.filter(|given| given.log_posterior > search.best.log_posterior + RISE) {
             search.best = given;
             search.climb(context);
@@ -230,8 +231,9 @@ impl StructureSearch {
         false
     }
 
-    /// Probability that the damper has one of the forms that satisfy a condition: the sum over the structures of the table that hold one, where
-    /// log posteriors are divided by `temperature`.
+    /// Probability that the damper has one of the forms that satisfy a condition.
+    ///
+    /// It is the sum over the structures of the table that contain one, with log posteriors divided by `temperature`.
     pub fn probability_of(&self, temperature: f64, is_in: &dyn Fn(&Form) -> bool) -> f64 {
         let of = |row: &Visited| row.log_posterior / temperature;
         let all: Vec<f64> = self.table.values().map(of).collect();

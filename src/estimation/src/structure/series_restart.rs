@@ -21,7 +21,9 @@ const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
 const STRAIGHT: f64 = 0.02;
 /// Damping ratio of the internal mass on a series element as it is built.
 const RATIO: f64 = 0.2;
-/// Share of the excess that a few steps from there may lie above it to go on, and by which the end must lie below it.
+/// Largest fraction of the excess by which a few steps from a restart may lie above the best fit.
+///
+/// The end must lie below it by the second fraction.
 const NEAR: f64 = 0.5;
 const BETTER: f64 = 0.02;
 
@@ -30,9 +32,10 @@ const DAMPED: f64 = 3.0;
 /// Share of the largest amplitude by which it yields to the largest force at most.
 const YIELDS: f64 = 0.2;
 
-/// Whether the series element is such as no damper has: the damper beside its spring carries what the spring should, or it
-/// takes up a fair share of the stroke.
-pub fn is_bent(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
+/// Whether no damper has such a series element.
+///
+/// Its damping carries what its spring should, or it deflects by a large fraction of the stroke.
+pub fn has_implausible_series(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
     let model = hypothesis.params(theta);
     if !model.is_on(element!("series_compliance")) {
         return false;
@@ -48,12 +51,12 @@ fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
     tests.iter().map(of).fold(0.0, f64::max)
 }
 
-/// The refit, or a better one from a series element far off: between the two the fit gets worse first.
-pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
+/// Restarts the refit from distant series elements, and returns the best: between the two the fit gets worse first.
+pub fn restart_series(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
     let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) else { return refitted };
     let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
     let mut best = refitted;
-    let straight = is_bent(hypothesis, tests, &best.theta).then_some(None);
+    let straight = has_implausible_series(hypothesis, tests, &best.theta).then_some(None);
     for times in straight.into_iter().chain(TIMES.map(Some)) {
         let excess = best.chi2 - floor;
         if excess < quiet {
@@ -65,7 +68,7 @@ pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit
                 let mut start = best.theta.clone();
                 start[stiffness] += libm::log(times);
                 set_damping(hypothesis, &mut start);
-                (start, Effort::LOOK)
+                (start, Effort::SCREEN)
             }
         };
         let end = refit(hypothesis, tests, &start, None, first)
@@ -80,7 +83,7 @@ pub fn unbent(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit
 }
 
 fn place(hypothesis: &Hypothesis, unknown: Unknown) -> Option<usize> {
-    hypothesis.place_of(&Free::Model(unknown))
+    hypothesis.position(&Free::Model(unknown))
 }
 
 /// Gives the series element the damping that it has as it is built.
@@ -170,16 +173,16 @@ mod tests {
         let base = Params::new();
         let truth = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let tests = measured(&truth, &[(0.001, 25.0), (0.01, 8.0), (0.03, 4.0), (0.03, 1.0)]);
-        assert!(!is_bent(&truth, &tests, &truth.start()));
-        let place = |unknown| truth.place_of(&Free::Model(unknown)).unwrap();
+        assert!(!has_implausible_series(&truth, &tests, &truth.start()));
+        let place = |unknown| truth.position(&Free::Model(unknown)).unwrap();
         let (stiffness, damping) =
             (place(Unknown::Log(number!("series_stiffness"))), place(Unknown::Linear(number!("series_damping"))));
         let mut bent = truth.start();
         bent[stiffness] -= libm::log(40.0);
         bent[damping] = 2e4;
-        assert!(is_bent(&truth, &tests, &bent));
-        let there = refit(&truth, &tests, &bent, None, Effort { steps: 0, ..Effort::LOOK }).unwrap();
-        let end = unbent(&truth, &tests, there);
+        assert!(has_implausible_series(&truth, &tests, &bent));
+        let there = refit(&truth, &tests, &bent, None, Effort { steps: 0, ..Effort::SCREEN }).unwrap();
+        let end = restart_series(&truth, &tests, there);
         assert!((end.theta[stiffness] - truth.start()[stiffness]).abs() < 0.02, "{}", end.theta[stiffness].exp());
     }
 
@@ -188,7 +191,7 @@ mod tests {
         let base = Params::new();
         let of = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let tests = measured(&of, &[(0.03, 1.0)]);
-        let damping = of.place_of(&Free::Model(Unknown::Linear(number!("series_damping")))).unwrap();
+        let damping = of.position(&Free::Model(Unknown::Linear(number!("series_damping")))).unwrap();
         let mut bent = of.start();
         bent[damping] = 8e3;
         let model = of.params(&straightened(&of, &tests, &bent));

@@ -18,8 +18,8 @@ const STIFFNESSES: [f64; 3] = [6e5, 2.5e6, 1e7];
 /// A model with its free numbers and components.
 pub type StartModel = (Hypothesis, Vec<Component>);
 
-/// The start that a given model makes.
-pub fn given(params: &Params, heating: &Arc<Heating>) -> StartModel {
+/// The start of a search from a model.
+pub fn from_params(params: &Params, heating: &Arc<Heating>) -> StartModel {
     let hypothesis = Hypothesis {
         base: *params,
         numbers: base_numbers(params),
@@ -45,7 +45,7 @@ pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bo
         }
         // A power of one is the plain form, with one number fewer.
         let _ = params.set(number!("presliding_power"), 1.0);
-        given(&params, heating)
+        from_params(&params, heating)
     };
     let friction = [element!("gas_preload"), element!("presliding_friction")];
     let whole = [friction[0], friction[1], element!("series_compliance")];

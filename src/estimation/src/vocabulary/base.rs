@@ -1,7 +1,7 @@
 //! The numbers of the model that is diagnosed.
 
 use crate::hypothesis::{Number as FreeNumber, number};
-use crate::priors::{self, Usual};
+use crate::priors::{self, Distribution};
 use crate::scale::Scale;
 use crate::unknowns::Unknown;
 use dashpot_core::Params;
@@ -17,7 +17,7 @@ const NEAR: f64 = 1.8 * 1.8;
 const LEAST: f64 = 0.05;
 
 fn internal_mass(base: &Params) -> FreeNumber {
-    let least = LEAST * Scale::of(base).force();
+    let least = LEAST * Scale::from_params(base).force();
     let own = base.number(number!("internal_mass")).max(least);
     let mut from = *base;
     let _ = from.set(number!("internal_mass"), own);
@@ -43,18 +43,18 @@ const SWITCHED_OFF: f64 = 5.0;
 /// Numbers of the elements beyond those: of what a fit or an earlier diagnosis has put into the model, as presliding friction. Held, they
 /// would leave it to another effect to give way in their place.
 fn of_other_elements(base: &Params) -> Vec<Unknown> {
-    let scale = Scale::of(base);
+    let scale = Scale::from_params(base);
     let mut all = Vec::new();
     let own = |row: &Row| row.element().is_some_and(|e| base.is_on(e) && !LISTED.contains(&e));
     for row in table().filter(own).filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
         let Ok(number) = Number::try_from(row) else { continue };
-        let (value, Some(usual)) = (base.number(number), priors::of(number, scale)) else { continue };
+        let (value, Some(usual)) = (base.number(number), priors::distribution(number, scale)) else { continue };
         // What a temperature does to a test is counted beside the model.
         let is_heat = number == number!("heat_capacity");
-        if value == 0.0 || usual.off(value).abs() > SWITCHED_OFF || is_heat {
+        if value == 0.0 || usual.standard_score(value).abs() > SWITCHED_OFF || is_heat {
             continue;
         }
-        all.push(if matches!(usual, Usual::Size(..)) { Unknown::Log(number) } else { Unknown::Linear(number) });
+        all.push(if matches!(usual, Distribution::Size(..)) { Unknown::Log(number) } else { Unknown::Linear(number) });
     }
     all
 }

@@ -44,7 +44,7 @@ pub struct Start {
     /// Numbers of the base that must move first, since the base stands where the effect hides: factors.
     pub moves: Vec<(Number, f64)>,
     /// A branch of the FV curve that is drawn on: a capped branch hides the cap.
-    pub unbend: Option<DrawnOn>,
+    pub unbend: Option<LinearExtension>,
     /// A side (+1 rebound, −1 compression) on which a lookup spring is drawn on straight: a stop hides in its end.
     pub straighten: Option<f64>,
     /// Forces that the points of the FV curve start from, N; where they are instead if empty.
@@ -53,9 +53,9 @@ pub struct Start {
     pub level: f64,
 }
 
-/// A branch of the FV curve drawn on straight.
+/// A linear extension of a branch of the FV curve.
 #[derive(Debug, Clone)]
-pub struct DrawnOn {
+pub struct LinearExtension {
     /// +1 rebound, −1 compression.
     pub stroke: f64,
     /// Force up to which it is trusted, N, positive.

@@ -1,6 +1,6 @@
 //! The oil column: compressibility, air, voids, temperature.
 
-use super::{Candidate, DrawnOn, Fresh, Start, candidate, fresh, held, linear, log, near};
+use super::{Candidate, Fresh, LinearExtension, Start, candidate, fresh, held, linear, log, near};
 use crate::hypothesis::Free;
 use crate::situation::Situation;
 use dashpot_core::{element, number};
@@ -12,16 +12,18 @@ const VOGEL: f64 = 95.0;
 
 /// Caps tried, as shares of the largest force of their stroke.
 const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
-/// Share of a cap up to which the branch that hides it is trusted, and the speed, m/s, up to which it is in any case: voids
-/// bend it well below the cap.
+/// Fraction of a cap up to which the branch with the cap is trusted.
+///
+/// It is trusted up to the speed, m/s, in any case: voids bend it well below the cap.
 const TRUSTED: f64 = 0.85;
 const SLOW: f64 = 0.3;
 
 /// The caps of a stroke whose largest force is `top`, each with the branches that may hide it.
-fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, DrawnOn)> {
+fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     let slow = s.driven(stroke * SLOW).abs();
-    let drawn =
-        |cap: f64| [(TRUSTED * cap, 1.0), (slow, 0.7)].map(|(from, steepness)| DrawnOn { stroke, from, steepness });
+    let drawn = |cap: f64| {
+        [(TRUSTED * cap, 1.0), (slow, 0.7)].map(|(from, steepness)| LinearExtension { stroke, from, steepness })
+    };
     CAPS.iter().flat_map(|share| drawn(share * top).map(|drawn| (share * top, drawn))).collect()
 }
 

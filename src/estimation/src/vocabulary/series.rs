@@ -112,8 +112,9 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     carrying_the_whole(s, all);
 }
 
-/// Of the base's series stiffness: what an eye or mount that carries friction and gas too leaves to the oil column behind it,
-/// and what the series spring has then.
+/// Fractions of the base's series stiffness for the oil column and for the series spring in front of it.
+///
+/// The spring is an eye or mount that carries friction and gas too.
 const BEHIND: [(f64, f64); 2] = [(1.3, 2.5), (3.0, 1.2)];
 
 /// Play and rubber that all of the force goes through, as in an eye or a mount. What the base's series spring stood for is

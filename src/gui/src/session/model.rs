@@ -4,7 +4,7 @@ use crate::session::history::History;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params};
-use dashpot_estimation::priors::{self, Usual};
+use dashpot_estimation::priors::{self, Distribution};
 use dashpot_estimation::scale::Scale;
 use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
 use dashpot_records::restrict;
@@ -327,15 +327,17 @@ impl Reach {
     /// It lies within the bounds of the table.
     pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
         let p = row.parameter;
-        let usual = Number::try_from(*row).ok().and_then(|number| priors::of(number, scale));
+        let usual = Number::try_from(*row).ok().and_then(|number| priors::distribution(number, scale));
         let (mut low, mut high, factors) = match usual {
-            Some(Usual::Size(median, factor)) => {
+            Some(Distribution::Size(median, factor)) => {
                 (median / libm::pow(factor, SPREADS), median * libm::pow(factor, SPREADS), true)
             }
-            Some(Usual::Strength(median, factor)) => {
+            Some(Distribution::Strength(median, factor)) => {
                 (median / (10.0 * libm::pow(factor, SPREADS)), median * libm::pow(factor, SPREADS), true)
             }
-            Some(Usual::Place(mean, deviation)) => (mean - SPREADS * deviation, mean + SPREADS * deviation, false),
+            Some(Distribution::Place(mean, deviation)) => {
+                (mean - SPREADS * deviation, mean + SPREADS * deviation, false)
+            }
             None => {
                 let size = identified.abs().max(now.abs());
                 if size > 0.0 {
@@ -364,10 +366,10 @@ impl Reach {
 
 /// What dampers show of a number: the middle two thirds.
 pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
-    Some(match priors::of(Number::try_from(*row).ok()?, scale)? {
-        Usual::Size(median, factor) => [median / factor, median * factor],
-        Usual::Strength(median, factor) => [0.0, median * factor],
-        Usual::Place(mean, deviation) => [mean - deviation, mean + deviation],
+    Some(match priors::distribution(Number::try_from(*row).ok()?, scale)? {
+        Distribution::Size(median, factor) => [median / factor, median * factor],
+        Distribution::Strength(median, factor) => [0.0, median * factor],
+        Distribution::Place(mean, deviation) => [mean - deviation, mean + deviation],
     })
 }
 
@@ -375,13 +377,13 @@ pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
 pub fn with_prior(params: &Params, element: Element, strength: f64) -> Params {
     let mut with = *params;
     with.enable(element, true);
-    let scale = Scale::of(params);
+    let scale = Scale::from_params(params);
     let rows = parameter::table().filter(|row| row.element() == Some(element));
     for number in rows.filter_map(|row| Number::try_from(row).ok()) {
-        let value = match priors::of(number, scale) {
-            Some(Usual::Size(median, _)) => median,
-            Some(Usual::Strength(median, _)) => strength * median,
-            Some(Usual::Place(mean, deviation)) => {
+        let value = match priors::distribution(number, scale) {
+            Some(Distribution::Size(median, _)) => median,
+            Some(Distribution::Strength(median, _)) => strength * median,
+            Some(Distribution::Place(mean, deviation)) => {
                 if mean == 0.0 {
                     strength * deviation
                 } else {

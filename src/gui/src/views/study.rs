@@ -59,7 +59,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     named_list(list, w.study);
     if let Some(number) = form.number {
         let value = params.number(number);
-        let reach = Reach::new(number.row(), Scale::of(&params), value, value, model.interval(number.name(), 0));
+        let reach =
+            Reach::new(number.row(), Scale::from_params(&params), value, value, model.interval(number.name(), 0));
         let [low, high] = form.range.unwrap_or(around(value, &reach));
         let unit = units.shown(number.parameter().unit);
         let (mut from, mut to) = (low, high);

@@ -154,7 +154,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
         return;
     };
     let interval = model.interval(p.name, entry);
-    let scale = Scale::of(&model.identified);
+    let scale = Scale::from_params(&model.identified);
     let reach = Reach::new(row, scale, identified, now, interval);
     let unit = units.shown(p.unit);
     let (identifier, name) = match p.shape {

@@ -258,7 +258,7 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Invent
                 Some(known) => {
                     known.force_n_rms += item.force_n_rms.powi(2) / count;
                     known.fraction += item.fraction.powi(2) / count;
-                    known.force_by_test_n.extend(item.force_by_test_n);
+                    known.test_forces_n.extend(item.test_forces_n);
                 }
                 None => all.push(InventoryItem {
                     force_n_rms: item.force_n_rms.powi(2) / count,

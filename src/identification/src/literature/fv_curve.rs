@@ -164,7 +164,7 @@ impl Problem<'_> {
 impl Residuals for Problem<'_> {
     type At = Vec<f64>;
 
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn prepare(&self, x: &[f64]) -> Option<Vec<f64>> {
         Some(x.to_vec())
     }
 

@@ -124,7 +124,7 @@ impl Problem<'_> {
 impl Residuals for Problem<'_> {
     type At = Forces;
 
-    fn at(&self, x: &[f64]) -> Option<Forces> {
+    fn prepare(&self, x: &[f64]) -> Option<Forces> {
         Some(self.law(x))
     }
 

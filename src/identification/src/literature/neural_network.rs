@@ -81,7 +81,7 @@ fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
 impl Residuals for Problem<'_> {
     type At = Vec<f64>;
 
-    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+    fn prepare(&self, x: &[f64]) -> Option<Vec<f64>> {
         Some(x.to_vec())
     }
 

@@ -73,8 +73,8 @@ struct Layer {
 fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     let is_drawn = |item: &&InventoryItem| {
         matches!(item.status, Status::Kept | Status::Added)
-            && item.force_by_test_n.len() == tests
-            && item.force_by_test_n.iter().all(|force| force.is_finite())
+            && item.test_forces_n.len() == tests
+            && item.test_forces_n.iter().all(|force| force.is_finite())
     };
     let mut drawn: Vec<&InventoryItem> = items.iter().filter(is_drawn).collect();
     drawn.sort_by(|a, b| b.force_n_rms.total_cmp(&a.force_n_rms));
@@ -85,11 +85,11 @@ fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
         .map(|(k, item)| Layer {
             role: Role::Group(k),
             name: words.name_of(item.effect).unwrap_or(item.effect).to_owned(),
-            by_test: item.force_by_test_n.clone(),
+            by_test: item.test_forces_n.clone(),
         })
         .collect();
     if !rest.is_empty() {
-        let sum = |k: usize| rest.iter().map(|item| item.force_by_test_n[k].powi(2)).sum::<f64>().sqrt();
+        let sum = |k: usize| rest.iter().map(|item| item.test_forces_n[k].powi(2)).sum::<f64>().sqrt();
         let by_test = (0..tests).map(sum).collect();
         all.push(Layer { role: Role::Shadow, name: words.other_effects.to_owned(), by_test });
     }
@@ -191,7 +191,7 @@ mod tests {
             form: "",
             force_n_rms: force,
             fraction: 0.1,
-            force_by_test_n: by_test.to_vec(),
+            test_forces_n: by_test.to_vec(),
             probability: 1.0,
             status,
             replaces: None,

@@ -1,17 +1,17 @@
-//! What the numbers of an explanation cost it where they are far from what dampers show.
+//! Negative log prior of the numbers of an explanation.
 
-use crate::bleed::usual_rise;
+use crate::bleed::prior_rise;
 use crate::hypothesis::{Free, Hypothesis, Number as FreeNumber};
-use crate::priors::price;
+use crate::priors::log_cost;
 use crate::scale::Scale;
 use crate::unknowns::Unknown;
 use dashpot_core::parameter::Number;
 use dashpot_core::{Params, number};
 
-/// How far off each number of an explanation is from what is usual; those without a prior are not in it.
-pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
+/// Distance of each number of an explanation from its prior, in standard deviations; those without a prior are not in it.
+pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
     let params = hypothesis.params(theta);
-    let scale = Scale::of(&hypothesis.base);
+    let scale = Scale::from_params(&hypothesis.base);
     let mut all = Vec::new();
     for (number, value) in hypothesis.numbers.iter().zip(theta) {
         let (number, value) = match number.free {
@@ -25,8 +25,8 @@ pub fn off(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
             | Free::Cooling
             | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..)) => continue,
         };
-        if let Some(usual) = hypothesis.priors.distribution(number, scale) {
-            all.push((number, usual.off(value)));
+        if let Some(prior) = hypothesis.priors.distribution(number, scale) {
+            all.push((number, prior.standard_score(value)));
         }
     }
     all.extend(fixed(hypothesis, &params));
@@ -43,24 +43,24 @@ fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<It
     let is_on = |number: Number| number.row().element().is_some_and(|element| params.is_on(element));
     let rows = hypothesis.priors.rows().iter();
     rows.filter(move |row| is_on(row.number) && !is_free(row.number) && params.number(row.number) != 0.0)
-        .map(|row| (row.number, row.expected.off(params.number(row.number))))
+        .map(|row| (row.number, row.expected.standard_score(params.number(row.number))))
 }
 
-/// What the numbers of an explanation cost it, in units of the logarithm of the odds.
-pub fn implausibility(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
+/// Negative log prior of the numbers of an explanation.
+pub fn negative_log_prior(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     let params = hypothesis.params(theta);
     let steep = hypothesis.numbers.iter().zip(theta).filter_map(|(number, rise)| {
         let Free::Model(unknown) = &number.free else { return None };
-        usual_rise(&params, unknown).map(|usual| price(rise / usual))
+        prior_rise(&params, unknown).map(|scale| log_cost(rise / scale))
     });
-    off(hypothesis, theta).iter().map(|(_, off)| price(*off)).chain(steep).sum()
+    standard_scores(hypothesis, theta).iter().map(|(_, score)| log_cost(*score)).chain(steep).sum()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::distribution::Distribution;
     use crate::prior_set::{DamperPrior, PriorSet};
-    use crate::usual::Usual;
     use dashpot_core::element;
 
     #[test]
@@ -69,13 +69,13 @@ mod tests {
         base.enable(element!("oil_compressibility"), true);
         let row = |number, expected| DamperPrior { number, expected, source: String::new() };
         let priors = PriorSet::new(vec![
-            row(number!("oil_compression"), Usual::Size(0.05, 1.4)),
-            row(number!("oil_shortening"), Usual::Place(8.0, 1.0)),
+            row(number!("oil_compression"), Distribution::Size(0.05, 1.4)),
+            row(number!("oil_shortening"), Distribution::Place(8.0, 1.0)),
         ]);
         let of = |priors: &PriorSet| {
             let hypothesis = Hypothesis { base, numbers: Vec::new(), heating: None, priors: PriorSet::default() }
                 .with_priors(priors);
-            implausibility(&hypothesis, &[])
+            negative_log_prior(&hypothesis, &[])
         };
         assert_eq!(of(&PriorSet::default()), 0.0);
         assert!((5.0..10.0).contains(&of(&priors)), "{}", of(&priors));
