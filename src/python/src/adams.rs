@@ -71,7 +71,7 @@ pub fn export_dpr(
     model_curve: bool,
     force: bool,
 ) -> PyResult<(usize, Vec<String>)> {
-    let chatters = |curve: &Params| remarks(curve, Host::USUAL);
+    let chatters = |curve: &Params| remarks(curve, Host::TYPICAL);
     let of = (name, model.text_of_file().as_bytes());
     let made = handed_out::property_file(&model.file, model_curve, &path, of, &chatters);
     let made = made.map_err(raise::<ExportError>)?;

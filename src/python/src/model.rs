@@ -8,7 +8,7 @@ use dashpot_core::{Input, evaluate};
 use dashpot_identification::model_file::{self, Interval, ModelFile};
 use dashpot_output::as_a_run;
 use dashpot_records::MotionRecord;
-use dashpot_simulation::imposed_motion::{ImposedMotion, TELL};
+use dashpot_simulation::imposed_motion::{ImposedMotion, PROGRESS_INTERVAL};
 use numpy::{AllowTypeChange, PyArray1, PyArrayLike1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -164,7 +164,7 @@ impl Model {
         let forces = |tell: &dyn Fn(usize, usize)| -> Result<Vec<f64>, f64> {
             let mut forces = Vec::with_capacity(velocity.len());
             for (k, v) in velocity.iter().enumerate() {
-                if k % TELL == 0 {
+                if k % PROGRESS_INTERVAL == 0 {
                     tell(k, velocity.len());
                 }
                 let input = Input::motion(0.0, *v);
@@ -259,7 +259,7 @@ fn long<T: Send>(
     text: &str,
     work: impl FnOnce(&dyn Fn(usize, usize)) -> T + Send,
 ) -> PyResult<T> {
-    if steps <= TELL {
+    if steps <= PROGRESS_INTERVAL {
         let done = py.detach(|| work(&|_, _| {}));
         progress.map(|tell| tell.call1(py, (1.0, text))).transpose()?;
         return Ok(done);

@@ -8,11 +8,10 @@ use dashpot_records::MotionRecord;
 /// Most rows that a motion is sampled to: some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
-/// Samples from one word about the progress to the next.
+/// Number of samples between two reports of progress.
 ///
-/// Some hundredths of a second, so that work asked to stop ends at once to the eye, and telling costs nothing beside
-/// it.
-pub const TELL: usize = 16_384;
+/// They take some hundredths of a second, so that cancelled work ends at once to the eye, and the cost of a report is negligible.
+pub const PROGRESS_INTERVAL: usize = 16_384;
 
 /// A motion with which a model can be driven.
 #[derive(Debug, Clone)]
@@ -230,7 +229,7 @@ impl ImposedMotion {
         Ok(answers)
     }
 
-    /// Drives a damper and reports every [`TELL`] samples how many are done.
+    /// Drives a damper and reports every [`PROGRESS_INTERVAL`] samples how many are done.
     ///
     /// # Errors
     /// As [`ImposedMotion::drive`].
@@ -244,7 +243,7 @@ impl ImposedMotion {
         let mut force = dashpot_core::evaluate::force(model, &state, &first).force;
         let mut answers = Vec::with_capacity(self.time.len());
         for (i, &time) in self.time.iter().enumerate() {
-            if i % TELL == 0 {
+            if i % PROGRESS_INTERVAL == 0 {
                 tell(i, self.time.len());
             }
             if i > 0 {

@@ -31,7 +31,7 @@ fn through_the_bridge(program: &Path, model: &Path, tests: &[(Sine, usize)], dt:
     for (sine, steps) in tests {
         let motion = sine.motion();
         for k in 0..=*steps {
-            let (x, v) = motion.at(k as f64 * dt);
+            let (x, v) = motion.evaluate(k as f64 * dt);
             let host = [if k == 0 { -1.0 } else { dt }, -x, -v];
             requests.extend(host.iter().flat_map(|n| n.to_le_bytes()));
         }

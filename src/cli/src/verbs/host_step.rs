@@ -7,10 +7,10 @@ use dashpot_simulation::chatter::{Host, HostError, Ready};
 #[derive(clap::Args, Debug, Clone)]
 pub struct HostArgs {
     /// Step of the host, s, at which chatter is judged
-    #[arg(long, value_name = "S", default_value_t = Host::USUAL.step)]
+    #[arg(long, value_name = "S", default_value_t = Host::TYPICAL.step)]
     host_step: f64,
     /// The lightest mass that the damper moves, kg
-    #[arg(long, value_name = "KG", default_value_t = Host::USUAL.mass)]
+    #[arg(long, value_name = "KG", default_value_t = Host::TYPICAL.mass)]
     wheel_mass: f64,
     /// Replace friction that chatters in a host of this step, s, by presliding friction; what that changes is said
     #[arg(long, value_name = "S")]

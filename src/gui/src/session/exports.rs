@@ -72,7 +72,7 @@ impl Export {
             bail!("there is no {} to make an FMU from; {}", library.display(), runtimes::HOW);
         }
         let name = handed_out::fmu_name(Path::new(&self.name), four);
-        let mut remarks = chatter::remarks(&self.params, chatter::Host::USUAL);
+        let mut remarks = chatter::remarks(&self.params, chatter::Host::TYPICAL);
         remarks.extend(stiffness::remarks(&self.params));
         let corners = fmu::corners(&[self.params], four)?;
         let options = fmu::Options {
@@ -99,7 +99,7 @@ impl Export {
     }
 
     fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {
-        let chatters = |curve: &Params| chatter::remarks(curve, chatter::Host::USUAL);
+        let chatters = |curve: &Params| chatter::remarks(curve, chatter::Host::TYPICAL);
         let of = (self.name.as_str(), self.text.as_bytes());
         let made = handed_out::property_file(&self.file(), false, path, of, &chatters)?;
         dashpot_output::check([path])?;
@@ -115,7 +115,7 @@ impl Export {
             dashpot_output::replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
         };
         let libraries = handed_out::adams_libraries(None)?;
-        let chatters = chatter::remarks(&self.params, chatter::Host::USUAL);
+        let chatters = chatter::remarks(&self.params, chatter::Host::TYPICAL);
         let made =
             handed_out::run_folder(&self.params, model, self.text.as_bytes(), LENGTH, libraries, Vec::new(), chatters);
         made.files.iter().try_for_each(|(name, content)| put(name, content))?;

@@ -44,13 +44,13 @@ pub struct Errors {
 /// Forces of the fixed step at each multiple of `dt`.
 pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: HostInput) -> Vec<f64> {
     let input = |t: f64| {
-        let (x, v) = motion.at(t);
+        let (x, v) = motion.evaluate(t);
         match given {
             HostInput::Motion => Input::motion(x, v),
             HostInput::Velocity => Input::velocity(v),
         }
     };
-    let (x, v) = motion.at(0.0);
+    let (x, v) = motion.evaluate(0.0);
     let mut state = model.steady_state(&Input::motion(x, v));
     let mut forces = vec![dashpot_core::evaluate(model, &state, &Input::motion(x, v)).0.force];
     for i in 1..=steps {

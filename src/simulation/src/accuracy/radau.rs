@@ -10,11 +10,11 @@ use nalgebra::{DMatrix, DVector};
 /// Imposed motion: displacement and velocity at a time.
 pub trait Motion {
     /// Displacement, m, and velocity, m/s, at time `t`.
-    fn at(&self, t: f64) -> (f64, f64);
+    fn evaluate(&self, t: f64) -> (f64, f64);
 }
 
 impl<F: Fn(f64) -> (f64, f64)> Motion for F {
-    fn at(&self, t: f64) -> (f64, f64) {
+    fn evaluate(&self, t: f64) -> (f64, f64) {
         self(t)
     }
 }
@@ -24,7 +24,7 @@ impl<F: Fn(f64) -> (f64, f64)> Motion for F {
 /// Every interval is divided into `parts` Radau steps.
 pub fn reference_forces(model: &Model, motion: &impl Motion, dt: f64, steps: usize, parts: usize) -> Vec<f64> {
     let input = |t: f64| {
-        let (x, v) = motion.at(t);
+        let (x, v) = motion.evaluate(t);
         Input::motion(x, v)
     };
     let mut state = model.steady_state(&input(0.0));

@@ -40,7 +40,7 @@ impl Sine {
 /// The motions that a host can follow.
 pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
     let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
-    let is_usual = situation == Situation::USUAL;
+    let is_usual = situation == Situation::REFERENCE;
     let usual = all.filter(move |(amplitude, speed)| is_usual || (1e-3..=5e-3).contains(amplitude) && *speed >= 0.02);
     usual
         .chain(is_usual.then_some(LONG))
@@ -104,7 +104,7 @@ pub(super) fn on_the_curve(params: &Params, model: &Model, host: Host) -> Larges
         let to = Input::motion(0.0, velocity);
         let output = step(model, &model.steady_state(&to), &to, host.step).1;
         let gain = host.step / host.mass * (output.d_force_d_velocity + host.step * output.d_force_d_displacement);
-        Largest { gain, velocity, output, situation: Situation::USUAL }
+        Largest { gain, velocity, output, situation: Situation::REFERENCE }
     };
     velocities.map(at).fold(at(0.0), |most, other| if other.gain > most.gain { other } else { most })
 }

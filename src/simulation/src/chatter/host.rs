@@ -13,5 +13,5 @@ impl Host {
     /// A real-time host with the lightest mass that a damper of a car moves.
     ///
     /// Wheel, hub and half the links of a small car's front corner.
-    pub const USUAL: Host = Host { step: 1e-3, mass: 40.0 };
+    pub const TYPICAL: Host = Host { step: 1e-3, mass: 40.0 };
 }

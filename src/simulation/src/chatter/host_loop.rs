@@ -78,7 +78,7 @@ impl Turning {
 /// What the loop does on the roads of a situation, where it is not quiet.
 pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option<Turning> {
     // In a stop a high road would be beyond every force of it.
-    let roads = if situation == Situation::USUAL { &ROADS[..] } else { &ROADS[..1] };
+    let roads = if situation == Situation::REFERENCE { &ROADS[..] } else { &ROADS[..1] };
     let found = roads.iter().filter_map(|height| loop_like_the_hosts(model, situation, *height, host));
     found.max_by(|a, b| a.force.total_cmp(&b.force))
 }

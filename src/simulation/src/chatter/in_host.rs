@@ -23,9 +23,9 @@ pub struct Chatter {
     /// Velocity at which it has it, m/s, and the slopes there: N s/m, N/m.
     pub velocity: f64,
     /// ∂F/∂v.
-    pub by_velocity: f64,
+    pub d_force_d_velocity: f64,
     /// ∂F/∂x.
-    pub by_displacement: f64,
+    pub d_force_d_displacement: f64,
     /// Where and under what it has it.
     pub situation: Situation,
     /// The longest step at which nothing changes sign, s; `None` where none was found.
@@ -44,7 +44,7 @@ pub struct Chatter {
 /// Parameters that make no model.
 pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
     let model = Model::new(params)?;
-    let usual = largest(&model, Situation::USUAL, host);
+    let usual = largest(&model, Situation::REFERENCE, host);
     let situations = Situation::all(params, &model);
     let others = situations.iter().skip(1).map(|situation| largest(&model, *situation, host));
     let Largest { gain, velocity, output, situation } = others
@@ -86,8 +86,8 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
     Ok(Chatter {
         gain,
         velocity,
-        by_velocity: output.d_force_d_velocity,
-        by_displacement: output.d_force_d_displacement,
+        d_force_d_velocity: output.d_force_d_velocity,
+        d_force_d_displacement: output.d_force_d_displacement,
         situation,
         quiet_step: match turning.filter(|_| gain < RINGS) {
             Some(turning) => quiet_loop(&model, turning.situation, host),

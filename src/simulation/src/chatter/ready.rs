@@ -27,7 +27,7 @@ pub enum HostError {
     Model(#[from] NoModel),
     /// What the kernel refuses.
     #[error("{0}")]
-    Refused(&'static str),
+    Rejected(&'static str),
 }
 
 /// A damper for a host.
@@ -93,7 +93,7 @@ impl Ready {
         }
         let host = Host { step, mass: wheel_mass };
         prepared(params)?;
-        let refused = |fault: dashpot_core::Fault| HostError::Refused(fault.reason.text());
+        let refused = |fault: dashpot_core::Fault| HostError::Rejected(fault.reason.text());
         let soft = if for_step.is_some() { softened(params, host).map_err(refused)? } else { None };
         let params = soft.as_ref().map_or(*params, |s| s.params);
         let chatter = chatter(&params, host).map_err(refused)?;
@@ -156,8 +156,8 @@ impl Ready {
             chatters: chatter.rings(),
             swings: chatter.swings(),
             velocity_m_s: chatter.velocity,
-            damping_n_s_m: chatter.by_velocity,
-            stiffness_n_m: chatter.by_displacement,
+            damping_n_s_m: chatter.d_force_d_velocity,
+            stiffness_n_m: chatter.d_force_d_displacement,
             place_m: chatter.situation.place,
             side_force_n: chatter.situation.side_force,
             temperature_c: chatter.situation.temperature,

@@ -28,18 +28,18 @@ pub struct Situation {
 
 impl Situation {
     /// In the middle, without side force, at the temperature at which rigs measure.
-    pub const USUAL: Situation = Situation { place: 0.0, side_force: 0.0, temperature: 20.0 };
+    pub const REFERENCE: Situation = Situation { place: 0.0, side_force: 0.0, temperature: 20.0 };
 
     /// All that changes the slopes of this damper.
     pub(super) fn all(params: &Params, model: &Model) -> Vec<Situation> {
-        let mut all = vec![Situation::USUAL];
+        let mut all = vec![Situation::REFERENCE];
         if params.is_on(element!("side_force_friction")) {
-            all.push(Situation { side_force: SIDE_FORCE, ..Situation::USUAL });
+            all.push(Situation { side_force: SIDE_FORCE, ..Situation::REFERENCE });
         }
         if params.is_on(element!("temperature_fade")) {
-            all.push(Situation { temperature: COLD, ..Situation::USUAL });
+            all.push(Situation { temperature: COLD, ..Situation::REFERENCE });
         }
-        let at = |place| Situation { place, ..Situation::USUAL };
+        let at = |place| Situation { place, ..Situation::REFERENCE };
         if [element!("position_dependent_damping"), element!("oil_compressibility")].iter().any(|e| params.is_on(*e)) {
             all.extend(PLACES.map(at));
         }
@@ -65,7 +65,7 @@ impl Situation {
         if self.side_force != 0.0 {
             told += &format!(", under {:.0} N of side force", self.side_force);
         }
-        if self.temperature != Situation::USUAL.temperature {
+        if self.temperature != Situation::REFERENCE.temperature {
             told += &format!(", at {:.0} °C", self.temperature);
         }
         told

@@ -107,9 +107,9 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     let found = chatter(&soft, host)?;
     let (before, after) = (Model::new(params)?, Model::new(&soft)?);
     let (mut squares, mut count, mut largest_error) = (0.0, 0.0, 0.0f64);
-    let under_side_force = Situation { side_force: SIDE_FORCE, ..Situation::USUAL };
+    let under_side_force = Situation { side_force: SIDE_FORCE, ..Situation::REFERENCE };
     let has_less_steep = softer.iter().any(|one| matches!(one, Softer::LessSteep { .. }));
-    let compared = if has_less_steep { under_side_force } else { Situation::USUAL };
+    let compared = if has_less_steep { under_side_force } else { Situation::REFERENCE };
     for sine in motions(compared, host) {
         let omega = sine.omega;
         let dt = FINE.min(0.01 / omega).max(0.25 * std::f64::consts::TAU / (omega * STEPS as f64));

@@ -26,8 +26,8 @@ impl Chatter {
             "At a host step of {} ms and {mass} kg the damper's gain c·h/m is {:.2} at most (c {:.0} N s/m, k {:.0} N/m, at {:.1} mm/s{})",
             1e3 * step,
             self.gain,
-            self.by_velocity,
-            self.by_displacement,
+            self.d_force_d_velocity,
+            self.d_force_d_displacement,
             1e3 * self.velocity,
             self.situation.told()
         );

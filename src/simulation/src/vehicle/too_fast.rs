@@ -28,8 +28,8 @@ pub enum Blame {
     },
     /// The exchange of damper force and motion.
     Damper {
-        /// Its slope at the wheel, N s/m.
-        slope: f64,
+        /// Its damping at the wheel, N s/m.
+        damping: f64,
         /// The mass that it moves, by its name in a file, and its value.
         mass: (&'static str, f64),
     },
@@ -152,7 +152,7 @@ pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     let blame = ways.iter().max_by(|a, b| sum(a).total_cmp(&sum(b))).map_or(Blame::Neither, |way| {
         let [damper, springs] = way.shares(step);
         if damper > springs {
-            Blame::Damper { slope, mass: way.mass }
+            Blame::Damper { damping: slope, mass: way.mass }
         } else {
             Blame::Part { mass: way.mass, spring: way.spring }
         }
@@ -177,7 +177,7 @@ impl fmt::Display for TooFast {
                  these two numbers of the vehicle",
                 unit(name)
             )?,
-            Blame::Damper { slope, mass: (name, mass) } => write!(
+            Blame::Damper { damping: slope, mass: (name, mass) } => write!(
                 f,
                 "the exchange of damper force and motion is unstable in steps of {step} ms: the dampers' slope of {slope:.0} N s/m at the wheel \
                  is too steep for {name} {mass} {}; look at the damper's FV curve",
@@ -246,7 +246,7 @@ mod tests {
             let why = left_the_road(&car, &damper, 1e-3).unwrap_or_else(|| panic!("{named:?} stays on the road"));
             match (why.blame, named) {
                 (Blame::Part { mass, spring }, Some(named)) => assert_eq!((spring.0, mass.0), named),
-                (Blame::Damper { mass, slope }, None) => {
+                (Blame::Damper { mass, damping: slope }, None) => {
                     assert_eq!(mass.0, "unsprung_mass");
                     assert!((slope / (2.5e5 * 0.81) - 1.0).abs() < 0.01, "{slope}");
                 }
