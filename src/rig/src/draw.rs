@@ -8,7 +8,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 pub(crate) struct Draw {
     stream: ChaCha8Rng,
     /// Names (with unit) and values, in the order drawn.
-    pub drawn: Vec<(String, f64)>,
+    pub values: Vec<(String, f64)>,
 }
 
 impl Draw {
@@ -18,7 +18,7 @@ impl Draw {
         key[..8].copy_from_slice(&seed.to_le_bytes());
         key[8..16].copy_from_slice(&fnv1a(purpose.as_bytes()).to_le_bytes());
         key[16] = 0x5d;
-        Self { stream: ChaCha8Rng::from_seed(key), drawn: Vec::new() }
+        Self { stream: ChaCha8Rng::from_seed(key), values: Vec::new() }
     }
 
     /// Uniform in 0..1; not listed.
@@ -29,14 +29,14 @@ impl Draw {
     /// Uniform between two values.
     pub fn between(&mut self, name: &str, low: f64, high: f64) -> f64 {
         let value = low + (high - low) * self.unit();
-        self.drawn.push((name.into(), value));
+        self.values.push((name.into(), value));
         value
     }
 
     /// Between two positive values, every octave equally likely.
     pub fn ratio(&mut self, name: &str, low: f64, high: f64) -> f64 {
         let value = low * libm::pow(high / low, self.unit());
-        self.drawn.push((name.into(), value));
+        self.values.push((name.into(), value));
         value
     }
 

@@ -42,7 +42,7 @@ fn candidate(stream: &mut ChaCha8Rng) -> Damper {
     tube.compression_length_m *= vary(0.06);
     tube.wall_modulus_pa *= vary(0.15);
     damper.oil.bulk_modulus_pa *= vary(0.08);
-    damper.oil.air_share *= vary(0.25);
+    damper.oil.air_fraction *= vary(0.25);
     damper.gas.pressure_pa *= vary(0.15);
     damper.gas.volume_m3 *= vary(0.12);
     damper.gas.exponent *= vary(0.04);
@@ -60,7 +60,7 @@ fn candidate(stream: &mut ChaCha8Rng) -> Damper {
     seal.break_away_n *= friction * vary(0.03);
     seal.stribeck_m_s *= vary(0.25);
     seal.bristle_n_m *= vary(0.25);
-    seal.side_force_share *= vary(0.25);
+    seal.side_force_ratio *= vary(0.25);
     if let Some(mount) = &mut damper.mount {
         mount.stiffness_n_m *= vary(0.20);
         mount.damping_n_s_m *= vary(0.20);

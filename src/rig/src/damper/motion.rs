@@ -116,7 +116,7 @@ impl Damper {
         let compression_space = tube.piston_m2() * (tube.compression_length_m + position) + self.gas.volume_m3 - gas;
 
         let chamber = |pressure: f64, space: f64, gas_compliance: f64| {
-            let oil = self.oil.at(pressure);
+            let oil = self.oil.compress(pressure);
             let dilation = dilation(pressure);
             let volume = space * dilation;
             Chamber {
@@ -248,7 +248,7 @@ mod tests {
             work(&damper, &samples[400..=800])
         };
         let added = loop_area(300.0) - loop_area(0.0);
-        let expected = damper.seal.side_force_share * 300.0 * 0.04;
+        let expected = damper.seal.side_force_ratio * 300.0 * 0.04;
         assert!((added / expected - 1.0).abs() < 0.03, "{added} against {expected}");
     }
 

@@ -12,15 +12,15 @@ pub struct Oil {
     pub density_kg_m3: f64,
     /// Bulk modulus of the oil without air, Pa.
     pub bulk_modulus_pa: f64,
-    /// Share of the volume that is free air at atmospheric pressure.
-    pub air_share: f64,
+    /// Fraction of the volume that is free air at atmospheric pressure.
+    pub air_fraction: f64,
     /// Polytropic exponent of the bubbles.
     pub air_exponent: f64,
 }
 
 impl Default for Oil {
     fn default() -> Self {
-        Self { density_kg_m3: 850.0, bulk_modulus_pa: 1.4e9, air_share: 0.015, air_exponent: 1.3 }
+        Self { density_kg_m3: 850.0, bulk_modulus_pa: 1.4e9, air_fraction: 0.015, air_exponent: 1.3 }
     }
 }
 
@@ -36,11 +36,11 @@ pub struct Compression {
 impl Oil {
     /// State of the mixture at an absolute pressure. Grows soft without bound towards zero pressure, so that no chamber can
     /// pull a vacuum.
-    pub fn at(&self, pressure_pa: f64) -> Compression {
+    pub fn compress(&self, pressure_pa: f64) -> Compression {
         // An iteration of the solver may look below zero; rates there only have to lead back.
         let pressure = pressure_pa.max(1.0);
-        let oil = (1.0 - self.air_share) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
-        let air = self.air_share * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);
+        let oil = (1.0 - self.air_fraction) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
+        let air = self.air_fraction * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);
         let volume = oil + air;
         Compression { volume, modulus_pa: volume / (oil / self.bulk_modulus_pa + air / (self.air_exponent * pressure)) }
     }
@@ -55,19 +55,19 @@ mod tests {
         let oil = Oil::default();
         for pressure in [2e4, 1e5, 5e5, 2e6, 8e6] {
             let h = 1e-4 * pressure;
-            let slope = (oil.at(pressure + h).volume - oil.at(pressure - h).volume) / (2.0 * h);
-            let state = oil.at(pressure);
+            let slope = (oil.compress(pressure + h).volume - oil.compress(pressure - h).volume) / (2.0 * h);
+            let state = oil.compress(pressure);
             assert!((-state.volume / slope / state.modulus_pa - 1.0).abs() < 1e-5);
         }
-        assert!((oil.at(ATMOSPHERE_PA).volume - 1.0).abs() < 1e-12);
+        assert!((oil.compress(ATMOSPHERE_PA).volume - 1.0).abs() < 1e-12);
     }
 
     #[test]
     fn air_softens_at_low_pressure_only() {
         let oil = Oil::default();
-        let clean = Oil { air_share: 0.0, ..Oil::default() };
-        assert!((clean.at(1e5).modulus_pa / oil.bulk_modulus_pa - 1.0).abs() < 1e-12);
-        assert!(oil.at(1e5).modulus_pa < 0.02 * oil.bulk_modulus_pa);
-        assert!(oil.at(1e7).modulus_pa > 0.9 * oil.bulk_modulus_pa);
+        let clean = Oil { air_fraction: 0.0, ..Oil::default() };
+        assert!((clean.compress(1e5).modulus_pa / oil.bulk_modulus_pa - 1.0).abs() < 1e-12);
+        assert!(oil.compress(1e5).modulus_pa < 0.02 * oil.bulk_modulus_pa);
+        assert!(oil.compress(1e7).modulus_pa > 0.9 * oil.bulk_modulus_pa);
     }
 }

@@ -13,12 +13,12 @@ pub struct Seal {
     /// Stiffness of the bristles, N/m.
     pub bristle_n_m: f64,
     /// Friction added per side force.
-    pub side_force_share: f64,
+    pub side_force_ratio: f64,
 }
 
 impl Default for Seal {
     fn default() -> Self {
-        Self { sliding_n: 38.0, break_away_n: 44.0, stribeck_m_s: 0.008, bristle_n_m: 5.0e5, side_force_share: 0.05 }
+        Self { sliding_n: 38.0, break_away_n: 44.0, stribeck_m_s: 0.008, bristle_n_m: 5.0e5, side_force_ratio: 0.05 }
     }
 }
 
@@ -26,7 +26,7 @@ impl Seal {
     /// Friction in steady sliding, N, without sign.
     fn level_n(&self, velocity_m_s: f64, side_force_n: f64) -> f64 {
         let excess = (self.break_away_n - self.sliding_n) * libm::exp(-(velocity_m_s / self.stribeck_m_s).powi(2));
-        self.sliding_n + excess + self.side_force_share * side_force_n.abs()
+        self.sliding_n + excess + self.side_force_ratio * side_force_n.abs()
     }
 
     /// Friction in steady sliding, N, with the sign of the velocity.
@@ -63,7 +63,7 @@ mod tests {
             assert!(rate.abs() < 1e-12 * velocity.abs() + 1e-18);
         }
         let slope = (seal.sliding_force_n(0.2, 300.0) - seal.sliding_force_n(0.2, 0.0)) / 300.0;
-        assert!((slope - seal.side_force_share).abs() < 1e-12);
+        assert!((slope - seal.side_force_ratio).abs() < 1e-12);
     }
 
     #[test]

@@ -83,7 +83,7 @@ pub(crate) struct Drawn {
     pub strength: f64,
     /// Names (with unit) and values of the shapes drawn.
     pub shapes: Vec<(String, f64)>,
-    pub hidden: Box<dyn Hidden>,
+    pub effect: Box<dyn Hidden>,
 }
 
 /// What an effect is drawn from.
@@ -151,7 +151,7 @@ pub(crate) fn draw(
             problem: format!("'{}' is no form of {name}; it has: {}", wanted.unwrap_or_default(), forms.join(", ")),
         });
     }
-    Ok(Drawn { name, form: recipe.form, strength, shapes: recipe.draw.drawn, hidden })
+    Ok(Drawn { name, form: recipe.form, strength, shapes: recipe.draw.values, effect: hidden })
 }
 
 fn build(recipe: &mut Recipe) -> Box<dyn Hidden> {

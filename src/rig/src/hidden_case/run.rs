@@ -73,10 +73,10 @@ impl InjectedCase {
             }
             drawn.push(effect);
         }
-        let truth = truth(seed, &drawn, draw.drawn);
+        let truth = truth(seed, &drawn, draw.values);
         // At strength 0 nothing at all is left of an effect.
         let hidden: Vec<Box<dyn Hidden>> =
-            drawn.into_iter().filter(|effect| effect.strength > 0.0).map(|effect| effect.hidden).collect();
+            drawn.into_iter().filter(|effect| effect.strength > 0.0).map(|drawn| drawn.effect).collect();
 
         let rig = Rig { neutral: &neutral, heat: &heat, hidden: &hidden, options: &self.options };
         let with_side_force = matrix.has_side_force() && self.options.side_force_channel;
@@ -226,7 +226,7 @@ impl Rig<'_> {
             next += states.len();
         }
         let oil_c = RefCell::new(lasting.temperatures.oil_c);
-        let system = System::<N> { neutral: self.neutral, hidden: self.hidden, first, oil_c: &oil_c };
+        let system = System::<N> { neutral: self.neutral, effects: self.hidden, first, oil_c: &oil_c };
         let point = test.point;
         let offset = SAMPLE_OFFSET / test.rate_hz;
         let line = |time: f64| {

@@ -45,7 +45,7 @@ pub(crate) struct Friction {
     /// Velocity round which the sign changes, m/s.
     pub smooth_m_s: f64,
     /// Friction added per side force.
-    pub side_share: f64,
+    pub side_force_ratio: f64,
 }
 
 impl Neutral {
@@ -67,7 +67,7 @@ impl Neutral {
             friction: Friction {
                 sliding_n: draw.between("friction_n", 20.0, 60.0),
                 smooth_m_s: draw.between("friction_smooth_m_s", 0.2e-3, 1.0e-3),
-                side_share: draw.between("friction_side_share", 0.01, 0.04),
+                side_force_ratio: draw.between("friction_side_share", 0.01, 0.04),
             },
             gas_n: draw.between("gas_n", 80.0, 300.0),
             valves: ValveLaw::draw(draw),

@@ -23,7 +23,7 @@ pub(crate) const OWN: usize = 3;
 /// The damper and what is hidden in it, as a system of `N` states.
 pub(crate) struct System<'a, const N: usize> {
     pub neutral: &'a Neutral,
-    pub hidden: &'a [Box<dyn Hidden>],
+    pub effects: &'a [Box<dyn Hidden>],
     /// First state of each hidden effect.
     pub first: Vec<usize>,
     /// Drift of slow quantities within one sample is not integrated: the caller renews them.
@@ -33,11 +33,11 @@ pub(crate) struct System<'a, const N: usize> {
 impl<const N: usize> System<'_, N> {
     fn states<'s>(&self, index: usize, state: &'s [f64; N]) -> &'s [f64] {
         let first = self.first[index];
-        &state[first..first + self.hidden[index].tolerances().len()]
+        &state[first..first + self.effects[index].tolerances().len()]
     }
 
     fn each<'s>(&'s self, state: &'s [f64; N]) -> impl Iterator<Item = (&'s dyn Hidden, &'s [f64])> {
-        self.hidden.iter().enumerate().map(|(index, hidden)| (hidden.as_ref(), self.states(index, state)))
+        self.effects.iter().enumerate().map(|(index, hidden)| (hidden.as_ref(), self.states(index, state)))
     }
 
     /// Error allowed per step.
@@ -46,7 +46,7 @@ impl<const N: usize> System<'_, N> {
         absolute[DEFLECTION] = 1e-9;
         absolute[VELOCITY] = 1e-5;
         absolute[OIL_FORCE] = 1e-2;
-        for (index, hidden) in self.hidden.iter().enumerate() {
+        for (index, hidden) in self.effects.iter().enumerate() {
             let own = hidden.tolerances();
             absolute[self.first[index]..self.first[index] + own.len()].copy_from_slice(own);
         }
@@ -59,7 +59,7 @@ impl<const N: usize> System<'_, N> {
         // The weak spring is balanced by the series spring.
         state[DEFLECTION] = self.neutral.spring_n_m * rest.displacement_m
             / (self.neutral.mount.stiffness_n_m + self.neutral.spring_n_m);
-        for (index, hidden) in self.hidden.iter().enumerate() {
+        for (index, hidden) in self.effects.iter().enumerate() {
             let first = self.first[index];
             let own = &mut state[first..first + hidden.tolerances().len()];
             own.copy_from_slice(&carried[index]);
@@ -106,7 +106,7 @@ impl<const N: usize> System<'_, N> {
     fn beside_n(&self, here: &Here, state: &[f64; N]) -> (f64, f64) {
         let friction = &self.neutral.friction;
         let v = here.line.velocity_m_s;
-        let mut level = friction.sliding_n + friction.side_share * here.line.side_force_n.abs();
+        let mut level = friction.sliding_n + friction.side_force_ratio * here.line.side_force_n.abs();
         let mut direction = None;
         let mut beside = -self.neutral.gas_n;
         for (hidden, own) in self.each(state) {
@@ -145,7 +145,7 @@ impl<const N: usize> System<'_, N> {
         rates[DEFLECTION] = here.deflection_m_s;
         rates[VELOCITY] = (mount - here.oil_n - self.neutral.spring_n_m * here.position_m) / mass;
         rates[OIL_FORCE] = (here.velocity_m_s - self.flow_m_s(&here, state)) / compliance;
-        for (index, hidden) in self.hidden.iter().enumerate() {
+        for (index, hidden) in self.effects.iter().enumerate() {
             let first = self.first[index];
             let count = hidden.tolerances().len();
             if count > 0 {

@@ -79,12 +79,12 @@ impl ValveLaw {
                 3 => (Style::Linear, 1.0),
                 _ => (Style::Progressive, 2.0),
             };
-            draw.drawn.push((name.into(), code));
+            draw.values.push((name.into(), code));
             style
         };
         let (rebound_style, compression_style) = (style(draw, "rebound_style"), style(draw, "compression_style"));
         let form = draw.choice(4);
-        draw.drawn.push(("curve_form".into(), form as f64));
+        draw.values.push(("curve_form".into(), form as f64));
         let mut way = |at_1_m_s: f64, style: Style| {
             let passages = OneWay::passages(draw, at_1_m_s, style);
             match form {
