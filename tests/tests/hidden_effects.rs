@@ -23,7 +23,7 @@ fn known_effects_are_named() {
     assert!(right + 1 >= all.len(), "{right} of {}", all.len());
     for o in &all {
         for (name, confidence) in &o.named {
-            assert!(o.is_hidden(name) || *confidence < 0.9, "{name} given as sure: {o:?}");
+            assert!(o.is_injected(name) || *confidence < 0.9, "{name} given as sure: {o:?}");
         }
         assert!(o.clean_after < 1.02 * o.clean_before, "left-out tests got worse: {o:?}");
     }

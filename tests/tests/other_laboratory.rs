@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 
 #[test]
 fn hidden_effects_are_those_that_the_diagnosis_names() {
-    let hidden: BTreeSet<&str> = dashpot_other_lab::hidden::KNOWN.iter().map(|e| e.name).collect();
+    let hidden: BTreeSet<&str> = dashpot_other_lab::effects::KNOWN.iter().map(|e| e.name).collect();
     assert_eq!(hidden, EFFECTS.iter().copied().collect());
-    let unnamed = dashpot_other_lab::hidden::UNKNOWN.iter().map(|u| u.effect.name);
+    let unnamed = dashpot_other_lab::effects::UNKNOWN.iter().map(|u| u.effect.name);
     assert!(unnamed.into_iter().all(|name| !EFFECTS.contains(&name)));
 }
 

@@ -5,7 +5,7 @@
 //!
 //! `cargo run --release -p dashpot-other-lab --example sizes_of_effects [-- SEED]`
 
-use dashpot_other_lab::{Campaign, Case, Kind, LabError, hidden};
+use dashpot_other_lab::{Campaign, Case, Kind, LabError, effects};
 use std::time::Instant;
 
 fn change(with: &Campaign, without: &Campaign) -> f64 {
@@ -24,8 +24,8 @@ fn main() -> Result<(), LabError> {
     let seed = std::env::args().nth(1).and_then(|s| s.parse().ok()).unwrap_or(1);
     println!("{:52} {:>26} {:>26} {:>26}", "", "thesis_like", "monotube", "twin_tube");
     let without: Vec<Campaign> = Kind::ALL.iter().map(|kind| Case::new(*kind, seed).run()).collect::<Result<_, _>>()?;
-    let unknown = hidden::UNKNOWN.iter().map(|u| &u.effect);
-    for effect in hidden::KNOWN.iter().chain(unknown) {
+    let unknown = effects::UNKNOWN.iter().map(|u| &u.effect);
+    for effect in effects::KNOWN.iter().chain(unknown) {
         for (law, _) in effect.laws {
             print!("{:52}", format!("{}:{law}", effect.name));
             for (kind, without) in Kind::ALL.iter().zip(&without) {

@@ -3,7 +3,7 @@
 use crate::LabError;
 use crate::case::{Case, InjectedEffect, Prepared};
 use crate::draw::Draw;
-use crate::hidden::Reading;
+use crate::effects::Reading;
 use crate::integrator::{Equations, Integrator, Steps};
 use crate::machine::{Around, Machine};
 use crate::plant::Scale;
@@ -11,7 +11,7 @@ use crate::protocol::Protocol;
 use crate::protocol::motion::{Motion, Ready};
 use crate::protocol::plan::Test;
 use crate::sensors::Sensors;
-use crate::trace::at;
+use crate::trace::interpolate;
 use serde::Serialize;
 
 /// What was measured, and what is true.
@@ -43,7 +43,7 @@ pub struct TestRecord {
     /// Temperature of the oil, where it is measured, °C.
     pub temperature_c: Option<Vec<f64>>,
     /// Whether the test is kept from the identification.
-    pub held_out: bool,
+    pub left_out: bool,
 }
 
 /// What is true of a campaign.
@@ -55,14 +55,14 @@ pub struct Truth {
     pub seed: u64,
     /// Seed of the noise.
     pub noise_seed: u64,
-    /// What is hidden.
-    pub hidden: Vec<InjectedEffect>,
+    /// Injected effects.
+    pub injected: Vec<InjectedEffect>,
     /// What the damper is like.
     pub scale: Scale,
     /// How it was measured.
     pub protocol: Protocol,
     /// Names of the tests that are kept from the identification.
-    pub held_out: Vec<String>,
+    pub left_out: Vec<String>,
 }
 
 /// How exactly a campaign is simulated.
@@ -143,9 +143,9 @@ impl Case {
                 effect.channel(number, &time, &mut force);
             }
             let times = self.samples(test, seconds);
-            let moves: Vec<_> = times.iter().map(|t| motion.at(*t)).collect();
+            let moves: Vec<_> = times.iter().map(|t| motion.evaluate(*t)).collect();
             let peak = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-            let mut clean: Vec<f64> = times.iter().map(|t| at(&time, &force, t - p.force_delay_s)).collect();
+            let mut clean: Vec<f64> = times.iter().map(|t| interpolate(&time, &force, t - p.force_delay_s)).collect();
             for ((t, input), value) in times.iter().zip(&moves).zip(&mut clean) {
                 let now = clock + t - p.force_delay_s;
                 let reading = Reading {
@@ -169,7 +169,7 @@ impl Case {
                 clean_force_n: clean,
                 side_force_n: has_side.then(|| vec![test.side; times.len()]),
                 temperature_c: p.temperature_channel.then(|| times.iter().map(|t| warm(*t)).collect()),
-                held_out: test.held_out,
+                left_out: test.left_out,
             });
             // Runs that nobody records, sines alone; then a pause in which it cools.
             let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
@@ -178,17 +178,17 @@ impl Case {
             clock += seconds + PAUSE_S;
         }
         self.measure(&mut records);
-        let held_out = records.iter().filter(|r| r.held_out).map(|r| r.name.clone()).collect();
+        let held_out = records.iter().filter(|r| r.left_out).map(|r| r.name.clone()).collect();
         Ok(Campaign {
             tests: records,
             truth: Truth {
                 plant: self.plant.name().to_owned(),
                 seed: self.seed,
                 noise_seed: self.noise_seed,
-                hidden: truth,
+                injected: truth,
                 scale: plant.scale,
                 protocol: p.clone(),
-                held_out,
+                left_out: held_out,
             },
         })
     }

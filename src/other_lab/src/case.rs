@@ -2,7 +2,7 @@
 
 use crate::LabError;
 use crate::draw::Draw;
-use crate::hidden::{self, Hidden};
+use crate::effects::{self, EffectModel};
 use crate::plant::{Kind, Plant};
 use crate::protocol::Protocol;
 use serde::Serialize;
@@ -37,7 +37,7 @@ pub struct InjectedEffect {
 
 pub(crate) struct Prepared {
     pub plant: Plant,
-    pub effects: Vec<Box<dyn Hidden>>,
+    pub effects: Vec<Box<dyn EffectModel>>,
     pub truth: Vec<InjectedEffect>,
 }
 
@@ -65,8 +65,8 @@ impl Case {
         let (mut effects, mut truth) = (Vec::new(), Vec::new());
         for (asked, strength) in &self.effects {
             let (name, law) = asked.split_once(':').map_or((asked.as_str(), None), |(n, l)| (n, Some(l)));
-            let Some(effect) = hidden::find(name) else {
-                let names: Vec<&str> = hidden::names().collect();
+            let Some(effect) = effects::find(name) else {
+                let names: Vec<&str> = effects::names().collect();
                 return Err(LabError::Effect { name: name.to_owned(), names: names.join(", ") });
             };
             let laws: Vec<&str> = effect.laws.iter().map(|(name, _)| *name).collect();
@@ -85,7 +85,7 @@ impl Case {
                 effect: name.to_owned(),
                 law: laws[chosen].to_owned(),
                 strength: *strength,
-                known: hidden::KNOWN.iter().any(|e| e.name == name),
+                known: effects::KNOWN.iter().any(|e| e.name == name),
             });
             if *strength > 0.0 {
                 let mut draw = Draw::new(self.seed, &format!("{name}:{}", laws[chosen]));

@@ -23,28 +23,28 @@ impl Draw {
     }
 
     /// Evenly from 0 to 1.
-    pub fn share(&mut self) -> f64 {
+    pub fn fraction(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// Evenly between two numbers.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.share()
+        low + (high - low) * self.fraction()
     }
 
     /// Evenly on a logarithmic scale between two positive numbers.
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
-        low * libm::pow(high / low, self.share())
+        low * libm::pow(high / low, self.fraction())
     }
 
     /// One of `count`.
     pub fn choice(&mut self, count: usize) -> usize {
-        ((self.share() * count as f64) as usize).min(count.saturating_sub(1))
+        ((self.fraction() * count as f64) as usize).min(count.saturating_sub(1))
     }
 
     /// +1 or -1.
     pub fn sign(&mut self) -> f64 {
-        if self.share() < 0.5 { -1.0 } else { 1.0 }
+        if self.fraction() < 0.5 { -1.0 } else { 1.0 }
     }
 
     /// From the normal distribution with deviation 1.
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn streams_depend_on_seed_and_purpose_only() {
-        let first = |seed, purpose| Draw::new(seed, purpose).share();
+        let first = |seed, purpose| Draw::new(seed, purpose).fraction();
         assert_eq!(first(1, "a"), first(1, "a"));
         assert_ne!(first(1, "a"), first(2, "a"));
         assert_ne!(first(1, "a"), first(1, "b"));

@@ -8,8 +8,8 @@
 mod campaign;
 mod case;
 mod draw;
+pub mod effects;
 mod folder;
-pub mod hidden;
 mod integrator;
 mod jet;
 mod machine;
@@ -25,7 +25,7 @@ pub use folder::TRUTH_FILE;
 pub use jet::Jet;
 pub use plant::Kind;
 pub use protocol::Protocol;
-pub use protocol::plan::{HELD_OUT, Plan};
+pub use protocol::plan::{LEFT_OUT_PREFIX, Plan};
 
 use std::path::PathBuf;
 

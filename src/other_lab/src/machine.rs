@@ -1,9 +1,9 @@
 //! Damper, mount and what is hidden, as one set of equations.
 
-use crate::hidden::{Here, Hidden};
+use crate::effects::{EffectModel, Here};
 use crate::integrator::Equations;
 use crate::jet::Jet;
-use crate::plant::{Beside, Plant};
+use crate::plant::{OilContext, Plant};
 use crate::protocol::motion::Ready;
 
 const MOUNT: usize = 0;
@@ -35,7 +35,7 @@ pub struct Around {
 /// A damper with what is hidden, in one test.
 pub struct Machine<'a> {
     plant: &'a Plant,
-    hidden: &'a [Box<dyn Hidden>],
+    hidden: &'a [Box<dyn EffectModel>],
     motion: &'a Ready,
     around: Around,
     tolerances: Vec<f64>,
@@ -54,7 +54,7 @@ pub struct Instant {
 
 impl<'a> Machine<'a> {
     /// A damper in a test.
-    pub fn new(plant: &'a Plant, hidden: &'a [Box<dyn Hidden>], motion: &'a Ready, around: Around) -> Machine<'a> {
+    pub fn new(plant: &'a Plant, hidden: &'a [Box<dyn EffectModel>], motion: &'a Ready, around: Around) -> Machine<'a> {
         let mut tolerances = vec![0.1, 5e-7, 2e-5, 2e-3 * plant.seal.length()];
         tolerances.resize(OIL + plant.oil.states(), 0.0);
         plant.oil.tolerances(&mut tolerances[OIL..]);
@@ -131,7 +131,7 @@ impl<'a> Machine<'a> {
         here.mount_rate = rate * own;
         let mut beside = mount.damping * here.mount_rate;
         for (i, effect) in self.hidden.iter().enumerate() {
-            beside += effect.beside_mount(here, self.states(i, y));
+            beside += effect.parallel_to_mount(here, self.states(i, y));
         }
         (rate, beside)
     }
@@ -157,7 +157,7 @@ impl Equations for Machine<'_> {
     type Drive = Instant;
 
     fn drive(&self, t: f64) -> Instant {
-        Instant { t, input: self.motion.at(t) }
+        Instant { t, input: self.motion.evaluate(t) }
     }
 
     fn tolerances(&self) -> &[f64] {
@@ -179,7 +179,7 @@ impl Equations for Machine<'_> {
 
         let warmth = libm::exp(-plant.slight.warmth * THINS * (self.around.oil_c - REFERENCE_C));
         let mut around =
-            Beside { taken: 0.0, compliance: 0.0, gain: 1.0 + plant.slight.position * y[X], viscosity: warmth };
+            OilContext { taken: 0.0, compliance: 0.0, gain: 1.0 + plant.slight.position * y[X], viscosity: warmth };
         for (i, effect) in self.hidden.iter().enumerate() {
             let states = self.states(i, y);
             around.taken += effect.taken(&here, states);

@@ -63,7 +63,7 @@ impl Sensors<'_> {
                 last = p.noise_colour * last + fresh * d.normal();
             }
         }
-        let phase = self.draw("hum").share();
+        let phase = self.draw("hum").fraction();
         for (value, t) in force.iter_mut().zip(time) {
             *value += p.force_offset_n + p.hum_n * libm::sin(TAU * (HUM_HZ * t + phase));
         }

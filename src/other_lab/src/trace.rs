@@ -2,7 +2,7 @@
 
 /// `values` at `time`s, read at `t` by Hermite's cubic with the slope of the parabola through each three instants; the first
 /// and last value outside.
-pub fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
+pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {
     let n = time.len();
     if t <= time[0] || n < 3 {
         return values[0];
@@ -37,9 +37,9 @@ mod tests {
         let values: Vec<f64> = time.iter().map(|t| libm::sin(5.0 * t)).collect();
         for i in 0..190 {
             let t = 0.013 + 0.01 * f64::from(i);
-            assert!((at(&time, &values, t) - (5.0 * t).sin()).abs() < 2e-3);
+            assert!((interpolate(&time, &values, t) - (5.0 * t).sin()).abs() < 2e-3);
         }
-        assert_eq!(at(&time, &values, -1.0), values[0]);
-        assert_eq!(at(&time, &values, 9.0), values[199]);
+        assert_eq!(interpolate(&time, &values, -1.0), values[0]);
+        assert_eq!(interpolate(&time, &values, 9.0), values[199]);
     }
 }

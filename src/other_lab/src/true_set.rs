@@ -10,8 +10,10 @@ const LEAST_PART: f64 = 0.005;
 const NOISE_N: f64 = 0.5;
 
 impl Case {
-    /// Names of all effects whose removal, everything else kept, moves the force of at least one test by more than its noise
-    /// and 0.5 % of its root mean square: injected effects first, then the damper's own.
+    /// Names of all effects whose removal, everything else kept, visibly changes the force.
+    ///
+    /// The force of at least one test changes by more than its noise and 0.5 % of its root mean square. Injected effects come first, then
+    /// the damper's own.
     ///
     /// The damper is simulated once for each of them.
     ///

@@ -1,6 +1,8 @@
 //! The laboratory as a whole: dampers take energy, the integrator converges, every law does what it says.
 
-use dashpot_other_lab::{Accuracy, Campaign, Case, HELD_OUT, Kind, LabError, Plan, Protocol, TRUTH_FILE, hidden};
+use dashpot_other_lab::{
+    Accuracy, Campaign, Case, Kind, LEFT_OUT_PREFIX, LabError, Plan, Protocol, TRUTH_FILE, effects,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
@@ -11,9 +13,9 @@ fn quiet(kind: Kind, seed: u64) -> Case {
 }
 
 fn laws() -> impl Iterator<Item = (&'static str, String)> {
-    hidden::KNOWN
+    effects::KNOWN
         .iter()
-        .chain(hidden::UNKNOWN.iter().map(|u| &u.effect))
+        .chain(effects::UNKNOWN.iter().map(|u| &u.effect))
         .flat_map(|effect| effect.laws.iter().map(|(law, _)| (effect.name, format!("{}:{law}", effect.name))))
 }
 
@@ -109,14 +111,14 @@ fn the_other_laws_grow_from_nothing_with_their_strength() {
 #[test]
 fn every_effect_has_two_laws_and_names_are_said_once() {
     let mut names = BTreeSet::new();
-    for effect in hidden::KNOWN {
+    for effect in effects::KNOWN {
         assert!(effect.laws.len() >= 2, "{}", effect.name);
     }
-    for name in hidden::names() {
+    for name in effects::names() {
         assert!(names.insert(name), "{name}");
     }
-    assert!(hidden::UNKNOWN.len() >= 6);
-    assert!(hidden::UNKNOWN.iter().any(|u| u.has_detector) && hidden::UNKNOWN.iter().any(|u| !u.has_detector));
+    assert!(effects::UNKNOWN.len() >= 6);
+    assert!(effects::UNKNOWN.iter().any(|u| u.has_detector) && effects::UNKNOWN.iter().any(|u| !u.has_detector));
 }
 
 #[test]
@@ -181,9 +183,9 @@ fn records_have_the_motion_that_the_plan_states() {
             let campaign = Case { protocol, ..Case::new(Kind::ThesisLike, seed) }.run().unwrap();
             assert!(campaign.tests.windows(2).all(|w| w[0].time_s.last() < w[1].time_s.first()), "one clock");
             for test in &campaign.tests {
-                assert_eq!(test.held_out, test.name.starts_with(HELD_OUT));
+                assert_eq!(test.left_out, test.name.starts_with(LEFT_OUT_PREFIX));
                 assert_eq!(test.velocity_m_s.is_some(), velocity);
-                let words: Vec<&str> = test.name.trim_start_matches(HELD_OUT).split('_').collect();
+                let words: Vec<&str> = test.name.trim_start_matches(LEFT_OUT_PREFIX).split('_').collect();
                 if words[0] != "sine" {
                     continue;
                 }

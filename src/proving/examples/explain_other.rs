@@ -6,7 +6,7 @@
 use dashpot_core::list;
 use dashpot_dimensions::{Entry, explain, forward};
 use dashpot_identification::{FitOptions, fit, model_file};
-use dashpot_other_lab::{Case, HELD_OUT, Kind};
+use dashpot_other_lab::{Case, Kind, LEFT_OUT_PREFIX};
 use dashpot_proving::drawing::Drawing;
 use dashpot_proving::laboratory::read;
 use dashpot_proving::split::first_seed;
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let seed = first + k;
         let Some(drawing) = Drawing::new(kind, seed) else { continue };
         let records = read(&Case::new(kind, seed).run()?)?;
-        let seen: Vec<&Record> = records.iter().filter(|r| !r.name.starts_with(HELD_OUT)).collect();
+        let seen: Vec<&Record> = records.iter().filter(|r| !r.name.starts_with(LEFT_OUT_PREFIX)).collect();
         let priors = if asked("dimensions") { forward::priors(&drawing.with(&frame)) } else { Default::default() };
         let found = fit(&seen, &FitOptions { priors, ..FitOptions::default() }, |_| ())?;
         let model = model_file::of_text(&model_file::write(&found), Path::new("model.toml"))?;

@@ -46,7 +46,7 @@ fn main() {
             eprintln!(
                 "{} {:?} {:?} seed {} -> {:?} {:?} {:?} gap {:?} clean {:.2} -> {:.2} {:.1}s",
                 o.block,
-                o.hidden,
+                o.injected,
                 o.forms,
                 o.seed,
                 o.verdict,

@@ -1,6 +1,6 @@
 //! What somebody asks to hide in a neutral damper, and the strengths that make it: for the command and for Python.
 
-use crate::ProvingError;
+use crate::EvaluationError;
 use crate::case::Case;
 use dashpot_rig::{NOTHING, Options, Plan, RigError};
 
@@ -19,7 +19,7 @@ pub enum Numbers {
 /// Strength of a typical strong case, which is meant where no number is given.
 const TYPICAL: f64 = 1.0;
 
-fn refused(problem: String) -> ProvingError {
+fn refused(problem: String) -> EvaluationError {
     RigError::Option { option: "hide", problem }.into()
 }
 
@@ -35,7 +35,7 @@ pub fn strengths(
     plan: Option<Plan>,
     options: &Options,
     watch: &dyn Fn(usize, usize),
-) -> Result<Vec<(String, f64)>, ProvingError> {
+) -> Result<Vec<(String, f64)>, EvaluationError> {
     let is_nothing = |(name, number): &(String, Option<f64>)| name == NOTHING && number.is_none();
     if asked.iter().any(is_nothing) {
         if asked.len() > 1 {
@@ -52,9 +52,9 @@ pub fn strengths(
         if let Some((name, number)) = severities.iter().find(|(_, number)| !number.is_finite()) {
             return Err(refused(format!("'{number}' is no severity of '{name}'; give a number")));
         }
-        let Some(plan) = plan else { return Err(ProvingError::OwnTests) };
+        let Some(plan) = plan else { return Err(EvaluationError::OwnTests) };
         if options.noise_percent <= 0.0 {
-            return Err(ProvingError::NoNoise);
+            return Err(EvaluationError::NoNoise);
         }
         let options = Options { threads: Some(1), ..options.clone() };
         let case = Case { effects: severities, plan, options, ..Case::nothing(0) };

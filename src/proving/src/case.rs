@@ -1,6 +1,6 @@
 //! A case: what is hidden, at which severity, measured how, and which model is diagnosed.
 
-use crate::ProvingError;
+use crate::EvaluationError;
 use crate::measured::{base_model, read, without_noise};
 use crate::severity;
 use dashpot_core::Params;
@@ -20,7 +20,7 @@ pub struct Case {
     /// Seed, noise, channels.
     pub options: Options,
     /// Whether the base model's FV curve runs straight between its points, whatever the damper's own does.
-    pub straight_curve: bool,
+    pub linear_curve: bool,
     /// Whether the base model is the one that `fit` makes with all that it may use, as a user has it.
     pub whole_fit: bool,
 }
@@ -32,10 +32,10 @@ pub struct Measured {
     /// Force without noise at each record's samples, N.
     pub clean: Vec<Record>,
     /// Tests that no refit sees.
-    pub held_out: Vec<bool>,
+    pub left_out: Vec<bool>,
     /// The identified base model.
     pub base: Params,
-    /// Effects of the rig that the fit found, and that are in the records no more: a verb takes out what the fit of its model found.
+    /// Measurement errors that the fit found, and that were corrected in the records as a verb does.
     pub taken_out: Vec<&'static str>,
     /// Strengths of what is hidden.
     pub strengths: Vec<f64>,
@@ -49,7 +49,7 @@ impl Case {
     /// Nothing hidden, 2 % noise.
     pub fn nothing(seed: u64) -> Case {
         let options = Options { seed, noise_percent: 2.0, threads: Some(1), ..Options::default() };
-        Case { effects: Vec::new(), plan: Plan::Diagnosis, options, straight_curve: false, whole_fit: false }
+        Case { effects: Vec::new(), plan: Plan::Diagnosis, options, linear_curve: false, whole_fit: false }
     }
 
     /// One more effect hidden.
@@ -68,7 +68,7 @@ impl Case {
         strengths: &[f64],
         more: &[TestPoint],
         watch: &dyn Fn(usize, usize),
-    ) -> Result<InjectedCampaign, ProvingError> {
+    ) -> Result<InjectedCampaign, EvaluationError> {
         let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
         let case = InjectedCase { effects, plan: self.plan, options: self.options.clone() };
         let planned = self.plan.matrix(self.options.order.unwrap_or(self.options.seed));
@@ -83,21 +83,22 @@ impl Case {
     ///
     /// # Errors
     /// What rig, reader or fit refuse; a severity that no strength reaches.
-    pub fn strengths(&self) -> Result<Vec<f64>, ProvingError> {
+    pub fn strengths(&self) -> Result<Vec<f64>, EvaluationError> {
         self.strengths_watched(&|_, _| ())
     }
 
-    /// The same; `watch` is told the tests measured, and their number, of every strength that is tried.
+    /// The strengths that make the severities; `watch` gets the tests measured, and their number, of every strength that is tried.
     ///
     /// # Errors
     /// As [`Case::strengths`].
-    pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, ProvingError> {
+    pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, EvaluationError> {
         let mut strengths = vec![0.0; self.effects.len()];
         if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
             return Ok(strengths);
         }
         let neutral = self.at(&strengths, &[], watch)?;
-        let ground = severity::Ground::new(&neutral.campaign, self.options.noise_percent, !self.hides_side_force())?;
+        let ground =
+            severity::SeverityContext::new(&neutral.campaign, self.options.noise_percent, !self.hides_side_force())?;
         for (k, (name, wanted)) in self.effects.iter().enumerate() {
             let mut alone = vec![0.0; self.effects.len()];
             let found = ground.strength(name, *wanted, |strength| {
@@ -106,7 +107,7 @@ impl Case {
             });
             strengths[k] = match found {
                 // A poor plan may not show the effect however strong it is: then it is as strong as it typically is.
-                Err(ProvingError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
+                Err(EvaluationError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
                 other => other?,
             };
         }
@@ -117,7 +118,7 @@ impl Case {
     ///
     /// # Errors
     /// What rig, reader or fit refuse; a severity that no strength reaches.
-    pub fn measure(&self) -> Result<Measured, ProvingError> {
+    pub fn measure(&self) -> Result<Measured, EvaluationError> {
         self.measure_at(self.strengths()?, &[])
     }
 
@@ -125,7 +126,7 @@ impl Case {
     ///
     /// # Errors
     /// What rig, reader or fit refuse.
-    pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, ProvingError> {
+    pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, EvaluationError> {
         let hidden = self.at(&strengths, more, &|_, _| ())?;
         let noisy = read(&hidden.campaign)?;
         let clean = read(&without_noise(&hidden.campaign))?;
@@ -135,13 +136,13 @@ impl Case {
         if self.hides_side_force() {
             base.enable(element!("side_force_friction"), false);
         }
-        if self.straight_curve {
+        if self.linear_curve {
             let _ = base.set(number!("fv_interpolation"), 1.0);
         }
         let mut found = Measured {
             records: noisy,
             clean,
-            held_out,
+            left_out: held_out,
             base,
             taken_out: Vec::new(),
             strengths,
@@ -164,12 +165,13 @@ impl Measured {
     }
 }
 
-/// The model that is diagnosed, and what its fit found of the measurement: that which `fit` makes with all that it may use, as a user has
-/// it; or [`base_model`], for which the records stay as they are.
+/// The model that is diagnosed, with the measurement errors that its fit found.
+///
+/// It is what `fit` makes with all that it may use, as a user has it; or [`base_model`], for which the records stay as they are.
 pub(crate) fn model_of(
     records: &[&Record],
     whole_fit: bool,
-) -> Result<(Params, Vec<dashpot_identification::Measured>), ProvingError> {
+) -> Result<(Params, Vec<dashpot_identification::Measured>), EvaluationError> {
     if !whole_fit {
         return Ok((base_model(records)?, Vec::new()));
     }

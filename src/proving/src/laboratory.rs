@@ -1,14 +1,14 @@
 //! The second laboratory's campaigns as cases: measured, read back as files, base model identified, strengths found by the
 //! severity that they make.
 
-use crate::ProvingError;
+use crate::EvaluationError;
 use crate::case::{Measured, model_of};
-use crate::measured::{as_read, base_model};
+use crate::measured::{base_model, write_and_read};
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
 use dashpot_core::element;
 use dashpot_diagnosis::{Diagnosis, Options, refitted};
-use dashpot_other_lab::{Campaign, Case, HELD_OUT, Kind, Protocol};
+use dashpot_other_lab::{Campaign, Case, Kind, LEFT_OUT_PREFIX, Protocol};
 use dashpot_records::Record;
 use dashpot_rig::{InjectedEffect, Truth};
 use std::collections::BTreeMap;
@@ -35,14 +35,14 @@ pub struct Way {
 ///
 /// # Errors
 /// What laboratory, reader or fit refuse.
-pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
+pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError> {
     let campaign = case.run()?;
     let records = read(&campaign)?;
     let clean = read(&campaign.without_noise())?;
-    let held_out: Vec<bool> = records.iter().map(|r| r.name.starts_with(HELD_OUT)).collect();
+    let held_out: Vec<bool> = records.iter().map(|r| r.name.starts_with(LEFT_OUT_PREFIX)).collect();
     let seen = seen(&records);
     let (base, found) = if whole_fit { model_of(&seen, true)? } else { (base_of(case, &seen)?, Vec::new()) };
-    let effects = campaign.truth.hidden.iter().map(|hidden| InjectedEffect {
+    let effects = campaign.truth.injected.iter().map(|hidden| InjectedEffect {
         name: hidden.effect.clone(),
         form: hidden.law.clone(),
         strength: hidden.strength,
@@ -63,7 +63,8 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, ProvingError> {
     };
     let strengths = case.effects.iter().map(|(_, strength)| *strength).collect();
     let true_set = Some(case.true_set()?);
-    let mut measured = Measured { records, clean, held_out, base, taken_out: Vec::new(), strengths, truth, true_set };
+    let mut measured =
+        Measured { records, clean, left_out: held_out, base, taken_out: Vec::new(), strengths, truth, true_set };
     measured.take_out(&found);
     Ok(measured)
 }
@@ -75,16 +76,17 @@ const TAKEN_UP: [&str; 6] =
 /// Pairs of effects a round.
 const PAIRS: usize = 8;
 
-/// Cases of the second laboratory at typical strengths: every effect that leaves a trace, everything outside the vocabulary and as many with
-/// nothing hidden, under white noise and under coloured noise with hum; pairs of effects; and every effect again as some laboratory would
-/// measure it, with the sampling, the cycles and the channels that it happens to have. On each plant in turn; `rounds` times over, with seeds
-/// from `first_seed` on.
-pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
-    let (known, unknown) = (dashpot_other_lab::hidden::KNOWN, dashpot_other_lab::hidden::UNKNOWN);
+/// Cases of the second laboratory at typical strengths.
+///
+/// They are every visible effect, everything outside the vocabulary, and as many without an effect, under white noise and under coloured
+/// noise with hum. Pairs of effects follow, and every effect again with the sampling, cycles and channels of some laboratory. Plants
+/// alternate. The suite repeats `repetitions` times, with seeds from `first_seed` on.
+pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
+    let (known, unknown) = (dashpot_other_lab::effects::KNOWN, dashpot_other_lab::effects::UNKNOWN);
     let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
     let mut seed = first_seed;
     let mut all = Vec::new();
-    for round in 0..rounds as usize {
+    for round in 0..repetitions as usize {
         let mut next = |k: usize| {
             seed += 1;
             Case::new(Kind::ALL[(k + round) % Kind::ALL.len()], seed)
@@ -119,21 +121,22 @@ pub fn suite(rounds: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
 ///
 /// # Errors
 /// What laboratory, reader, fit or diagnosis refuse.
-pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagnosis), ProvingError> {
+pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagnosis), EvaluationError> {
     let measured = measure(case, way.whole_fit)?;
     let reference = if way.reference { read(&case.reference().run()?)? } else { Vec::new() };
     let options = Options { reference, ..Options::default() };
     judged(block, case.seed, &case.effects, &measured, &options)
 }
 
-/// The same case with each effect as strong as it has to be, by itself, for the severity that stands in the place of its
-/// strength: what a refit of the base model cannot absorb, root mean square, in units of the noise.
+/// Replaces each severity of a case by the strength that makes it, each effect by itself.
+///
+/// A severity is the root mean square that a refit of the base model cannot absorb, in units of the noise.
 ///
 /// # Errors
 /// What laboratory, reader or fit refuse; a severity that no strength reaches.
-pub fn at_severities(case: &Case) -> Result<Case, ProvingError> {
+pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
     let neutral = Case { effects: Vec::new(), ..case.clone() }.run()?;
-    let ground = Ground::new(case, &neutral)?;
+    let ground = SeverityContext::new(case, &neutral)?;
     let mut found = case.clone();
     for (asked, (name, wanted)) in found.effects.iter_mut().zip(&case.effects) {
         asked.1 = ground.strength(case, name, *wanted)?;
@@ -145,15 +148,15 @@ pub fn at_severities(case: &Case) -> Result<Case, ProvingError> {
 ///
 /// # Errors
 /// What laboratory or reader refuse.
-pub fn read(campaign: &Campaign) -> Result<Vec<Record>, ProvingError> {
-    as_read(|path| Ok(campaign.write(path)?))
+pub fn read(campaign: &Campaign) -> Result<Vec<Record>, EvaluationError> {
+    write_and_read(|path| Ok(campaign.write(path)?))
 }
 
 fn seen(records: &[Record]) -> Vec<&Record> {
-    records.iter().filter(|r| !r.name.starts_with(HELD_OUT)).collect()
+    records.iter().filter(|r| !r.name.starts_with(LEFT_OUT_PREFIX)).collect()
 }
 
-fn base_of(case: &Case, records: &[&Record]) -> Result<Params, ProvingError> {
+fn base_of(case: &Case, records: &[&Record]) -> Result<Params, EvaluationError> {
     let mut base = base_model(records)?;
     if case.effects.iter().any(|(name, _)| name.starts_with("side_force_friction")) {
         // A name of the kernel's own list.
@@ -163,15 +166,15 @@ fn base_of(case: &Case, records: &[&Record]) -> Result<Params, ProvingError> {
 }
 
 /// The damper without what is hidden, against which an effect is measured.
-struct Ground {
+struct SeverityContext {
     base: Params,
     noise: Vec<f64>,
     /// What the base model leaves of it, in units of the noise.
     own: Vec<f64>,
 }
 
-impl Ground {
-    fn new(case: &Case, neutral: &Campaign) -> Result<Ground, ProvingError> {
+impl SeverityContext {
+    fn new(case: &Case, neutral: &Campaign) -> Result<SeverityContext, EvaluationError> {
         let clean = read(&neutral.without_noise())?;
         let records = seen(&clean);
         let noise: Vec<f64> = records
@@ -182,11 +185,11 @@ impl Ground {
             })
             .collect();
         let base = base_of(case, &records)?;
-        let (base, own) = refitted(&records, &noise, &base).ok_or(ProvingError::NotFinite)?;
-        Ok(Ground { base, noise, own })
+        let (base, own) = refitted(&records, &noise, &base).ok_or(EvaluationError::NotFinite)?;
+        Ok(SeverityContext { base, noise, own })
     }
 
-    fn severity(&self, case: &Case, name: &str, strength: f64, wanted: f64) -> Result<f64, ProvingError> {
+    fn severity(&self, case: &Case, name: &str, strength: f64, wanted: f64) -> Result<f64, EvaluationError> {
         let campaign = Case { effects: vec![(name.to_owned(), strength)], ..case.clone() }.run()?;
         let clean = read(&campaign.without_noise())?;
         let records = seen(&clean);
@@ -198,17 +201,17 @@ impl Ground {
         Ok(self.left(&records, &base_of(case, &records)?)?.min(from_neutral))
     }
 
-    fn left(&self, records: &[&Record], model: &Params) -> Result<f64, ProvingError> {
-        let (_, left) = refitted(records, &self.noise, model).ok_or(ProvingError::NotFinite)?;
+    fn left(&self, records: &[&Record], model: &Params) -> Result<f64, EvaluationError> {
+        let (_, left) = refitted(records, &self.noise, model).ok_or(EvaluationError::NotFinite)?;
         if left.len() != self.own.len() {
-            return Err(ProvingError::OtherSamples);
+            return Err(EvaluationError::OtherSamples);
         }
         let square: f64 = left.iter().zip(&self.own).map(|(with, without)| (with - without).powi(2)).sum();
         Ok((square / left.len().max(1) as f64).sqrt())
     }
 
     /// By halving between what is too weak and what is too strong, on a logarithmic scale.
-    fn strength(&self, case: &Case, name: &str, wanted: f64) -> Result<f64, ProvingError> {
+    fn strength(&self, case: &Case, name: &str, wanted: f64) -> Result<f64, EvaluationError> {
         if wanted <= 0.0 {
             return Ok(0.0);
         }
@@ -241,7 +244,7 @@ impl Ground {
         if best.0 < 0.35 {
             return Ok(best.1);
         }
-        Err(ProvingError::OutOfReach { effect: name.to_owned(), reached: best.2, wanted })
+        Err(EvaluationError::OutOfReach { effect: name.to_owned(), reached: best.2, wanted })
     }
 }
 
@@ -256,12 +259,14 @@ mod tests {
         let case = Case { protocol, ..Case::new(Kind::ThesisLike, 2) }.hiding("free_play", 2.0);
         let found = at_severities(&case).unwrap();
         let neutral = Case { effects: Vec::new(), ..case.clone() }.run().unwrap();
-        let reached =
-            Ground::new(&case, &neutral).unwrap().severity(&case, "free_play", found.effects[0].1, 2.0).unwrap();
+        let reached = SeverityContext::new(&case, &neutral)
+            .unwrap()
+            .severity(&case, "free_play", found.effects[0].1, 2.0)
+            .unwrap();
         assert!((reached / 2.0).ln().abs() < 0.35, "{reached}");
         let measured = measure(&found, false).unwrap();
-        assert_eq!(measured.records.len(), measured.held_out.len());
+        assert_eq!(measured.records.len(), measured.left_out.len());
         assert_eq!(measured.truth.effects[0].name, "free_play");
-        assert!(measured.held_out.iter().any(|out| *out) && measured.base.is_on(element!("fv_curve")));
+        assert!(measured.left_out.iter().any(|out| *out) && measured.base.is_on(element!("fv_curve")));
     }
 }

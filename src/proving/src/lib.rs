@@ -29,7 +29,7 @@ pub mod suite;
 
 /// Why a case cannot be run.
 #[derive(Debug, thiserror::Error)]
-pub enum ProvingError {
+pub enum EvaluationError {
     /// The rig refuses it.
     #[error(transparent)]
     Rig(#[from] dashpot_rig::RigError),

@@ -1,6 +1,6 @@
 //! What the diagnosis answered in one case, beside the sealed truth.
 
-use crate::ProvingError;
+use crate::EvaluationError;
 use crate::case::{Case, Measured};
 use dashpot_core::parameter::Element;
 use dashpot_diagnosis::{Diagnosis, Evidence, NextTest, Options, Verdict, diagnose};
@@ -15,16 +15,17 @@ pub struct Outcome {
     pub block: &'static str,
     /// Seed.
     pub seed: u64,
-    /// Hidden effects with their severities.
-    pub hidden: Vec<(String, f64)>,
+    /// Injected effects with their severities.
+    pub injected: Vec<(String, f64)>,
     /// Forms that the rig drew.
     pub forms: Vec<String>,
     /// The answer.
     pub verdict: Verdict,
     /// Names given, with their confidences, in order.
     pub named: Vec<(String, f64)>,
-    /// Whether the fit has found all that is hidden, as an element of the model that was diagnosed or in the measurement: then no name is
-    /// to be given.
+    /// Whether the fit has found all injected effects, in the diagnosed model or in the measurement.
+    ///
+    /// Then the diagnosis is to name none.
     pub in_the_model: bool,
     /// Effects whose removal from the simulator moves the force visibly, where the laboratory says so.
     pub true_set: Option<Vec<String>>,
@@ -47,24 +48,24 @@ pub struct Outcome {
     /// Where no name was given: the name given first once the proposed test was run as well; empty where there is none yet.
     /// `None` where no test was proposed or the rig cannot run it.
     pub with_proposed: Option<String>,
-    /// The same once all sines proposed have been run.
+    /// The name given first once all proposed sines have been run.
     pub with_all_proposed: Option<String>,
 }
 
 impl Outcome {
     /// The first hidden effect, without its form.
     pub fn truth(&self) -> Option<&str> {
-        self.hidden.first().map(|(name, _)| plain(name))
+        self.injected.first().map(|(name, _)| plain(name))
     }
 
     /// Whether a name is true of the damper: of what is injected, or, without a reference to tell the two apart, of its true set.
     pub fn is_true(&self, name: &str) -> bool {
-        self.is_hidden(name) || !self.against_reference && self.true_set.iter().flatten().any(|effect| effect == name)
+        self.is_injected(name) || !self.against_reference && self.true_set.iter().flatten().any(|effect| effect == name)
     }
 
-    /// Whether any name given is hidden.
-    pub fn is_hidden(&self, name: &str) -> bool {
-        self.hidden.iter().any(|(hidden, _)| plain(hidden) == name)
+    /// Whether an effect of this name was injected.
+    pub fn is_injected(&self, name: &str) -> bool {
+        self.injected.iter().any(|(hidden, _)| plain(hidden) == name)
     }
 }
 
@@ -77,7 +78,7 @@ pub fn plain(name: &str) -> &str {
 ///
 /// # Errors
 /// What rig, reader, fit or diagnosis refuse.
-pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagnosis), ProvingError> {
+pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagnosis), EvaluationError> {
     let measured = case.measure()?;
     let (mut outcome, found) = judged(block, case.options.seed, &case.effects, &measured, &Options::default())?;
     if block == "poor" && found.findings.is_empty() {
@@ -96,16 +97,16 @@ pub fn judged(
     hidden: &[(String, f64)],
     measured: &Measured,
     options: &Options,
-) -> Result<(Outcome, Diagnosis), ProvingError> {
+) -> Result<(Outcome, Diagnosis), EvaluationError> {
     let records: Vec<&Record> = measured.records.iter().collect();
     let start = std::time::Instant::now();
-    let found = diagnose(&records, &measured.held_out, &measured.base, options, &|_, _| ())?;
+    let found = diagnose(&records, &measured.left_out, &measured.base, options, &|_, _| ())?;
     let seconds = start.elapsed().as_secs_f64();
     let (clean_before, clean_after) = against_clean(measured, &found);
     let outcome = Outcome {
         block,
         seed,
-        hidden: hidden.to_vec(),
+        injected: hidden.to_vec(),
         forms: measured.truth.effects.iter().map(|e| e.form.clone()).collect(),
         verdict: found.verdict,
         named: found.findings.iter().map(|f| (f.effect.to_owned(), f.confidence)).collect(),
@@ -162,7 +163,7 @@ fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<Str
     }
     let again = case.measure_at(measured.strengths.clone(), more).ok()?;
     let records: Vec<&Record> = again.records.iter().collect();
-    let found = diagnose(&records, &again.held_out, &again.base, &Options::default(), &|_, _| ()).ok()?;
+    let found = diagnose(&records, &again.left_out, &again.base, &Options::default(), &|_, _| ()).ok()?;
     Some(found.findings.first().map_or(String::new(), |f| f.effect.to_owned()))
 }
 

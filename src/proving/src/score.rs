@@ -45,7 +45,7 @@ pub fn table(all: &[Outcome]) -> String {
         single.len()
     );
     let single: Vec<_> = single.into_iter().filter(|o| !o.in_the_model).collect();
-    let severity = |o: &Outcome| o.hidden[0].1;
+    let severity = |o: &Outcome| o.injected[0].1;
     for (label, low, high) in [("severity >= 0.75", 0.75, f64::MAX), ("severity 0.5", 0.0, 0.75)] {
         let some: Vec<_> = single.iter().copied().filter(|o| (low..high).contains(&severity(o))).collect();
         let hits = some.iter().filter(|o| right(o)).count();
@@ -53,7 +53,7 @@ pub fn table(all: &[Outcome]) -> String {
     }
     let wrong = single.iter().filter(|o| first_wrong(o)).count();
     let _ = writeln!(out, "wrong name first: {}", share(wrong, single.len()));
-    let sure = single.iter().filter(|o| o.named.iter().any(|(n, c)| !o.is_hidden(n) && *c >= 0.9)).count();
+    let sure = single.iter().filter(|o| o.named.iter().any(|(n, c)| !o.is_injected(n) && *c >= 0.9)).count();
     let _ = writeln!(out, "wrong name given as sure (>= 0.9), anywhere: {}", share(sure, single.len()));
     let extra = single.iter().filter(|o| o.named.len() > 1).count();
     let _ = writeln!(out, "a second name where one is hidden: {}", share(extra, single.len()));
@@ -94,7 +94,7 @@ pub fn table(all: &[Outcome]) -> String {
     let unknown = of("unknown");
     let named = unknown.iter().filter(|o| !o.named.is_empty()).count();
     let _ = writeln!(out, "outside the vocabulary, given a known name: {}", share(named, unknown.len()));
-    let injected: Vec<_> = all.iter().filter(|o| !o.hidden.is_empty() && o.block != "unknown").collect();
+    let injected: Vec<_> = all.iter().filter(|o| !o.injected.is_empty() && o.block != "unknown").collect();
     let found =
         injected.iter().filter(|o| o.in_the_model || o.truth().is_some_and(|t| o.named.iter().any(|(n, _)| n == t)));
     let _ = writeln!(out, "injected effect among the names or in the model: {}", share(found.count(), injected.len()));
@@ -102,8 +102,8 @@ pub fn table(all: &[Outcome]) -> String {
     let _ = writeln!(out, "names in the true set: {}", share(names.iter().filter(|is| **is).count(), names.len()));
     let pairs = of("pair");
     let both =
-        pairs.iter().filter(|o| o.hidden.iter().all(|(h, _)| o.named.iter().any(|(n, _)| n == plain(h)))).count();
-    let extras: usize = pairs.iter().map(|o| o.named.iter().filter(|(n, _)| !o.is_hidden(n)).count()).sum();
+        pairs.iter().filter(|o| o.injected.iter().all(|(h, _)| o.named.iter().any(|(n, _)| n == plain(h)))).count();
+    let extras: usize = pairs.iter().map(|o| o.named.iter().filter(|(n, _)| !o.is_injected(n)).count()).sum();
     let _ = writeln!(
         out,
         "pairs, both named: {}; other names per case: {:.2}",

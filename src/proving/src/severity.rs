@@ -5,7 +5,7 @@
 //! square of the difference between what the two leave: a difference of two such figures would count where the effect
 //! happens to point along what is left anyway.
 
-use crate::ProvingError;
+use crate::EvaluationError;
 use crate::measured::{base_model, read, without_noise};
 use dashpot_core::Params;
 use dashpot_core::element;
@@ -22,8 +22,8 @@ const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the rig's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
-/// The neutral damper's campaign, against which an effect is measured.
-pub struct Ground {
+/// The neutral damper's campaign, relative to which the severity of an effect is measured.
+pub struct SeverityContext {
     /// The base model refitted to it.
     base: Params,
     /// Noise of each record, N.
@@ -33,7 +33,7 @@ pub struct Ground {
 }
 
 /// The base model identified from records, with friction by side force or without.
-fn identified(records: &[&Record], knows_side_force: bool) -> Result<Params, ProvingError> {
+fn identified(records: &[&Record], knows_side_force: bool) -> Result<Params, EvaluationError> {
     let mut base = base_model(records)?;
     // A name of the kernel's own list.
     base.enable(element!("side_force_friction"), knows_side_force);
@@ -44,12 +44,12 @@ fn seen(records: &[Record]) -> Vec<&Record> {
     records.iter().filter(|r| !r.name.starts_with(CHECK_PREFIX)).collect()
 }
 
-impl Ground {
+impl SeverityContext {
     /// From the neutral damper's campaign; `knows_side_force` where the model diagnosed has friction by side force.
     ///
     /// # Errors
     /// What reader or fit refuse.
-    pub fn new(neutral: &Campaign, percent: f64, knows_side_force: bool) -> Result<Ground, ProvingError> {
+    pub fn new(neutral: &Campaign, percent: f64, knows_side_force: bool) -> Result<SeverityContext, EvaluationError> {
         let clean = read(&without_noise(neutral))?;
         let records = seen(&clean);
         let base = identified(&records, knows_side_force)?;
@@ -60,8 +60,8 @@ impl Ground {
                 0.01 * percent * rms + LEAST_NOISE
             })
             .collect();
-        let (base, own) = refitted(&records, &noise, &base).ok_or(ProvingError::NotFinite)?;
-        Ok(Ground { base, noise, own })
+        let (base, own) = refitted(&records, &noise, &base).ok_or(EvaluationError::NotFinite)?;
+        Ok(SeverityContext { base, noise, own })
     }
 
     /// Severity of a campaign; where it is not above `wanted`, no less than it.
@@ -72,7 +72,7 @@ impl Ground {
     ///
     /// # Errors
     /// What reader or fit refuse.
-    pub fn severity(&self, campaign: &Campaign, wanted: f64) -> Result<f64, ProvingError> {
+    pub fn severity(&self, campaign: &Campaign, wanted: f64) -> Result<f64, EvaluationError> {
         let clean = read(&without_noise(campaign))?;
         let records = seen(&clean);
         let from_neutral = self.left(&records, &self.base)?;
@@ -84,10 +84,10 @@ impl Ground {
     }
 
     /// What refitting a model leaves beyond what it leaves of the neutral damper.
-    fn left(&self, records: &[&Record], model: &Params) -> Result<f64, ProvingError> {
-        let (_, left) = refitted(records, &self.noise, model).ok_or(ProvingError::NotFinite)?;
+    fn left(&self, records: &[&Record], model: &Params) -> Result<f64, EvaluationError> {
+        let (_, left) = refitted(records, &self.noise, model).ok_or(EvaluationError::NotFinite)?;
         if left.len() != self.own.len() {
-            return Err(ProvingError::OtherSamples);
+            return Err(EvaluationError::OtherSamples);
         }
         let of_effect: f64 = left.iter().zip(&self.own).map(|(with, without)| (with - without).powi(2)).sum();
         Ok((of_effect / left.len().max(1) as f64).sqrt())
@@ -101,8 +101,8 @@ impl Ground {
         &self,
         effect: &str,
         wanted: f64,
-        mut campaign: impl FnMut(f64) -> Result<Campaign, ProvingError>,
-    ) -> Result<f64, ProvingError> {
+        mut campaign: impl FnMut(f64) -> Result<Campaign, EvaluationError>,
+    ) -> Result<f64, EvaluationError> {
         if wanted <= 0.0 {
             return Ok(0.0);
         }
@@ -139,6 +139,6 @@ impl Ground {
         if best.0 < 0.35 {
             return Ok(best.1);
         }
-        Err(ProvingError::OutOfReach { effect: effect.to_owned(), reached: best.2, wanted })
+        Err(EvaluationError::OutOfReach { effect: effect.to_owned(), reached: best.2, wanted })
     }
 }

@@ -1,5 +1,4 @@
-//! Which seeds a figure may come from: one split to set numbers by, one to look at while working, one that is opened once for a
-//! published figure.
+//! Splits of the seeds: one to set numbers by, one for development, one locked for published figures.
 //!
 //! A seed that anybody has looked at flatters whoever looked. Seeds of the locked split are handed out by the ledger, which keeps those that
 //! were opened; they are never handed out again.

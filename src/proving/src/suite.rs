@@ -87,7 +87,7 @@ pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
         coloured.options.hum_n = 2.0;
         coloured.options.bits = Some(14);
         add("null_coloured", coloured);
-        add("null_form", Case { straight_curve: true, ..next() });
+        add("null_form", Case { linear_curve: true, ..next() });
     }
     for effect in UNKNOWN_EFFECTS {
         for severity in [1.0, 3.0] {

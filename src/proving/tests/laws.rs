@@ -1,8 +1,9 @@
-//! The second laboratory's laws against the model's: a law that enters the kernel is no proof of a diagnosis any more and has to leave the
-//! laboratory as a hidden form.
+//! Comparison of the second laboratory's laws with the model's.
+//!
+//! A law that enters the kernel no longer proves a diagnosis and must leave the laboratory.
 
 use dashpot_core::parameter::GROUPS;
-use dashpot_other_lab::hidden::KNOWN;
+use dashpot_other_lab::effects::KNOWN;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Every element of the kernel: how many parameters it has, and its laws by the names that the second laboratory would give them. A new

@@ -3,7 +3,7 @@
 use crate::errors::{OutputError, RigError, raise, say};
 use crate::work;
 use dashpot_output::FolderLock;
-use dashpot_proving::ProvingError;
+use dashpot_proving::EvaluationError;
 use dashpot_proving::asked::{Asked, Numbers, strengths};
 use dashpot_rig::{Campaign, InjectedCase, Matrix, MatrixOptions, Options, Plan, RigError as Refusal};
 use pyo3::prelude::*;
@@ -100,9 +100,9 @@ fn refused(error: anyhow::Error) -> PyErr {
 }
 
 /// A refusal of the rig by itself, whoever asked it.
-fn of_rig(error: ProvingError) -> anyhow::Error {
+fn of_rig(error: EvaluationError) -> anyhow::Error {
     match error {
-        ProvingError::Rig(refusal) => refusal.into(),
+        EvaluationError::Rig(refusal) => refusal.into(),
         other => other.into(),
     }
 }

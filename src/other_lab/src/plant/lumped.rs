@@ -1,7 +1,7 @@
 //! A damper as the thesis describes it, with smooth laws: one oil column, one force-velocity law a direction.
 
 use super::ablation::STIFFER;
-use super::{Beside, Kind, Mount, Oil, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
+use super::{Kind, Mount, Oil, OilContext, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
 struct Lumped {
@@ -32,7 +32,7 @@ impl Oil for Lumped {
         states[0]
     }
 
-    fn rates(&self, _: f64, v: f64, beside: &Beside, states: &[f64], rates: &mut [f64]) {
+    fn rates(&self, _: f64, v: f64, beside: &OilContext, states: &[f64], rates: &mut [f64]) {
         let h = states[0];
         let valves = if h >= 0.0 { &self.rebound } else { &self.compression };
         let w = beside.gain * valves.velocity(h.abs(), beside.viscosity).copysign(h);
@@ -56,7 +56,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
     let gas_n = d.scale(60.0, 350.0);
     let scale = Scale { rebound_n, compression_n, series_n_m: mount.stiffness, friction_n: seal.sliding, gas_n };
     let length = d.between(0.5, 1.2);
-    let slight = Slight { laden_kg: 0.0, position: 0.0, warmth: 0.1 * d.share(), gas: [gas_n / length, length] };
+    let slight = Slight { laden_kg: 0.0, position: 0.0, warmth: 0.1 * d.fraction(), gas: [gas_n / length, length] };
     let column = 5.0 * mount.stiffness.max(4e6);
     Plant {
         kind: Kind::ThesisLike,

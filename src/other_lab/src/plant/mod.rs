@@ -44,9 +44,9 @@ impl Kind {
     }
 }
 
-/// What acts on the oil from beside the valves.
+/// Effects on the oil other than those of the valves.
 #[derive(Debug, Clone, Copy)]
-pub struct Beside {
+pub struct OilContext {
     /// Velocity that passages beside the valves, or voids, take from the piston's, m/s.
     pub taken: f64,
     /// Compliance beside that of the oil, m/N.
@@ -70,7 +70,7 @@ pub trait Oil: Send + Sync {
     /// All that the oil does to the rod, N.
     fn force(&self, states: &[f64]) -> f64;
     /// Rates at displacement x and velocity v of the rod.
-    fn rates(&self, x: f64, v: f64, beside: &Beside, states: &[f64], rates: &mut [f64]);
+    fn rates(&self, x: f64, v: f64, beside: &OilContext, states: &[f64], rates: &mut [f64]);
     /// Removes a part of the oil's or the gas's physics; other parts leave it unchanged.
     fn remove(&mut self, part: Part);
 }

@@ -1,7 +1,7 @@
 //! A monotube: piston between two chambers of oil with dissolved air, gas behind a floating piston.
 
 use super::ablation::STIFFER;
-use super::{Beside, Built, Kind, Mount, Oil, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
+use super::{Built, Kind, Mount, Oil, OilContext, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
 /// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967), pressures in bar absolute.
@@ -97,7 +97,7 @@ impl Oil for Monotube {
         (p[0] * self.annulus() - p[1] * self.piston + self.rod) * BAR
     }
 
-    fn rates(&self, x: f64, v: f64, beside: &Beside, p: &[f64], rates: &mut [f64]) {
+    fn rates(&self, x: f64, v: f64, beside: &OilContext, p: &[f64], rates: &mut [f64]) {
         let area = self.annulus();
         let h = self.hydraulic(p);
         let valves = if h >= 0.0 { &self.rebound } else { &self.compression };

@@ -3,7 +3,7 @@
 
 use super::ablation::STIFFER;
 use super::monotube::{BAR, Fluid, GAS};
-use super::{Beside, Built, Kind, Mount, Oil, Part, Plant, Scale, Seal, Slight, forces};
+use super::{Built, Kind, Mount, Oil, OilContext, Part, Plant, Scale, Seal, Slight, forces};
 use crate::draw::Draw;
 use crate::plant::flow::{Valves, check_valve};
 
@@ -55,7 +55,7 @@ impl Oil for TwinTube {
         (p[0] * self.annulus - p[1] * (self.annulus + self.rod) + self.rod) * BAR
     }
 
-    fn rates(&self, x: f64, v: f64, beside: &Beside, p: &[f64], rates: &mut [f64]) {
+    fn rates(&self, x: f64, v: f64, beside: &OilContext, p: &[f64], rates: &mut [f64]) {
         let [piston, base] = self.across(p);
         let taken = beside.taken;
         let through_piston = if piston >= 0.0 {

@@ -95,7 +95,7 @@ impl Motion {
             let mut d = Draw::new(seed, "road");
             let ratio = libm::log(25.0 / 0.5) / WAVES as f64;
             let drawn: Vec<[f64; 2]> =
-                (0..WAVES).map(|i| [0.5 * libm::exp((i as f64 + d.share()) * ratio), TAU * d.share()]).collect();
+                (0..WAVES).map(|i| [0.5 * libm::exp((i as f64 + d.fraction()) * ratio), TAU * d.fraction()]).collect();
             // A steeper spectrum moves further at the same velocity: the one that uses both limits is found by halving.
             let (mut flat, mut steep) = (-0.3, 1.5);
             for _ in 0..24 {
@@ -106,7 +106,7 @@ impl Motion {
                     .collect();
                 let (mut x, mut v) = (0.0f64, 0.0f64);
                 for i in 0..(seconds * 100.0) as usize {
-                    let at = ready.at(rest + i as f64 / 100.0);
+                    let at = ready.evaluate(rest + i as f64 / 100.0);
                     (x, v) = (x.max((at.x - mean).abs()), v.max(at.v.abs()));
                 }
                 let factor = (displacement / x).min(velocity / v);
@@ -127,7 +127,7 @@ impl Motion {
 
 impl Ready {
     /// Displacement, velocity and acceleration at time `t` of the record.
-    pub fn at(&self, t: f64) -> Jet {
+    pub fn evaluate(&self, t: f64) -> Jet {
         let since = Jet::time(t - self.rest);
         if since.x <= 0.0 {
             return Jet::constant(self.mean);
@@ -185,7 +185,7 @@ mod tests {
             let h = 1e-6;
             for i in 0..60 {
                 let t = 0.21 + 0.047 * f64::from(i);
-                let (before, at, after) = (ready.at(t - h), ready.at(t), ready.at(t + h));
+                let (before, at, after) = (ready.evaluate(t - h), ready.evaluate(t), ready.evaluate(t + h));
                 assert!((at.v - (after.x - before.x) / (2.0 * h)).abs() < 1e-6, "{motion:?} at {t}");
                 assert!(
                     (at.a - (after.v - before.v) / (2.0 * h)).abs() < 1e-3 * (1.0 + at.a.abs()),
@@ -198,7 +198,7 @@ mod tests {
     #[test]
     fn roads_keep_their_limits_and_use_one() {
         let road = Motion::Road { displacement: 0.03, velocity: 0.8, seconds: 10.0, seed: 7 }.ready(0.0, 0.2, 1.0);
-        let all: Vec<Jet> = (0..10_200).map(|i| road.at(f64::from(i) * 1e-3)).collect();
+        let all: Vec<Jet> = (0..10_200).map(|i| road.evaluate(f64::from(i) * 1e-3)).collect();
         let x = all.iter().fold(0.0f64, |m, at| m.max(at.x.abs())) / 0.03;
         let v = all.iter().fold(0.0f64, |m, at| m.max(at.v.abs())) / 0.8;
         assert!(x < 1.03 && v < 1.03 && x.max(v) > 0.97, "{x} {v}");

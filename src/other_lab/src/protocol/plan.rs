@@ -16,7 +16,7 @@ pub struct Test {
     /// Side force, N.
     pub side: f64,
     /// Whether it is kept from the identification.
-    pub held_out: bool,
+    pub left_out: bool,
     /// Whether it repeats the test that shows drift; it is not shuffled away from start, middle and end.
     pub is_reference: bool,
 }
@@ -38,7 +38,7 @@ pub enum Plan {
 }
 
 /// Begins the names of tests that are left out.
-pub const HELD_OUT: &str = "check_";
+pub const LEFT_OUT_PREFIX: &str = "check_";
 
 /// Amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
 type Row = (f64, f64, f64, f64);
@@ -105,7 +105,7 @@ fn sine(prefix: &str, (amplitude, frequency, mean, side): Row) -> Test {
         motion: Motion::Sine { amplitude: amplitude * 1e-3, frequency },
         mean: mean * 1e-3,
         side,
-        held_out: prefix == HELD_OUT,
+        left_out: prefix == LEFT_OUT_PREFIX,
         is_reference: false,
     }
 }
@@ -116,7 +116,7 @@ fn road(prefix: &str, number: u64, displacement: f64, velocity: f64, mean: f64, 
         motion: Motion::Road { displacement, velocity, seconds, seed: number },
         mean,
         side,
-        held_out: prefix == HELD_OUT,
+        left_out: prefix == LEFT_OUT_PREFIX,
         is_reference: false,
     }
 }
@@ -135,11 +135,11 @@ impl Plan {
         match self {
             Plan::Sines => references(20.0, 1.3)
                 .chain(SINES.map(|r| sine("", r)))
-                .chain(SINES_LEFT_OUT.map(|r| sine(HELD_OUT, r)))
+                .chain(SINES_LEFT_OUT.map(|r| sine(LEFT_OUT_PREFIX, r)))
                 .chain([
-                    road(HELD_OUT, 1, 0.02, 0.5, 0.0, 0.0, roads),
-                    road(HELD_OUT, 2, 0.03, 1.1, 0.006, 0.0, roads),
-                    road(HELD_OUT, 3, 0.015, 0.8, -0.01, 300.0, roads),
+                    road(LEFT_OUT_PREFIX, 1, 0.02, 0.5, 0.0, 0.0, roads),
+                    road(LEFT_OUT_PREFIX, 2, 0.03, 1.1, 0.006, 0.0, roads),
+                    road(LEFT_OUT_PREFIX, 3, 0.015, 0.8, -0.01, 300.0, roads),
                 ])
                 .collect(),
             Plan::Thesis => THESIS_STROKES
@@ -149,7 +149,7 @@ impl Plan {
                 .map(|(stroke, f)| {
                     // Round to what a plan would state.
                     let digits = libm::pow(10f64, 3.0 - libm::log10(f).ceil());
-                    let prefix = if stroke == 30.0 || stroke == 2.0 { HELD_OUT } else { "" };
+                    let prefix = if stroke == 30.0 || stroke == 2.0 { LEFT_OUT_PREFIX } else { "" };
                     sine(prefix, row(stroke, (f * digits).round() / digits))
                 })
                 .chain([0.04, 0.02, 0.01].map(|f| sine("", row(10.0, f))))
@@ -170,7 +170,7 @@ impl Plan {
             ]
             .map(|r| sine("", r))
             .into_iter()
-            .chain([row(25.0, 6.0), row(15.0, 2.0), row(4.0, 9.0)].map(|r| sine(HELD_OUT, r)))
+            .chain([row(25.0, 6.0), row(15.0, 2.0), row(4.0, 9.0)].map(|r| sine(LEFT_OUT_PREFIX, r)))
             .collect(),
             Plan::Ramps => {
                 let triangle = |amplitude: f64, frequency: f64| Test {
@@ -194,8 +194,11 @@ impl Plan {
                         [row(1.0, 20.0), row(10.0, 12.0), (10.0, 2.0, 20.0, 0.0), (10.0, 2.0, -20.0, 0.0)]
                             .map(|r| sine("", r)),
                     )
-                    .chain([sweep(HELD_OUT, 20.0, (0.4, 14.0)), road(HELD_OUT, 1, 0.025, 0.9, 0.0, 0.0, roads)])
-                    .chain([row(14.0, 3.2), row(3.5, 11.0)].map(|r| sine(HELD_OUT, r)))
+                    .chain([
+                        sweep(LEFT_OUT_PREFIX, 20.0, (0.4, 14.0)),
+                        road(LEFT_OUT_PREFIX, 1, 0.025, 0.9, 0.0, 0.0, roads),
+                    ])
+                    .chain([row(14.0, 3.2), row(3.5, 11.0)].map(|r| sine(LEFT_OUT_PREFIX, r)))
                     .collect()
             }
             Plan::Roads => (1..=6)
@@ -204,7 +207,7 @@ impl Plan {
                     road("", i, x, v, 0.0, 0.0, roads)
                 })
                 .chain([row(25.0, 0.05), row(2.0, 0.5), row(25.0, 2.0), row(2.0, 15.0)].map(|r| sine("", r)))
-                .chain((7..=8).map(|i| road(HELD_OUT, i, 0.028, 0.9, 0.0, 0.0, roads)))
+                .chain((7..=8).map(|i| road(LEFT_OUT_PREFIX, i, 0.028, 0.9, 0.0, 0.0, roads)))
                 .collect(),
         }
     }
@@ -221,10 +224,10 @@ mod tests {
             let tests = plan.tests(10.0);
             let names: BTreeSet<&str> = tests.iter().map(|t| t.name.as_str()).collect();
             assert_eq!(names.len(), tests.len(), "{plan:?}");
-            assert!(tests.iter().all(|t| t.held_out == t.name.starts_with(HELD_OUT)), "{plan:?}");
-            assert!(tests.iter().any(|t| t.held_out), "{plan:?}");
+            assert!(tests.iter().all(|t| t.left_out == t.name.starts_with(LEFT_OUT_PREFIX)), "{plan:?}");
+            assert!(tests.iter().any(|t| t.left_out), "{plan:?}");
         }
         let sines = Plan::Sines.tests(10.0);
-        assert_eq!((sines.len(), sines.iter().filter(|t| t.held_out).count()), (44, 10));
+        assert_eq!((sines.len(), sines.iter().filter(|t| t.left_out).count()), (44, 10));
     }
 }

@@ -1,0 +1,97 @@
+//! Voids that one stroke opens and the other has to close.
+
+use super::{Effect, EffectModel, Here, Make};
+use crate::draw::Draw;
+use crate::plant::Scale;
+
+pub(super) const EFFECT: Effect =
+    Effect { name: "cavitation", laws: &[("gas_release", gas_release as Make), ("starved_intake", starved_intake)] };
+
+/// Below a pressure gas comes out of the oil with a rate, and goes back more slowly.
+///
+/// What is out takes up room in proportion (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013, after Singhal's
+/// full cavitation model, 2002).
+struct GasRelease {
+    /// Hydraulic force of compression at which release sets in, N, and width, N.
+    onset: f64,
+    width: f64,
+    /// Velocity that the released gas takes up, at twice the onset, m/s.
+    rate: f64,
+    back: f64,
+}
+
+/// Void below which its closing slows down, m.
+const CLOSED: f64 = 2e-5;
+
+impl GasRelease {
+    fn opens(&self, here: &Here, s: &[f64]) -> f64 {
+        let beyond = (-here.hydraulic - self.onset) / self.width;
+        let void = s[0].max(0.0);
+        let releases = self.rate * softplus(beyond) * self.width / self.onset;
+        // Pressure above the onset presses the gas together, and what is left dissolves.
+        let closes =
+            (softplus(-beyond) * self.width / self.onset * self.rate + void / self.back) * void / (void + CLOSED);
+        releases - closes
+    }
+}
+
+fn softplus(x: f64) -> f64 {
+    if x > 30.0 { x } else { libm::log1p(libm::exp(x)) }
+}
+
+impl EffectModel for GasRelease {
+    fn tolerances(&self) -> &[f64] {
+        &[5e-7]
+    }
+    fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
+        r[0] = self.opens(here, s);
+    }
+    fn taken(&self, here: &Here, s: &[f64]) -> f64 {
+        -self.opens(here, s)
+    }
+}
+
+fn gas_release(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    let onset = scale.compression_n * d.between(0.55, 0.8);
+    Box::new(GasRelease { onset, width: 0.04 * onset, rate: strength * d.between(0.3, 0.8), back: d.scale(0.05, 0.3) })
+}
+
+/// The intake valve passes no more than the pressure of the reserve drives through it.
+///
+/// In a fast rebound stroke the chamber below stays unfilled, the intake fills it on while it is, and compression
+/// begins in the void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
+struct StarvedIntake {
+    /// Piston velocity that the intake can follow, m/s, and velocity over which it falls behind.
+    follows: f64,
+    edge: f64,
+    share: f64,
+}
+
+impl StarvedIntake {
+    fn opens(&self, here: &Here, s: &[f64]) -> f64 {
+        let void = s[0].max(0.0);
+        let lags = self.share * softplus((here.v - self.follows) / self.edge) * self.edge;
+        let is_open = void / (void + CLOSED);
+        let still_fills = 0.1 * self.share * self.follows;
+        // The piston comes down into the void: it takes up the stroke.
+        lags - is_open * (still_fills + (-here.v).max(0.0))
+    }
+}
+
+impl EffectModel for StarvedIntake {
+    fn tolerances(&self) -> &[f64] {
+        &[5e-7]
+    }
+    fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
+        r[0] = self.opens(here, s);
+    }
+    fn taken(&self, here: &Here, s: &[f64]) -> f64 {
+        let void = s[0].max(0.0);
+        -(void / (void + CLOSED)) * (-here.v).max(0.0)
+    }
+}
+
+fn starved_intake(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    let follows = d.scale(0.15, 0.45);
+    Box::new(StarvedIntake { follows, edge: 0.15 * follows, share: strength * d.between(0.03, 0.1) })
+}

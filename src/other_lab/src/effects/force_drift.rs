@@ -1,0 +1,52 @@
+//! A force channel whose zero wanders.
+
+use super::{Effect, EffectModel, Make, Reading};
+use crate::draw::Draw;
+use crate::plant::Scale;
+
+pub(super) const EFFECT: Effect =
+    Effect { name: "force_drift", laws: &[("diffusion", diffusion as Make), ("wander", wander)] };
+
+/// Heat that creeps into the cell through its flange: with the root of time at first (Carslaw & Jaeger, half space).
+struct Diffusion {
+    force: f64,
+    length: f64,
+}
+
+impl EffectModel for Diffusion {
+    fn reads(&self, at: &Reading) -> f64 {
+        let root = at.progress.max(0.0).sqrt();
+        self.force * root / (1.0 + self.length * root)
+    }
+}
+
+fn diffusion(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    let force = strength * d.sign() * d.between(0.08, 0.16) * scale.rebound_n;
+    Box::new(Diffusion { force, length: d.between(0.0, 0.6) })
+}
+
+const WAVES: usize = 3;
+
+/// A slow wander, as draughts and a heating that switches make it: waves of a quarter to all of the campaign.
+struct Wander {
+    waves: [[f64; 3]; WAVES],
+}
+
+impl EffectModel for Wander {
+    fn reads(&self, at: &Reading) -> f64 {
+        self.waves
+            .iter()
+            .map(|[size, turns, phase]| {
+                size * (libm::sin(std::f64::consts::TAU * turns * at.progress + phase) - libm::sin(*phase))
+            })
+            .sum()
+    }
+}
+
+fn wander(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    let size = strength * d.between(0.03, 0.06) * scale.rebound_n;
+    let waves = [0.5, 1.0, 2.2].map(|turns| {
+        [size / f64::sqrt(2.0 * turns), turns * d.between(0.8, 1.2), std::f64::consts::TAU * d.fraction()]
+    });
+    Box::new(Wander { waves })
+}

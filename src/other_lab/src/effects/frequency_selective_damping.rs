@@ -1,0 +1,95 @@
+//! Damping that is less for short, fast strokes.
+
+use super::{Effect, EffectModel, Here, Make};
+use crate::draw::Draw;
+use crate::plant::Scale;
+
+pub(super) const EFFECT: Effect = Effect {
+    name: "frequency_selective_damping",
+    laws: &[("travelling_piston", travelling_piston as Make), ("pilot_chamber", pilot_chamber)],
+};
+
+/// A small piston in a passage through the rod.
+///
+/// Short strokes move it freely, long ones bring it to its end, where the passage is shut (amplitude-selective
+/// damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
+struct TravellingPiston {
+    /// Damper's stroke that brings it to its end, m.
+    travel: f64,
+    /// Force that the passage takes at 1 m/s of the damper, N.
+    resistance: f64,
+    end: f64,
+}
+
+impl TravellingPiston {
+    fn moves(&self, here: &Here, s: &[f64]) -> f64 {
+        // The state is its place between the ends, from -1 to 1.
+        let driven = here.hydraulic - self.end * s[0].powi(7);
+        driven / (self.resistance * (1.0 + (driven.abs() / self.resistance)).sqrt())
+    }
+}
+
+impl EffectModel for TravellingPiston {
+    fn tolerances(&self) -> &[f64] {
+        &[1e-3]
+    }
+    fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
+        r[0] = self.moves(here, s) / self.travel;
+    }
+    fn taken(&self, here: &Here, s: &[f64]) -> f64 {
+        // Counted in strokes of the damper already.
+        self.moves(here, s)
+    }
+}
+
+fn travelling_piston(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    let h = 0.5 * (scale.rebound_n + scale.compression_n);
+    // A stronger case has a larger piston: more stroke at less resistance; none at all at strength 0.
+    let strength = strength.max(1e-6);
+    Box::new(TravellingPiston {
+        travel: strength * d.between(1.5e-3, 4e-3),
+        resistance: h / (0.5 * strength) * d.between(0.8, 1.6),
+        end: d.between(0.8, 1.5) * h,
+    })
+}
+
+/// A pilot chamber behind the valve follows the pressure through a small hole.
+///
+/// While it is behind, the valve is held open more (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
+struct PilotChamber {
+    opens: f64,
+    force: f64,
+    fills: f64,
+    empties: f64,
+}
+
+impl PilotChamber {
+    fn ahead(&self, here: &Here, s: &[f64]) -> f64 {
+        let by = here.hydraulic.abs() - s[0];
+        0.5 * (by + (by * by + 0.01 * self.force * self.force).sqrt()) - 0.05 * self.force
+    }
+}
+
+impl EffectModel for PilotChamber {
+    fn tolerances(&self) -> &[f64] {
+        &[0.2]
+    }
+    fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
+        let by = here.hydraulic.abs() - s[0];
+        let filling = 0.5 * (1.0 + libm::tanh(by / (0.05 * self.force)));
+        r[0] = by * (filling / self.fills + (1.0 - filling) / self.empties);
+    }
+    fn gain(&self, here: &Here, s: &[f64]) -> f64 {
+        let ahead = self.ahead(here, s).max(0.0);
+        1.0 + self.opens * ahead / (ahead + s[0].max(0.0) + 0.3 * self.force)
+    }
+}
+
+fn pilot_chamber(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    Box::new(PilotChamber {
+        opens: strength * d.between(0.8, 1.8),
+        force: 0.3 * scale.compression_n,
+        fills: d.scale(0.04, 0.15),
+        empties: d.scale(5e-3, 2e-2),
+    })
+}

@@ -1,0 +1,66 @@
+//! A gas force that grows as the damper warms.
+
+use super::{Effect, EffectModel, Here, Make};
+use crate::draw::Draw;
+use crate::plant::Scale;
+
+pub(super) const EFFECT: Effect = Effect {
+    name: "gas_warming",
+    laws: &[("room_taken_by_oil", room_taken_by_oil as Make), ("gas_leaves_the_oil", gas_leaves_the_oil)],
+};
+
+/// Temperature at which the damper is as it is without the effect, °C.
+const REFERENCE_C: f64 = 25.0;
+const KELVIN: f64 = 273.15;
+/// Expansion of mineral oil, 1/K.
+const EXPANSION: f64 = 8e-4;
+
+/// An ideal gas behind a floating piston.
+///
+/// Its pressure grows with its absolute temperature and as the oil beside it expands into its room (Dixon, The Shock
+/// Absorber Handbook, 2007, ch. 5). The more the rod is in, the less room there is.
+struct RoomTakenByOil {
+    force: f64,
+    /// Oil for one volume of gas.
+    oil: f64,
+    length: f64,
+}
+
+impl EffectModel for RoomTakenByOil {
+    fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
+        let room = (1.0 + here.x / self.length).max(0.3);
+        let taken = (EXPANSION * self.oil * (here.oil_c - REFERENCE_C)).min(0.7 * room);
+        let hotter = (here.oil_c + KELVIN) / (REFERENCE_C + KELVIN);
+        -self.force * (hotter / (room - taken) - 1.0 / room)
+    }
+}
+
+fn room_taken_by_oil(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    Box::new(RoomTakenByOil {
+        force: strength * d.between(0.6, 1.4) * scale.gas_n.max(150.0),
+        oil: d.between(2.0, 5.0),
+        length: d.between(0.25, 0.5),
+    })
+}
+
+/// Low-pressure gas that lies over the oil of a twin tube.
+///
+/// What is dissolved leaves as the oil warms, by van 't Hoff's exponential, up to all there is.
+struct GasLeavesTheOil {
+    force: f64,
+    kelvin: f64,
+}
+
+impl EffectModel for GasLeavesTheOil {
+    fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
+        let warmer = here.oil_c - REFERENCE_C;
+        -self.force * (warmer / (KELVIN + REFERENCE_C) + 1.0 - libm::exp(-warmer / self.kelvin))
+    }
+}
+
+fn gas_leaves_the_oil(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    Box::new(GasLeavesTheOil {
+        force: strength * d.between(0.4, 0.9) * scale.gas_n.max(150.0),
+        kelvin: d.between(40.0, 80.0),
+    })
+}

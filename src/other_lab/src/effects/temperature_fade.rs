@@ -1,0 +1,56 @@
+//! Oil that thins as it warms.
+
+use super::{Effect, EffectModel, Here, Make};
+use crate::draw::Draw;
+use crate::plant::Scale;
+
+pub(super) const EFFECT: Effect = Effect {
+    name: "temperature_fade",
+    laws: &[("andrade", andrade as Make), ("growing_clearance", growing_clearance)],
+};
+
+/// Temperature at which the damper is as it is without the effect, °C.
+const REFERENCE_C: f64 = 25.0;
+
+/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin; the valves feel it in their laminar passages alone.
+struct Andrade {
+    kelvin: f64,
+}
+
+impl EffectModel for Andrade {
+    fn viscosity(&self, here: &Here, _: &[f64]) -> f64 {
+        libm::exp(self.kelvin * (1.0 / (here.oil_c + 273.15) - 1.0 / (REFERENCE_C + 273.15)))
+    }
+}
+
+fn andrade(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    Box::new(Andrade { kelvin: strength * d.between(3500.0, 6500.0) })
+}
+
+/// The piston's clearance grows with the cube of a gap that widens as the aluminium does, while the oil in it thins
+/// (Poiseuille; Merritt 1967).
+///
+/// A leak that is nothing when cold.
+struct GrowingClearance {
+    per_force: f64,
+    widens: f64,
+    thins: f64,
+}
+
+impl EffectModel for GrowingClearance {
+    fn taken(&self, here: &Here, _: &[f64]) -> f64 {
+        let warmer = here.oil_c - REFERENCE_C;
+        let gap = (1.0 + self.widens * warmer).max(0.1);
+        let leak = gap.powi(3) * (1.0 + self.thins * warmer).max(0.1) - 1.0;
+        // The passage that is always there is part of the damper; a colder gap takes some of it away.
+        self.per_force * leak.max(-1.0) * here.hydraulic
+    }
+}
+
+fn growing_clearance(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    Box::new(GrowingClearance {
+        per_force: strength * d.between(0.04, 0.08) / scale.rebound_n,
+        widens: d.between(6e-3, 1.2e-2),
+        thins: d.between(0.02, 0.035),
+    })
+}

@@ -1,0 +1,39 @@
+//! The amplifier changes its range when the force has become large, and back only when it has become small again; the ranges
+//! do not agree.
+
+use super::{Draw, Effect, EffectModel, Make, Scale};
+
+pub(super) const EFFECT: Effect = Effect { name: "amplifier_switch", laws: &[("auto_range", auto_range as Make)] };
+
+/// A gain control with backlash and a gain error in its coarse range, which it blends into over a band of forces.
+///
+/// The backlash is the play operator (Krasnosel'skii & Pokrovskii, Systems with Hysteresis, 1989).
+struct AutoRange {
+    error: f64,
+    /// Force at which half of the change is made while the force grows, N, and by how much later it is undone.
+    up: f64,
+    backlash: f64,
+    band: f64,
+}
+
+impl EffectModel for AutoRange {
+    fn channel(&self, _: u64, _: &[f64], force: &mut Vec<f64>) {
+        let mut stands = 0.0f64;
+        for f in force {
+            // Between the force less the backlash and the force: it is pushed up by the one, down by the other.
+            stands = stands.max(f.abs() - self.backlash).min(f.abs());
+            let beyond = (stands - (self.up - self.backlash)) / self.band;
+            *f *= 1.0 + self.error * 0.5 * (1.0 + libm::tanh(beyond));
+        }
+    }
+}
+
+fn auto_range(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    let up = d.between(0.35, 0.7) * scale.rebound_n;
+    Box::new(AutoRange {
+        error: strength * d.sign() * d.between(0.1, 0.25),
+        up,
+        backlash: d.between(0.3, 0.6) * up,
+        band: 0.08 * up,
+    })
+}

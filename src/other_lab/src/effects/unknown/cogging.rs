@@ -1,0 +1,27 @@
+//! An electric actuator cogs: its magnets add a force with the pitch of its poles, of which a part reaches the load cell.
+
+use super::{Draw, Effect, EffectModel, Here, Make, Scale};
+
+pub(super) const EFFECT: Effect = Effect { name: "cogging", laws: &[("poles", poles as Make)] };
+
+/// A wave over the stroke that grows with the motor's current, that is with the force.
+struct Poles {
+    share: f64,
+    pitch: f64,
+    phase: f64,
+}
+
+impl EffectModel for Poles {
+    fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
+        let wave = libm::sin(std::f64::consts::TAU * here.input.x / self.pitch + self.phase);
+        self.share * wave * here.hydraulic.abs()
+    }
+}
+
+fn poles(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    Box::new(Poles {
+        share: strength * d.between(0.06, 0.14),
+        pitch: d.between(0.006, 0.016),
+        phase: std::f64::consts::TAU * d.fraction(),
+    })
+}

@@ -1,0 +1,22 @@
+//! A tilted cross-head turns a share of the axial force into friction in the guides.
+
+use super::{Draw, Effect, EffectModel, Here, Make, Scale, soft_sign};
+
+pub(super) const EFFECT: Effect = Effect { name: "tilted_head", laws: &[("wedge", wedge as Make)] };
+
+/// A wedge: friction by the force and by how far the rod is out, which lengthens the lever (Deubel & Prokop 2023).
+struct Wedge {
+    share: f64,
+    lever: f64,
+}
+
+impl EffectModel for Wedge {
+    fn parallel(&self, here: &Here, _: &[f64]) -> f64 {
+        let load = (here.hydraulic * here.hydraulic + 900.0).sqrt() - 30.0;
+        self.share * (1.0 + self.lever * here.x) * load * soft_sign(here.v, 2e-3)
+    }
+}
+
+fn wedge(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
+    Box::new(Wedge { share: strength * d.between(0.06, 0.12), lever: d.between(3.0, 8.0) })
+}
