@@ -419,7 +419,8 @@ fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
     let validation = validate(&compared).unwrap();
     move |code| {
         let words = code.parse::<Language>().unwrap().words();
-        let page = render(&ReportInput::of(&case.model, &case.campaign, &compared, &validation, words).unwrap());
+        let page =
+            render(&ReportInput::from_validation(&case.model, &case.campaign, &compared, &validation, words).unwrap());
         let all = visible(&page).into_iter().chain(reading::sentences(&case.campaign, words));
         let plain = |text: String| text.replace(&case.folder, "").replace('\u{a0}', " ");
         // A publication is cited as it is called.

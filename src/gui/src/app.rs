@@ -9,7 +9,7 @@ use crate::units::Units;
 use crate::views::choosing::Choosing;
 use crate::views::plots::{self, Which};
 use crate::views::{
-    Corner, Side, View, answer, bar, choosing, closing, matrix, records, replacing, status, study, tables, tests, tune,
+    Corner, Side, View, bar, choosing, closing, matrix, records, replacing, results, status, study, tables, tests, tune,
 };
 use crate::words;
 use dashpot_output::Kind;
@@ -127,7 +127,7 @@ impl App {
         for ask in std::mem::take(&mut self.view.asks) {
             self.dialogs.ask(ask, from.clone(), self.waker.clone());
         }
-        while let Some((ask, reply)) = self.dialogs.answer() {
+        while let Some((ask, reply)) = self.dialogs.poll() {
             match reply {
                 Reply::Paths(paths) => self.obey(ui.ctx(), ask, paths),
                 Reply::NoDialog => self.view.choosing = Some(Choosing::new(ask, from.clone())),
@@ -229,7 +229,7 @@ fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
     ui.separator();
     within(ui, |ui| match view.side {
         Side::Tune => tune::show(ui, session, view),
-        Side::Result => answer::show(ui, session, view),
+        Side::Result => results::show(ui, session, view),
         Side::Records => records::show(ui, session, view),
         Side::Study => study::show(ui, session, view),
     });

@@ -74,8 +74,8 @@ pub enum Reply {
 pub trait Dialogs {
     /// Asks, beginning in a folder; does not wait.
     fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker);
-    /// What came of a question, once.
-    fn answer(&mut self) -> Option<(Ask, Reply)>;
+    /// Returns the reply to a question, once.
+    fn poll(&mut self) -> Option<(Ask, Reply)>;
 }
 
 /// A dialog that is closed sooner was never shown.
@@ -136,7 +136,7 @@ impl Dialogs for Native {
         let _ = std::thread::Builder::new().name("dialog".into()).spawn(asking);
     }
 
-    fn answer(&mut self) -> Option<(Ask, Reply)> {
+    fn poll(&mut self) -> Option<(Ask, Reply)> {
         self.answers.try_recv().ok()
     }
 }
@@ -166,7 +166,7 @@ impl Dialogs for Message {
         waker();
     }
 
-    fn answer(&mut self) -> Option<(Ask, Reply)> {
+    fn poll(&mut self) -> Option<(Ask, Reply)> {
         let ask = self.asked.pop()?;
         if self.without {
             return Some((ask, Reply::NoDialog));

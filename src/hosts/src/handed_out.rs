@@ -85,7 +85,7 @@ pub fn property_file(
         bail!("the element fv_curve is off, so there is no curve to export");
     };
     let xml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("xml"));
-    let mut left_out = plain.beside.clone();
+    let mut left_out = plain.omitted_elements.clone();
     left_out.retain(|name| !(xml && *name == element!("gas_preload").name()));
     let mut remarks = Vec::new();
     if plain.source == Source::Fitted || !left_out.is_empty() {
@@ -111,7 +111,7 @@ pub fn property_file(
     let has_gas = xml && plain.params.is_on(element!("gas_preload"));
     let gas_force = if has_gas { plain.params.number(number!("gas_force")) } else { 0.0 };
     let points = curve.velocities.len();
-    let properties = Properties { curve, straight: false, gas_force, notes };
+    let properties = Properties { curve, linear: false, gas_force, notes };
     let text = property::write(&properties, if xml { Form::Xml } else { Form::TeimOrbit });
     Ok(PropertyFile { text, points, left_out, remarks })
 }

@@ -30,8 +30,8 @@ pub struct PlainCurve {
     pub params: Params,
     /// Whose it is.
     pub source: Source,
-    /// Elements of the model beside its curve.
-    pub beside: Vec<&'static str>,
+    /// Elements of the model that its curve does not contain.
+    pub omitted_elements: Vec<&'static str>,
 }
 
 impl PlainCurve {
@@ -41,7 +41,7 @@ impl PlainCurve {
     /// Where the plain curve of the file is no curve.
     pub fn from_model_file(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
         let on = Element::all().filter(|element| file.params.is_on(*element) && *element != element!("fv_curve"));
-        let beside = on.map(Element::name).collect();
+        let omitted_elements = on.map(Element::name).collect();
         let source = match &file.identification.fv_only {
             _ if own => Source::Asked,
             None => Source::Only,
@@ -49,7 +49,7 @@ impl PlainCurve {
             Some(fitted) => {
                 let params = FvOnly::params(fitted).map_err(anyhow::Error::msg);
                 let params = params.context("the table [identification.fv_only] of the model file")?;
-                return Ok(Some(PlainCurve { params, source: Source::Fitted, beside }));
+                return Ok(Some(PlainCurve { params, source: Source::Fitted, omitted_elements }));
             }
         };
         if !file.params.is_on(element!("fv_curve")) {
@@ -59,7 +59,7 @@ impl PlainCurve {
         params.disable_all();
         params.enable(element!("fv_curve"), true);
         params.enable(element!("gas_preload"), file.params.is_on(element!("gas_preload")));
-        Ok(Some(PlainCurve { params, source, beside }))
+        Ok(Some(PlainCurve { params, source, omitted_elements }))
     }
 
     /// Its points.

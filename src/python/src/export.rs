@@ -90,7 +90,7 @@ impl Wanted {
                 name: &self.name,
                 from_source: self.library.as_deref(),
                 sources: self.sources,
-                hide_parameters: self.hide_parameters,
+                conceal_parameters: self.hide_parameters,
                 more: &more,
                 remarks: &remarks,
             },

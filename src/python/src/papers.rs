@@ -136,7 +136,7 @@ pub fn write_validation(
             made: made.clone(),
             model_file: page.model_file(),
             data: page.data.clone(),
-            ..ReportInput::of(&model.file, &campaign.read, &compared, &validation, words)?
+            ..ReportInput::from_validation(&model.file, &campaign.read, &compared, &validation, words)?
         };
         let drawn = rivals.into_iter().filter_map(|(name, forces)| Rival::named(&name, forces)).collect::<Vec<_>>();
         input.extra.extend(section(&validation, &compared, &drawn, words));

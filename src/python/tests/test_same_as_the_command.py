@@ -376,7 +376,7 @@ def test_a_mapping_reads_as_the_options_of_the_command(command: Command, records
     columns = dict(zip(units, ["t", "stroke", "rate", "load"], strict=True))
     read = dashpot.Campaign.read(folder, positive="compression", units=units, columns=columns)
     assert read.names == campaign.names
-    assert read.sign.given and read.sign.positive == "compression"
+    assert read.sign.is_stated and read.sign.positive == "compression"
     for mine, theirs in zip(read, campaign, strict=True):
         assert np.allclose(mine.force, theirs.force, rtol=1e-9)
     options = [f"--unit={c}={u}" for c, u in units.items()] + [f"--column={c}={h}" for c, h in columns.items()]

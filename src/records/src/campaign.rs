@@ -786,7 +786,7 @@ mod tests {
         for path in [folder.path().to_path_buf(), folder.path().join("a.csv")] {
             let campaign = load(&[path], &Options::default(), &quiet).unwrap();
             assert_eq!(campaign.records.len(), 1);
-            assert!(campaign.sign.given && campaign.sign.positive == super::super::Positive::Compression);
+            assert!(campaign.sign.is_stated && campaign.sign.positive == super::super::Positive::Compression);
             assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.to_string().contains("campaign.toml")));
         }
         // The command line wins.

@@ -27,7 +27,7 @@ pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
     let word = |positive: Positive| positive.name();
     for campaign in campaigns {
         let own = campaign.sign.clone();
-        if own.given {
+        if own.is_stated {
             continue;
         }
         if own.positive == surest.positive {
@@ -105,7 +105,7 @@ mod tests {
         };
         let sign = SignFinding {
             positive,
-            given,
+            is_stated: given,
             confidence,
             reasons: Vec::new(),
             standstill_force: -100.0,

@@ -26,8 +26,8 @@ use super::whole_motion::Motion;
 pub struct SignFinding {
     /// Direction positive in the files (after the flips that the options ask for).
     pub positive: Positive,
-    /// Whether the user said so; else it was worked out.
-    pub given: bool,
+    /// Whether the user stated it; else it was estimated.
+    pub is_stated: bool,
     /// How sure that is: 0 a coin toss, 1 certain.
     pub confidence: f64,
     /// What speaks for and against, in words.
@@ -41,7 +41,7 @@ pub struct SignFinding {
 impl SignFinding {
     /// What every record of the campaign bears of it.
     pub fn counted(&self) -> Counted {
-        Counted { positive: self.positive, is_stated: self.given }
+        Counted { positive: self.positive, is_stated: self.is_stated }
     }
 }
 
@@ -497,7 +497,7 @@ fn direction(
     }
     SignFinding {
         positive,
-        given,
+        is_stated: given,
         confidence,
         reasons,
         standstill_force: turn * standstill.map_or(0.0, |s| s.0),
@@ -574,7 +574,7 @@ mod tests {
         let (compression, turned, _) = settled(campaign(-1.0, -1.0, -150.0), &Options::default()).unwrap();
         assert_eq!(compression.positive, Positive::Compression);
         for finding in [&rebound, &compression] {
-            assert!(finding.confidence > 0.95 && !finding.given, "{finding:?}");
+            assert!(finding.confidence > 0.95 && !finding.is_stated, "{finding:?}");
             assert!((finding.standstill_force + 150.0).abs() < 15.0, "{finding:?}");
             assert!(finding.asymmetry.unwrap() > 1.2, "{finding:?}");
         }
@@ -733,7 +733,7 @@ mod tests {
     fn what_the_user_says_counts_and_doubt_is_told() {
         let options = Options { positive: Some(Positive::Compression), ..Options::default() };
         let (finding, motions, notes) = settled(campaign(1.0, 1.0, -150.0), &options).unwrap();
-        assert!(finding.given && finding.confidence == 1.0);
+        assert!(finding.is_stated && finding.confidence == 1.0);
         assert!(notes.iter().any(|n| n.kind == "sign" && n.text.to_string().contains("speak for the opposite")));
         assert_eq!(motions[0].force[7], -campaign(1.0, 1.0, -150.0)[0].force[7]);
 

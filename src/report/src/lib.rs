@@ -86,7 +86,7 @@ impl<'a> ReportInput<'a> {
     ///
     /// # Errors
     /// When no step can be taken with the model's parameters.
-    pub fn of(
+    pub fn from_validation(
         model: &ModelFile,
         campaign: &Campaign,
         tests: &'a [Compared<'a>],

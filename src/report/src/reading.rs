@@ -10,7 +10,7 @@ const SURE_OF_SIGN: f64 = 0.9;
 /// For a report: the sign first, as a warning where it is doubtful, then the remarks, and those that a model file keeps.
 pub fn blocks(campaign: &Campaign, kept: &[String], words: &Words) -> Vec<Block> {
     let sign = sign_in_words(&campaign.sign, words);
-    let doubtful = !campaign.sign.given && campaign.sign.confidence < SURE_OF_SIGN;
+    let doubtful = !campaign.sign.is_stated && campaign.sign.confidence < SURE_OF_SIGN;
     let mut blocks = vec![if doubtful { Block::Warning(sign) } else { Block::Paragraph(sign) }];
     let notes = campaign.notes.iter().map(|note| words.say(&note.text));
     let notes: Vec<String> = notes.chain(kept.iter().map(|text| words.say_kept(text))).collect();
@@ -32,7 +32,7 @@ pub fn sign_in_words(sign: &SignFinding, words: &Words) -> String {
         Positive::Rebound => words.rebound,
         Positive::Compression => words.compression,
     };
-    if sign.given {
+    if sign.is_stated {
         return words.fill(words.sign_given, &[("direction", direction)]);
     }
     let percent = format!("{:.0}", 100.0 * sign.confidence);

@@ -19,7 +19,7 @@ use dashpot_report::{reading, write_workbook};
 use std::path::{Path, PathBuf};
 
 /// Which tests are left out: those named, or some of every amplitude and speed.
-pub fn held_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
+pub fn left_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     if patterns.is_empty() {
         return Ok(choose_left_out(&records, seed));
@@ -60,7 +60,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.reference.is_empty() {
         print_sign(&campaign.notes);
     }
-    let left = held_out(&campaign, &args.hold_out, args.seed)?;
+    let left = left_out(&campaign, &args.hold_out, args.seed)?;
     let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&campaign.files).cloned().collect();
     let mut reference = Vec::new();
     if !args.reference.is_empty() {

@@ -139,7 +139,7 @@ fn write_report(
         data: data.named(),
         family: Some(FamilyReport { model, fit: Some(found) }),
         model_file: name_of(output),
-        ..ReportInput::of(model, &campaign, &compared, &validation, page.words())?
+        ..ReportInput::from_validation(model, &campaign, &compared, &validation, page.words())?
     };
     // A curve at one setting would stand for none of the others.
     input.curve.clear();

@@ -50,7 +50,7 @@ pub struct Args {
     /// Report of a damper over a setting (--setting): curves, errors and loops by setting. Of an ordinary damper dashpot validate writes it
     #[arg(long, value_name = "F.html", requires = "setting")]
     report: Option<PathBuf>,
-    /// Kind of model: the thesis's, or one of the literature to compare it with. fv, piecewise and lag become model files that
+    /// Kind of model: the thesis's, or one of the literature to compare it with. The kinds fv, piecewise and lag become model files that
     /// every verb and host runs; the others become files that only dashpot validate --against reads
     #[arg(long, value_name = "MODEL", value_parser = kinds(), default_value = "thesis")]
     model: Kind,

@@ -44,7 +44,8 @@ pub struct Args {
     /// Every table as a sheet of one Excel workbook, numbers as numbers
     #[arg(long, value_name = "F.xlsx")]
     excel: Option<PathBuf>,
-    /// Models of the literature to identify from the tests that MODEL was fitted to, and to compare with: fv, piecewise, lag,
+    /// Models of the literature to identify from the tests that MODEL was fitted to, and to compare with.
+    /// One or more of fv, piecewise, lag,
     /// surface, dahl, bouc-wen, spencer, kwok, network, separated by commas; all; or a file that dashpot fit --model wrote
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     against: Vec<String>,
@@ -159,7 +160,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             made: args.page.text.date.made(files)?,
             model_file: name_of(&args.model),
             data: args.data.named(),
-            ..ReportInput::of(&model, &campaign, &compared, &validation, args.page.text.words())?
+            ..ReportInput::from_validation(&model, &campaign, &compared, &validation, args.page.text.words())?
         };
         if is_family {
             // A curve at one setting would stand for none of the others.

@@ -23,7 +23,7 @@ pub struct Loaded {
     /// How warm the damper is when each begins.
     pub warm: WarmStarts,
     /// The campaign as it was read, where something was taken out of it since.
-    as_read: Option<Box<Campaign>>,
+    original: Option<Box<Campaign>>,
 }
 
 /// A test as it is looked at.
@@ -135,24 +135,24 @@ impl Loaded {
         folders.dedup();
         let folder = folders.pop().filter(|_| folders.is_empty());
         let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
-        Ok(Loaded { paths, folder, options, campaign, tests, warm, as_read: None })
+        Ok(Loaded { paths, folder, options, campaign, tests, warm, original: None })
     }
 
     /// The campaign as it was read: what a fit looks at.
-    pub fn as_read(&self) -> &Campaign {
-        self.as_read.as_deref().unwrap_or(&self.campaign)
+    pub fn original(&self) -> &Campaign {
+        self.original.as_deref().unwrap_or(&self.campaign)
     }
 
     /// The campaign with corrected records, and the note that says so.
     pub fn seen_as(&self, records: Vec<Record>, note: Option<Note>) -> Loaded {
-        let mut campaign = self.as_read().clone();
-        let as_read = note.is_some().then(|| Box::new(campaign.clone()));
+        let mut campaign = self.original().clone();
+        let original = note.is_some().then(|| Box::new(campaign.clone()));
         campaign.records = records;
         campaign.notes.extend(note);
         let tests = campaign.records.par_iter().map(Seen::new).collect();
         let (paths, folder, options) = (self.paths.clone(), self.folder.clone(), self.options.clone());
         let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
-        Loaded { paths, folder, options, campaign, tests, warm, as_read }
+        Loaded { paths, folder, options, campaign, tests, warm, original }
     }
 
     /// Where it comes from, in a few words.

@@ -83,7 +83,7 @@ impl Export {
             name: &name,
             from_source: (!holds_one).then_some(library.as_path()),
             sources: true,
-            hide_parameters: false,
+            conceal_parameters: false,
             more: &[],
             remarks: &remarks,
         };

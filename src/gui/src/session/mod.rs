@@ -15,7 +15,6 @@
 //! | [`velocities`] | forces at peak velocities and at given ones |
 //! | [`recent`] | campaigns that were open lately |
 
-pub mod answers;
 pub mod campaign;
 pub mod exports;
 pub mod guarded;
@@ -27,6 +26,7 @@ pub mod papers;
 pub mod progress;
 pub mod recent;
 pub mod replacing;
+pub mod results;
 pub mod simulation;
 pub mod study;
 pub mod tasks;
@@ -34,7 +34,6 @@ pub mod two_ways;
 pub mod velocities;
 pub mod verbs;
 
-use answers::{Answers, Finding};
 use campaign::Loaded;
 use dashpot_core::Params;
 use dashpot_core::parameter::Element;
@@ -42,6 +41,7 @@ use dashpot_identification::Estimate;
 use dashpot_records::{Options, Profile, Record, Sentence, Unusable};
 use model::Tuned;
 use recent::Recent;
+use results::{Finding, Results};
 use simulation::{Simulated, Simulator, Wanted};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -78,8 +78,8 @@ pub struct Session {
     pub simulated: Option<Arc<Simulated>>,
     /// Forces of the identified model, to compare with.
     pub identified: Option<Arc<Simulated>>,
-    /// Answers of the verbs.
-    pub answers: Answers,
+    /// Results of the verbs.
+    pub results: Results,
     /// A family of loops.
     pub study: Option<Study>,
     /// What was said last.
@@ -119,7 +119,7 @@ impl Session {
             unticked: BTreeSet::new(),
             simulated: None,
             identified: None,
-            answers: Answers::default(),
+            results: Results::default(),
             study: None,
             message: None,
             recent,
@@ -211,12 +211,12 @@ impl Session {
     fn see_as_the_fit_saw(&mut self) {
         let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
         let others = self.reference.as_ref();
-        let was_changed = |loaded: &Arc<Loaded>| !std::ptr::eq(loaded.as_read(), &raw const loaded.campaign);
+        let was_changed = |loaded: &Arc<Loaded>| !std::ptr::eq(loaded.original(), &raw const loaded.campaign);
         if model.identification.measurement.is_empty() && !was_changed(own) && !others.is_some_and(was_changed) {
             return;
         }
-        let mut records = own.as_read().records.clone();
-        let mut of_reference = others.map_or_else(Vec::new, |others| others.as_read().records.clone());
+        let mut records = own.original().records.clone();
+        let mut of_reference = others.map_or_else(Vec::new, |others| others.original().records.clone());
         let note = model.identification.right(records.iter_mut().chain(&mut of_reference));
         let reference = others.map(|others| Arc::new(others.seen_as(of_reference, note.clone())));
         self.campaign = Some(Arc::new(own.seen_as(records, note)));
@@ -378,11 +378,11 @@ impl Session {
                 self.arrived = Some(Kind::Fit);
             }
             Outcome::Validated(validation, basis) => {
-                self.answers.validation = Some(Finding::new(validation, *basis));
+                self.results.validation = Some(Finding::new(validation, *basis));
                 self.arrived = Some(Kind::Validate);
             }
             Outcome::Diagnosed(diagnosed, basis) => {
-                self.answers.diagnosis = Some(Finding::new(diagnosed, *basis));
+                self.results.diagnosis = Some(Finding::new(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
             Outcome::Studied(study) => {
@@ -436,7 +436,7 @@ impl Session {
         if !again {
             self.reference = None;
         }
-        self.answers = Answers { fit: self.answers.fit.take(), ..Answers::default() };
+        self.results = Results { fit: self.results.fit.take(), ..Results::default() };
         self.read += 1;
         self.study = None;
         self.simulated = None;
@@ -464,7 +464,7 @@ impl Session {
 
     /// What the last fit says of its numbers.
     pub fn estimates(&self) -> &[Estimate] {
-        self.answers.fit.as_ref().map_or(&[], |f| &f.found.fit.estimates)
+        self.results.fit.as_ref().map_or(&[], |f| &f.found.fit.estimates)
     }
 }
 

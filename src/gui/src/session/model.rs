@@ -30,7 +30,7 @@ pub struct Tuned {
     /// Values as they were saved last.
     saved: Option<Params>,
     /// Why the last change was refused.
-    pub refused: Option<String>,
+    pub rejected: Option<String>,
 }
 
 /// What a change belongs to: changes of one kind in one go are undone together.
@@ -77,7 +77,7 @@ impl Tuned {
             text: None,
             history: History::new(params),
             saved: None,
-            refused: None,
+            rejected: None,
         }
     }
 
@@ -121,7 +121,7 @@ impl Tuned {
         let is_saved = self.saved.as_ref() == Some(&self.identified);
         self.identified = params;
         self.history = History::new(params);
-        self.refused = None;
+        self.rejected = None;
         if is_saved {
             self.saved = Some(params);
         }
@@ -162,12 +162,12 @@ impl Tuned {
     pub fn change(&mut self, change: Change, params: Params) -> bool {
         match Model::new(&params) {
             Ok(_) => {
-                self.refused = None;
+                self.rejected = None;
                 self.history.change(change, params)
             }
             Err(fault) => {
                 let name = parameter::table().nth(fault.parameter as usize).map_or("", |row| row.parameter.name);
-                self.refused = Some(format!("{name} {}", fault.reason.text()));
+                self.rejected = Some(format!("{name} {}", fault.reason.text()));
                 false
             }
         }
@@ -206,13 +206,13 @@ impl Tuned {
 
     /// Takes the last change back.
     pub fn undo(&mut self) -> bool {
-        self.refused = None;
+        self.rejected = None;
         self.history.undo()
     }
 
     /// Does again what was taken back.
     pub fn redo(&mut self) -> bool {
-        self.refused = None;
+        self.rejected = None;
         self.history.redo()
     }
 
@@ -462,7 +462,7 @@ mod tests {
         // The velocities of a curve increase.
         let last = tuned.params().get(&row).to_vec().last().copied().unwrap();
         assert!(!tuned.set(&row, 0, last + 1.0));
-        assert!(tuned.refused.as_ref().unwrap().contains("fv_velocity"), "{:?}", tuned.refused);
+        assert!(tuned.rejected.as_ref().unwrap().contains("fv_velocity"), "{:?}", tuned.rejected);
         assert_eq!(*tuned.params(), before);
     }
 

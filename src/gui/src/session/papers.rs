@@ -1,11 +1,11 @@
 //! Reports and workbooks of what was found: those that the verbs write, in the window's language.
 
 use crate::session::Session;
-use crate::session::answers::Diagnosed;
 use crate::session::campaign::Loaded;
 use crate::session::guarded::checked;
 use crate::session::model::Tuned;
 use crate::session::outputs::error_sentence;
+use crate::session::results::Diagnosed;
 use crate::session::tasks::{Kind as Work, Outcome};
 use crate::session::verbs::compared;
 use dashpot_identification::validation::validate;
@@ -76,14 +76,14 @@ impl Session {
 
     fn write_fit(&mut self, path: PathBuf, words: &'static Words) {
         let (Some(loaded), Some(fit), Some(model)) =
-            (self.campaign.clone(), self.answers.fit.as_ref().map(|a| a.found.fit.clone()), &self.model)
+            (self.campaign.clone(), self.results.fit.as_ref().map(|a| a.found.fit.clone()), &self.model)
         else {
             return;
         };
         let (name, model_path) = (model.name(), file_of(model));
         self.begin(Work::Write, move |_| {
             let records: Vec<&Record> =
-                loaded.as_read().records.iter().filter(|r| fit.tests.contains(&r.name)).collect();
+                loaded.original().records.iter().filter(|r| fit.tests.contains(&r.name)).collect();
             let error = whole_records::of_fit(&fit, &records).map_err(Sentence::as_it_is)?;
             let made = made(model_path.as_ref(), [&loaded]);
             let tables = dashpot_report::fit::workbook(
@@ -110,7 +110,7 @@ impl Session {
                 made: made(model_path.as_ref(), [&loaded]),
                 model_file: name,
                 data: loaded.named(),
-                ..ReportInput::of(&file, &loaded.campaign, &compared, &validation, words)
+                ..ReportInput::from_validation(&file, &loaded.campaign, &compared, &validation, words)
                     .map_err(|e| error_sentence(&e))?
             };
             write(path, paper.kind(), |path| match paper.kind() {
@@ -122,7 +122,7 @@ impl Session {
 
     fn write_diagnosis(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
         let (Some(loaded), Some(Diagnosed { found, over_whole_records, reference, .. }), Some(model)) =
-            (self.campaign.clone(), self.answers.diagnosis.as_ref().map(|a| &a.found), &self.model)
+            (self.campaign.clone(), self.results.diagnosis.as_ref().map(|a| &a.found), &self.model)
         else {
             return;
         };

@@ -3,8 +3,8 @@
 //! Asked for first where values set by hand would be lost, and undone like any change.
 
 use crate::session::Session;
-use crate::session::answers::{Finding, Fitted};
 use crate::session::model::Tuned;
+use crate::session::results::{Finding, Fitted};
 use dashpot_core::Params;
 use dashpot_identification::model_file;
 use dashpot_records::Sentence;
@@ -83,7 +83,7 @@ impl Session {
             Ok(model) => self.take_model(model),
             Err(error) => return self.complain(Sentence::as_it_is(error)),
         }
-        self.answers.fit = self.basis().map(|basis| Finding::new(fit, basis));
+        self.results.fit = self.basis().map(|basis| Finding::new(fit, basis));
     }
 
     /// The model takes the place of the one on screen, which can be gone back to.

@@ -2,9 +2,9 @@
 //! far it is and can be told to stop.
 
 use crate::session::Waker;
-use crate::session::answers::{Basis, Diagnosed, Fitted};
 use crate::session::campaign::Loaded;
 use crate::session::progress::{Progress, Report};
+use crate::session::results::{Basis, Diagnosed, Fitted};
 use crate::session::study::Study;
 use dashpot_estimation::cancel::Cancel;
 use dashpot_identification::validation::Validation;

@@ -1,7 +1,7 @@
 //! Fit, validate and diagnose, as the command does them, beside the window.
 
-use crate::session::answers::{Diagnosed, Fitted};
 use crate::session::campaign::Loaded;
+use crate::session::results::{Diagnosed, Fitted};
 use crate::session::study::{Question, study};
 use crate::session::tasks::{Kind, Outcome};
 use crate::session::{Session, progress};
@@ -22,7 +22,7 @@ impl Session {
         let Some(loaded) = self.campaign.clone() else { return };
         let ticked = self.ticked();
         self.begin(Kind::Fit, move |report| {
-            let records: Vec<&Record> = ticked.iter().map(|k| &loaded.as_read().records[*k]).collect();
+            let records: Vec<&Record> = ticked.iter().map(|k| &loaded.original().records[*k]).collect();
             // The progress of a fit comes from the thread that runs it alone.
             let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, Some(stage.text)));
             let fit = Box::new(found.map_err(|e| e.sentence())?);
@@ -75,7 +75,7 @@ impl Session {
 
     /// The model that the diagnosis improved, as the text of its file.
     pub fn improved_text(&self) -> Option<String> {
-        let Diagnosed { found, left_out, .. } = &self.answers.diagnosis.as_ref()?.found;
+        let Diagnosed { found, left_out, .. } = &self.results.diagnosis.as_ref()?.found;
         let model = self.model.as_ref()?;
         let loaded = self.campaign.as_ref()?;
         let ticked = self.ticked();

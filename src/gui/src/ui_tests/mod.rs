@@ -236,7 +236,7 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
     until(&mut harness, "the end of the fit", |app| app.session.task.is_none());
     let took = asked.elapsed();
     assert_eq!(*harness.state().session.model.as_ref().unwrap().params(), before);
-    assert!(harness.state().session.answers.fit.is_none());
+    assert!(harness.state().session.results.fit.is_none());
     assert!(took.as_secs() < 30, "{took:?}");
 }
 
@@ -251,7 +251,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     harness.state_mut().session.open(&[folder.path().to_owned()]);
     until(&mut harness, "the records", |app| app.session.has_records());
     harness.key_press(Key::F5);
-    until(&mut harness, "the fit", |app| app.session.answers.fit.is_some());
+    until(&mut harness, "the fit", |app| app.session.results.fit.is_some());
     until(&mut harness, "its forces", |app| app.session.simulated.is_some());
     let errors = harness.state().session.simulated.as_ref().unwrap().tests.clone();
     assert!(errors.iter().all(|t| t.percent < 2.0), "{errors:?}");
@@ -260,10 +260,10 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     press(&mut harness, "Tables to Excel…");
     until(&mut harness, "the fit's tables", |app| app.session.task.is_none() && papers[0].exists());
     let tables = sheets(&papers[0]);
-    let estimates = &harness.state().session.answers.fit.as_ref().unwrap().found.fit.estimates;
+    let estimates = &harness.state().session.results.fit.as_ref().unwrap().found.fit.estimates;
     assert_eq!(tables.iter().find(|(name, _)| name == "Model parameters").unwrap().1.height(), 1 + estimates.len());
     harness.key_press(Key::F6);
-    until(&mut harness, "the validation", |app| app.session.answers.validation.is_some());
+    until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
     assert!(says(&harness, "all tests"));
     // The validation's buttons stand above those of the fit.
     harness.get_all_by_label("Tables to Excel…").next().unwrap().click();
@@ -281,7 +281,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
         assert!(page.contains(text), "{text}");
     }
     // The same figures as the window's own, which come from the same forces.
-    let validation = &harness.state().session.answers.validation.as_ref().unwrap().found;
+    let validation = &harness.state().session.results.validation.as_ref().unwrap().found;
     for (of, own) in validation.tests.iter().zip(&errors) {
         assert!((of.errors.model.error_percent - own.percent).abs() < 1e-9);
     }
@@ -390,7 +390,7 @@ fn closing_in_the_middle_of_a_fit_asks_first() {
     press(&mut harness, "Close anyway");
     assert!(harness.state().view.may_close);
     until(&mut harness, "the end of the fit", |app| app.session.task.is_none());
-    assert!(harness.state().session.answers.fit.is_none());
+    assert!(harness.state().session.results.fit.is_none());
 }
 
 #[test]
@@ -571,8 +571,8 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
         app.session.task.is_none()
     });
     assert!(told > 0.0, "it said how far it is");
-    let crate::session::answers::Diagnosed { found, .. } =
-        &harness.state().session.answers.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness))).found;
+    let crate::session::results::Diagnosed { found, .. } =
+        &harness.state().session.results.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness))).found;
     // A spring in series and oil that gives are nearly one to a rig; either name is right.
     let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
     let named = *names.first().unwrap_or_else(|| panic!("{}", found.summary));
@@ -613,7 +613,7 @@ fn a_diagnosis_is_cancelled_and_leaves_everything_as_it_was() {
     let asked = Instant::now();
     until(&mut harness, "the end", |app| app.session.task.is_none());
     assert!(asked.elapsed().as_secs() < 30, "{:?}", asked.elapsed());
-    assert!(harness.state().session.answers.diagnosis.is_none() && !message(&harness).1, "{:?}", message(&harness));
+    assert!(harness.state().session.results.diagnosis.is_none() && !message(&harness).1, "{:?}", message(&harness));
 }
 
 #[test]

@@ -9,7 +9,7 @@ fn params(harness: &Harness<'_, App>) -> dashpot_core::Params {
 }
 
 fn fitted(harness: &mut Harness<'_, App>) {
-    until(harness, "the fit", |app| app.session.answers.fit.is_some() && app.session.task.is_none());
+    until(harness, "the fit", |app| app.session.results.fit.is_some() && app.session.task.is_none());
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     // The panel opens with one sentence that says good or bad.
     harness.step();
     assert_eq!(harness.state().view.side, crate::views::Side::Result);
-    let quality = harness.state().session.answers.fit.as_ref().unwrap().found.quality.unwrap();
+    let quality = harness.state().session.results.fit.as_ref().unwrap().found.quality.unwrap();
     for (_, language) in Language::ALL.iter().rev() {
         harness.state_mut().view.language = *language;
         harness.step();
@@ -112,7 +112,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     }
     assert!(!says(&harness, old));
     harness.key_press(Key::F6);
-    until(&mut harness, "the validation", |app| app.session.answers.validation.is_some());
+    until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
     assert!(!says(&harness, old));
     harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 77.0));
     harness.step();

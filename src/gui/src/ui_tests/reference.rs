@@ -2,7 +2,7 @@
 
 use super::made_up::{campaign, campaign_of, truth, until, window};
 use super::{message, press, says, widget};
-use crate::session::answers::Diagnosed;
+use crate::session::results::Diagnosed;
 use dashpot_core::number;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::words::EN;
@@ -36,7 +36,7 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     harness.step();
     until(&mut harness, "the diagnosis", |app| app.session.task.is_none());
     let said = message(&harness);
-    let Some(Diagnosed { found, .. }) = harness.state().session.answers.diagnosis.as_ref().map(|a| &a.found) else {
+    let Some(Diagnosed { found, .. }) = harness.state().session.results.diagnosis.as_ref().map(|a| &a.found) else {
         panic!("{said:?}")
     };
     let change = found.changes.iter().find(|c| c.name == "gas_force");

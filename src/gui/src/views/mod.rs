@@ -15,7 +15,6 @@
 //! | [`choosing`] | a file or folder, where the system shows no dialogs |
 //! | [`closing`], [`replacing`] | asked before anything is lost |
 
-pub mod answer;
 pub mod bar;
 pub mod choosing;
 pub mod closing;
@@ -25,6 +24,7 @@ pub mod matrix;
 pub mod plots;
 pub mod records;
 pub mod replacing;
+pub mod results;
 pub mod status;
 pub mod study;
 pub mod tables;

@@ -38,7 +38,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         Positive::Rebound => w.rebound_positive,
         Positive::Compression => w.compression_positive,
     };
-    let sure = if sign.given { String::new() } else { format!(" ({} %)", w.fixed(100.0 * sign.confidence, 0)) };
+    let sure = if sign.is_stated { String::new() } else { format!(" ({} %)", w.fixed(100.0 * sign.confidence, 0)) };
     let said = view.language.words();
     let reasons: Vec<String> = sign.reasons.iter().map(|reason| said.say(reason)).collect();
     ui.weak(format!("{direction}{sure}")).on_hover_text(reasons.join("\n"));

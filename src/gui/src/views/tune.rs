@@ -32,7 +32,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         }
     });
     errors(ui, session, w);
-    if let Some(refused) = session.model.as_ref().and_then(|m| m.refused.clone()) {
+    if let Some(refused) = session.model.as_ref().and_then(|m| m.rejected.clone()) {
         ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.rejected));
     }
     // What the file gives for an element that is off, and would be had by switching it on.

@@ -17,8 +17,8 @@ pub struct Imported {
     pub text: String,
     /// Points of its curve.
     pub points: usize,
-    /// What there is beside the curve, and what not.
-    pub beside: String,
+    /// Contents of the file other than the curve, as a message.
+    pub other_contents: String,
     /// How far the curve follows the one that Adams makes of the file, and what was left out; the text has it as comments.
     pub remarks: Vec<String>,
 }
@@ -34,7 +34,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let rows = read.curve.velocities.len();
     let constant = constant_force(&mut read);
     // A linear rate, or a spline that says it is straight, is not read by Akima.
-    let (curve, interpolation, remark) = if read.straight {
+    let (curve, interpolation, remark) = if read.linear {
         let (curve, left) = akima::read_linear(read.curve);
         let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));
         (curve, Interpolation::Linear, remark)
@@ -71,7 +71,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     for remark in constant.iter().chain(&remark) {
         text += &format!("# {remark}\n");
     }
-    let beside = if read.gas_force == 0.0 {
+    let other_contents = if read.gas_force == 0.0 {
         "friction, gas and series stiffness are off".to_owned()
     } else {
         format!("a gas force of {} N; friction and series stiffness are off", read.gas_force)
@@ -80,7 +80,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     Ok(Imported {
         text: text + "\n" + &flat,
         points: curve.velocities.len(),
-        beside,
+        other_contents,
         remarks: constant.into_iter().chain(remark).chain(left_out).collect(),
     })
 }
@@ -92,7 +92,7 @@ const AT_REST: f64 = 1e-6;
 ///
 /// A damper at rest has none of its curve, and what pushes or pulls there does so at every speed.
 fn constant_force(read: &mut property::Properties) -> Option<String> {
-    let rest = akima::at_rest(&read.curve, read.straight);
+    let rest = akima::at_rest(&read.curve, read.linear);
     let largest = read.curve.forces.iter().fold(0.0f64, |most, f| most.max(f.abs()));
     if rest.abs() <= AT_REST * largest {
         return None;

@@ -30,11 +30,11 @@ impl Scales {
 /// What of the model CarMaker's equilibrium does not have, in a sentence. The file has a place for a spring, but no source tells what its numbers
 /// are measured from, so none is written there.
 pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
-    (!curve.beside.is_empty()).then(|| {
+    (!curve.omitted_elements.is_empty()).then(|| {
         format!(
             "Not in the damper that CarMaker looks for its equilibrium with: {}. The FMU has them in the run, so where they hold a force at rest (gas, springs, \
              stops) the vehicle moves to another height after the start: let it come to rest first.",
-            curve.beside.join(", ")
+            curve.omitted_elements.join(", ")
         )
     })
 }

@@ -142,7 +142,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
     let mut typed = String::new();
     let tag = match v.kind {
         Kind::Status => "Integer",
-        Kind::DisplacementGiven => "Boolean",
+        Kind::HasDisplacement => "Boolean",
         Kind::Choice | Kind::BetweenPoints => "Enumeration",
         _ => "Real",
     };

@@ -78,8 +78,8 @@ pub struct Options<'a> {
     pub from_source: Option<&'a Path>,
     /// Whether the sources go inside.
     pub sources: bool,
-    /// Whether its parameters are hidden: none is a variable of the FMU, and the model in its resources lies under a veil.
-    pub hide_parameters: bool,
+    /// Whether its parameters are concealed: none is a variable of the FMU, and the model in its resources lies under a veil.
+    pub conceal_parameters: bool,
     /// Binaries for further platforms.
     pub more: &'a [Binary],
     /// What its page says of this damper, such as that it chatters in a host that holds the force over a step.
@@ -122,18 +122,18 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     let corners = corners.as_slice();
     let Options { version, scales, .. } = *options;
     let mut variables = variables::variables(corners, scales, options.inputs);
-    if options.hide_parameters {
+    if options.conceal_parameters {
         variables.retain(|v| !matches!(v.kind, variables::Kind::Parameter | variables::Kind::Choice));
     }
     // It follows from stiffness and mass.
-    let explicit_step = if options.hide_parameters { 0.0 } else { options.explicit_step };
+    let explicit_step = if options.conceal_parameters { 0.0 } else { options.explicit_step };
     let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
     let describe =
         |guid: &str, sources: &[String]| description::description(version, &variables, guid, options.name, sources);
     let contents =
         |guid: &str| sources::contents(corners.len(), &variables, scales, (options.inputs, explicit_step), guid);
     let guid = guid(&[&contents(""), &texts.concat(), &describe("", &[]), env!("CARGO_PKG_VERSION")]);
-    if options.hide_parameters {
+    if options.conceal_parameters {
         texts.iter_mut().for_each(|text| *text = veil::veiled(text, &guid));
     }
     let contents = contents(&guid);
@@ -184,7 +184,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes());
     archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON);
     // What is said of chatter has stiffness and damping in it.
-    let remarks = if options.hide_parameters { &[] } else { options.remarks };
+    let remarks = if options.conceal_parameters { &[] } else { options.remarks };
     archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes());
     for (platform, suffix, content) in &binaries {
         archive.add(&format!("binaries/{platform}/{}{suffix}", description::IDENTIFIER), content);

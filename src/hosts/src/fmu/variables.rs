@@ -50,7 +50,7 @@ pub enum Kind {
     MotionScale,
     ForceScale,
     PositionOffset,
-    DisplacementGiven,
+    HasDisplacement,
     InitialPosition,
     SpeedMargin,
     BetweenPoints,
@@ -277,7 +277,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             "extension of the damper, from the rig's zero, where the importer's displacement is 0".into(),
         ),
         (
-            Kind::DisplacementGiven,
+            Kind::HasDisplacement,
             inner("displacement_given"),
             Some(1.0),
             "-".into(),

@@ -20,7 +20,7 @@ class SignFinding(Result):
     """Which direction the files count positive, and how sure that is."""
 
     positive: str
-    given: bool
+    is_stated: bool
     confidence: float
     reasons: tuple[str, ...]
     standstill_force: float

@@ -67,7 +67,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         made: page.text.date.made(std::iter::once(model_path.clone()).chain(campaign.files.iter().cloned()))?,
         model_file: name_of(&model_path),
         data: data.named(),
-        ..ReportInput::of(&model, &campaign, &compared, &validation, page.text.words())?
+        ..ReportInput::from_validation(&model, &campaign, &compared, &validation, page.text.words())?
     };
     dashpot_report::write_atomic(&input, &report_path)?;
     say(&format!("   report: {}\n", report_path.display()))?;

@@ -50,7 +50,7 @@ pub fn write(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     say(&format!("   model file: {}", model_path.display()))?;
 
     say("6. Where do model and records disagree, and what is missing? (dashpot diagnose)\n")?;
-    let left_out = diagnose::held_out(&campaign, &kept_back, seed)?;
+    let left_out = diagnose::left_out(&campaign, &kept_back, seed)?;
     let diagnosed = diagnosed::examine(&model, &campaign, left_out, &DiagnosisOptions::default())?;
     say(&diagnosed.lines().join("\n"))?;
     dashpot_output::write(&in_folder("improved.toml"), diagnosed.model(&model, &campaign))?;

@@ -16,8 +16,8 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.adm")]
     output: PathBuf,
-    /// Name of the damper's SFORCE, or SFORCE/id, its length at zero displacement, in the unit of the model (UNITS) or with its own
-    /// (412.5mm, 0.4125m), and its model file where that is not --model-file; repeat for more
+    /// Name of the damper's SFORCE, or SFORCE/id, its length at zero displacement, and its model file where that is not --model-file.
+    /// The length is in the unit of the model (UNITS) or has its own (412.5mm, 0.4125m). Repeat for more
     #[arg(long = "damper", value_name = "NAME=LENGTH[,PATH]", required = true, value_parser = damper)]
     dampers: Vec<Named>,
     /// Path of the model file as the solver will find it

@@ -39,34 +39,35 @@ pub struct Args {
     /// Four corners from a single model file
     #[arg(long)]
     four: bool,
-    /// Damper extension in m per unit of the host's motion, such as 0.001 for mm; the FMU declares that unit, and none where a motion ratio
-    /// is in it [default: 1 for one damper, -1 for a vehicle]
+    /// Damper extension in m per unit of the host's motion, such as 0.001 for mm.
+    /// The FMU declares that unit, and none where a motion ratio is in it [default: 1 for one damper, -1 for a vehicle]
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     motion_scale: Option<f64>,
-    /// The host's force per N of tension, such as 0.001 for kN; the FMU declares that unit, and none where a motion ratio is in it
-    /// [default: 1 for one damper, -1 for a vehicle]
+    /// The host's force per N of tension, such as 0.001 for kN.
+    /// The FMU declares that unit, and none where a motion ratio is in it [default: 1 for one damper, -1 for a vehicle]
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     force_scale: Option<f64>,
     /// Damper extension from the rig's zero, in m, where the host's displacement is 0
     #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
     position_offset: f64,
-    /// When your importer sets the inputs of a co-simulation step: what it knows at the beginning, as FMPy and most masters do (the FMU
-    /// extrapolates, and the force is in time), or what it knows at the end [default: held, which makes the force of the former one step late]
+    /// When your importer sets the inputs of a co-simulation step: at its beginning or its end.
+    /// FMPy and most masters set what they know at the beginning; the FMU then extrapolates, and the force is in time
+    /// [default: held, which makes the force of the former one step late]
     #[arg(long, value_name = "INSTANT", value_parser = ["begin", "end"])]
     inputs: Option<String>,
     /// For IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the .pluginfo file by which it takes it. LENGTH is that of
     /// the damper at which the displacement in the records was 0, in m, or with its unit: 0.4125, 0.4125m, 412.5mm
     #[arg(long, value_name = "LENGTH", value_parser = in_metres, allow_negative_numbers = true, conflicts_with_all = ["four", "motion_scale", "force_scale", "position_offset"])]
     carmaker: Option<f64>,
-    /// With --carmaker: for the damper that CarMaker's equilibrium is looked for with, the model's own curve, without friction, also where the
-    /// model file has the plain FV curve that was fitted to the same tests
+    /// With --carmaker: the model's own curve, without friction, for the damper of CarMaker's equilibrium search.
+    /// It is used also where the model file has the plain FV curve that was fitted to the same tests
     #[arg(long, requires = "carmaker")]
     model_curve: bool,
     /// Leave the sources of kernel and FMU out; the model itself stays readable in the FMU's resources
     #[arg(long)]
     no_sources: bool,
-    /// Hide the identified numbers: no parameter is a variable of the FMU, so that no host shows or changes one, and the model in its
-    /// resources lies under a veil. That is no lock: whoever has the sources of dashpot can lift it, a host can save the state, which holds
+    /// Hide the identified numbers: no parameter is a variable of the FMU, so that no host shows or changes one.
+    /// The model in its resources lies under a veil. That is no lock: whoever has the sources of dashpot can lift it, a host can save the state, which holds
     /// them, and whoever runs the FMU can measure its forces and fit a model to them
     #[arg(long)]
     hide_parameters: bool,
@@ -152,7 +153,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             name: &name,
             from_source: library.as_deref(),
             sources: !args.no_sources,
-            hide_parameters: args.hide_parameters,
+            conceal_parameters: args.hide_parameters,
             more: &more,
             remarks: &remarks,
         },

@@ -22,7 +22,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, &made.text)?;
     dashpot_output::say(
         Some(&args.output),
-        &format!("{} points in {}; {}", made.points, args.output.display(), made.beside),
+        &format!("{} points in {}; {}", made.points, args.output.display(), made.other_contents),
     )?;
     made.remarks.iter().try_for_each(|remark| dashpot_output::say(Some(&args.output), &format!("  {remark}")))
 }

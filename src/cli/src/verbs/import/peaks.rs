@@ -27,7 +27,8 @@ pub struct Args {
     /// Unit of velocity or force where the headings have none or a wrong one, such as force=lbf
     #[arg(long, value_name = "CHANNEL=UNIT")]
     unit: Vec<String>,
-    /// Heading of a column, with or without its unit, or its number from 1; columns are velocity and force, and of one stroke rebound_velocity, rebound_force, compression_velocity and compression_force
+    /// Heading of a column, with or without its unit, or its number from 1.
+    /// Columns are velocity and force, and of one stroke rebound_velocity, rebound_force, compression_velocity and compression_force
     #[arg(long, value_name = "COLUMN=HEADING")]
     column: Vec<String>,
     /// Of a table of an adjustable damper, the click whose curve is read; all makes a model of each, with the click behind its name

@@ -49,8 +49,8 @@ impl Curve {
 pub struct Properties {
     /// The damper's curve.
     pub curve: Curve,
-    /// Whether it runs straight between its points: a linear rate.
-    pub straight: bool,
+    /// Whether it is linear between its points: a linear rate.
+    pub linear: bool,
     /// Constant gas force, N, positive where it pushes the rod out.
     pub gas_force: f64,
     /// Read: what the file says beside these and this form has no place for. Written: what it leaves out, and whose it is.
@@ -174,7 +174,7 @@ mod tests {
                 velocities: vec![-0.254, -0.1, 0.0, 0.0333, 1.0 / 3.0],
                 forces: vec![-809.5, -300.1, 0.0, 127.0, 1423.4],
             },
-            straight: false,
+            linear: false,
             gas_force: 0.0,
             notes: Vec::new(),
         }
@@ -206,7 +206,7 @@ mod tests {
             for (a, b) in out.curve.velocities.iter().zip(&back.curve.velocities) {
                 assert!((a - b).abs() <= 1e-15 * a.abs(), "{a} {b}");
             }
-            assert_eq!((&back.curve.forces, back.gas_force, back.straight), (&out.curve.forces, gas_force, false));
+            assert_eq!((&back.curve.forces, back.gas_force, back.linear), (&out.curve.forces, gas_force, false));
             assert_eq!(back.notes, Vec::<String>::new(), "{form:?}: our own file says nothing that we do not read");
         }
     }

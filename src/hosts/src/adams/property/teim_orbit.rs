@@ -149,7 +149,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
     let units = units::Units { length, time, force };
     curve.velocities.iter_mut().for_each(|v| *v = units.velocity(*v));
     curve.forces.iter_mut().for_each(|f| *f *= force);
-    Ok(Properties { curve, straight: false, gas_force: 0.0, notes })
+    Ok(Properties { curve, linear: false, gas_force: 0.0, notes })
 }
 
 #[cfg(test)]

@@ -154,7 +154,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             bail!("line {}: gasPreloadMethod \"{other}\" is not known (none, constant, non_linear)", line(&damper))
         }
     };
-    Ok(Properties { curve, straight, gas_force, notes })
+    Ok(Properties { curve, linear: straight, gas_force, notes })
 }
 
 /// The rows of a spline in SI: over velocity, or over length.
@@ -209,7 +209,7 @@ mod tests {
         assert_eq!(read_it.gas_force, 2000.0);
         assert_eq!(read_it.notes.len(), 2, "{:?}", read_it.notes);
         let linear = read(&FILE.replace("dampingMethod=\"non_linear\"", "dampingMethod=\"linear\"")).unwrap();
-        assert_eq!((linear.curve.forces[2], linear.straight), (500.0, true));
+        assert_eq!((linear.curve.forces[2], linear.linear), (500.0, true));
         let constant = read(&FILE.replace("\"non_linear\" gasPreloadC", "\"constant\" gasPreloadC")).unwrap();
         assert_eq!((constant.gas_force, constant.notes.len()), (1000.0, 1));
         let own = read(&FILE.replace("\"akima\"", "\"akima\" xUnit=\"m/sec\" yUnit=\"kN\"")).unwrap();

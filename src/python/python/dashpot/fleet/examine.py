@@ -128,7 +128,7 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
     figures: dict[str, Any] = {
         "tests": len(campaign),
         "positive": campaign.sign.positive,
-        "positive_confidence": None if campaign.sign.given else campaign.sign.confidence,
+        "positive_confidence": None if campaign.sign.is_stated else campaign.sign.confidence,
         "misfit": model.fit.misfit,
         "error_percent": validation.overall.error_percent,
         "rmse_n": validation.overall.rmse_n,

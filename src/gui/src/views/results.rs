@@ -21,15 +21,15 @@ use eframe::egui::{self, RichText, Ui};
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     egui::ScrollArea::vertical().id_salt("answer").auto_shrink([false, false]).show(ui, |ui| {
-        let nothing = session.answers.fit.is_none()
-            && session.answers.validation.is_none()
-            && session.answers.diagnosis.is_none();
+        let nothing = session.results.fit.is_none()
+            && session.results.validation.is_none()
+            && session.results.diagnosis.is_none();
         if nothing {
             wrapped(ui, RichText::new(w.no_result));
         }
         let mut take = false;
         let free = session.task.is_none();
-        if let Some(answer) = &session.answers.diagnosis {
+        if let Some(answer) = &session.results.diagnosis {
             let (found, old) = (&answer.found.found, answer.is_old(session));
             heading(ui, w.diagnosis_result, old, w);
             wrapped(ui, RichText::new(headline(found, view.language.words())).strong());
@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             diagnosis(ui, found, view.language, &mut view.asks);
             ui.separator();
         }
-        if let Some(answer) = &session.answers.validation {
+        if let Some(answer) = &session.results.validation {
             let old = answer.is_old(session);
             heading(ui, w.validation_result, old, w);
             validation(ui, &answer.found, w);
@@ -51,7 +51,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             ui.horizontal_wrapped(|ui| papers(ui, free && !old, view, &offered));
             ui.separator();
         }
-        if let Some(answer) = &session.answers.fit {
+        if let Some(answer) = &session.results.fit {
             let old = answer.is_old(session);
             heading(ui, w.fit_result, old, w);
             // Above the numbers, which are more than the window holds.

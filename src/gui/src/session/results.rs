@@ -60,7 +60,7 @@ pub struct Diagnosed {
 
 /// What the verbs found last.
 #[derive(Default)]
-pub struct Answers {
+pub struct Results {
     /// Of a fit: choices, estimates, notes.
     pub fit: Option<Finding<Fitted>>,
     /// Of a validation.
