@@ -47,7 +47,7 @@ fn every_form_of_every_element_has_been_compared_with_the_second_laboratory() {
     let kernel: BTreeMap<&str, usize> = GROUPS.iter().map(|g| (g.name, g.parameters.len())).collect();
     assert_eq!(
         listed, kernel,
-        "an element or a parameter is new: look whether a law of src/other_lab/src/hidden is now one of the model's, take it out of the \
+        "an element or a parameter is new: look whether a law of src/other_lab/src/effects is now one of the model's, take it out of the \
          laboratory if it is, and write its law down here"
     );
 }
