@@ -564,6 +564,7 @@ def test_a_missing_path_is_a_file_that_is_not_found(own: dashpot.Campaign, tmp_p
         (lambda: dashpot.read_limits(f"{nowhere}.csv"), dashpot.ValidationError),
         (lambda: model.export_fmu(tmp_path / "a.fmu", binaries={"win64": f"{nowhere}.dll"}), dashpot.ExportError),
         (lambda: dashpot.diagnose_groups(model, nowhere, "folders"), dashpot.DiagnosisError),
+        (lambda: dashpot.explain(model, f"{nowhere}.toml"), dashpot.DimensionsError),
     ]
     for call, kind in calls:
         with pytest.raises(FileNotFoundError, match="nowhere") as raised:
