@@ -610,7 +610,7 @@ def test_the_interface_alone_is_listed() -> None:
 def test_every_number_of_an_argument_has_its_unit_in_its_name() -> None:
     """Arguments that are floats have a unit in their names, but for pure numbers."""
     pure = {
-        "gain", "setting", "motion_scale", "force_scale", "noise_percent", "noise_colour", "hide", "seed", "max_effects",
+        "gain", "setting", "clicks", "motion_scale", "force_scale", "noise_percent", "noise_colour", "hide", "seed", "max_effects",
     }  # fmt: skip
     units = ("_m", "_s", "_m_s", "_n", "_c", "_hz", "_kg")
     calls = [getattr(dashpot, name) for name in dashpot.__all__]

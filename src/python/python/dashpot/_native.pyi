@@ -220,6 +220,7 @@ def import_peaks(
     positive: str | None,
     units: Mapping[str, str],
     columns: Mapping[str, str],
+    clicks: float | None,
     gas_force: float,
     friction: float,
 ) -> tuple[str, str, bool]: ...
