@@ -22,9 +22,14 @@ static CALIBRATION: LazyLock<Calibration> = LazyLock::new(|| {
 const MOST: f64 = 8.0;
 
 /// Probability that a name is right to which the search gives `probability`.
+///
+/// Below one half no name is given, so nothing is known of such names: their probability is that of the search.
 pub fn confidence(probability: f64, against_reference: bool) -> f64 {
+    if probability <= 0.5 {
+        return probability;
+    }
     let c = &*CALIBRATION;
-    let odds = libm::log(probability.max(1e-12) / (1.0 - probability).max(1e-12)).clamp(-MOST, MOST);
+    let odds = libm::log(probability / (1.0 - probability).max(1e-12)).min(MOST);
     let log = if against_reference {
         c.constant_against_reference + c.slope_against_reference * odds
     } else {

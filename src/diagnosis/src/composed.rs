@@ -111,7 +111,11 @@ impl Composed<'_> {
         };
         let (fitted_before, left_before) = (of(&self.given, &self.fitted), of(&self.given, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
-        let items = inventory(&self.best, Some(&self.given), &self.fitted, &probability);
+        let mut items = inventory(&self.best, Some(&self.given), &self.fitted, &probability);
+        // The calibration is that of names that are given; what both models have gets none.
+        for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
+            item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
+        }
         let force = |effect: &str| items.iter().find(|i| i.effect == effect).map_or(0.0, |i| i.force_n_rms);
         let changed = if is_against { changes(&self.best, &self.fitted, &probability, &force) } else { Vec::new() };
         let (changed_items, inventory): (Vec<InventoryItem>, Vec<InventoryItem>) =
