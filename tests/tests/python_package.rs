@@ -7,7 +7,8 @@
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::cli::program;
-use dashpot_tests::library::{root, static_library};
+use dashpot_tests::fmu::runtimes;
+use dashpot_tests::library::{root, shared, static_library};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -59,6 +60,8 @@ fn environment(target: &Path) -> Option<PathBuf> {
 #[ignore = "builds the workspace once more for the wheel and installs half a gigabyte: run it with -- --ignored"]
 fn the_wheel_does_what_the_command_does() {
     let Some(bin) = environment(&target_folder()) else { return };
+    // Command and wheel export the same bytes where both hold the same compiled runtimes. A command without them compiles one at export.
+    runtimes();
     let sources = root().join("src/python");
     let wheels = tempfile::tempdir().expect("a directory");
     let mut build = Command::new(bin.join("maturin"));
@@ -72,7 +75,11 @@ fn the_wheel_does_what_the_command_does() {
     let mut pytest = Command::new(bin.join("python"));
     pytest.args(["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider"]).arg(sources.join("tests"));
     pytest.current_dir(wheels.path()).env("PYTHONDONTWRITEBYTECODE", "1").env("DASHPOT_COMMAND", program());
-    pytest.env("DASHPOT_LIBRARY", static_library());
+    // The pages load the shared library from beside the static one.
+    let library = wheels.path().join("libdashpot.a");
+    std::fs::copy(static_library(), &library).expect("the static library");
+    std::fs::copy(shared(), library.with_extension("so")).expect("the shared library");
+    pytest.env("DASHPOT_LIBRARY", library);
     let ran = pytest.output().expect("pytest");
     let said = String::from_utf8_lossy(&ran.stdout);
     println!("{said}");

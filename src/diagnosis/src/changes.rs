@@ -20,7 +20,7 @@ pub struct Change {
     pub reference: f64,
     /// Value on this damper.
     pub value: f64,
-    /// Lower end of the 95 % interval of the value.
+    /// Lower end of the 95 % interval of the value where `reference` is exact: less `reference`, that of the change.
     pub low: f64,
     /// Upper end.
     pub high: f64,

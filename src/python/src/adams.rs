@@ -121,11 +121,12 @@ pub fn import_peaks(
     positive: Option<&str>,
     units: BTreeMap<String, String>,
     columns: BTreeMap<String, String>,
+    clicks: Option<f64>,
     gas_force: f64,
     friction: f64,
 ) -> PyResult<(String, String, bool)> {
     let said = |name: &str, why: String| say::<ModelError>(format!("{name}: {why}"));
-    let mut options = PeakOptions::default();
+    let mut options = PeakOptions { clicks, ..PeakOptions::default() };
     if let Some(text) = positive {
         options.positive = Some(text.parse().map_err(|why| said("positive", why))?);
     }

@@ -7,6 +7,12 @@ use pyo3::prelude::*;
 create_exception!(dashpot, DashpotError, PyException, "What dashpot refuses; the text says what to do.");
 create_exception!(dashpot, RecordError, DashpotError, "Records that cannot be read or trusted.");
 create_exception!(dashpot, ModelError, DashpotError, "A model file or a set of parameters that makes no model.");
+create_exception!(
+    dashpot,
+    DimensionsError,
+    DashpotError,
+    "Dimensions of a damper that cannot be read, or that no damper has together."
+);
 create_exception!(dashpot, FitError, DashpotError, "Records that no model can be fitted to.");
 create_exception!(dashpot, ValidationError, DashpotError, "A model and records that cannot be compared.");
 create_exception!(dashpot, DiagnosisError, DashpotError, "A model and records that cannot be diagnosed.");

@@ -108,7 +108,7 @@ pub fn diagnose_groups<'py>(
         let of_reference = good.as_mut().map(|good| &mut good.campaign);
         let split = split(&data.paths, by, &|paths| data.of(paths, read), of_reference)?;
         let (mut files, mut notes) = (split.files.clone(), split.notes.clone());
-        for good in &good {
+        if let Some(good) = &good {
             files.extend(good.campaign.files.clone());
             notes.extend(good.campaign.notes.clone());
         }

@@ -9,6 +9,7 @@
 //! | `model` | model files, and the force for a motion |
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
 //! | `family` | dampers over a setting: fit, validate, simulate |
+//! | `explain` | what a model says of gas, oil and valves |
 //! | `literature` | models of the literature as files |
 //! | `groups` | diagnose many dampers against one |
 //! | `check` | chatter in a host |
@@ -29,6 +30,7 @@ mod compare;
 mod damper;
 mod errors;
 mod examine;
+mod explain;
 mod export;
 mod family;
 mod groups;
@@ -58,11 +60,13 @@ mod _native {
     use crate::damper::Dampers;
     #[pymodule_export]
     use crate::errors::{
-        DashpotError, DiagnosisError, ExportError, FitError, ModelError, MotionError, OutputError, RecordError,
-        RigError, StepError, ValidationError,
+        DashpotError, DiagnosisError, DimensionsError, ExportError, FitError, ModelError, MotionError, OutputError,
+        RecordError, RigError, StepError, ValidationError,
     };
     #[pymodule_export]
     use crate::examine::{Diagnosed, diagnose};
+    #[pymodule_export]
+    use crate::explain::explain;
     #[pymodule_export]
     use crate::export::export_fmu;
     #[pymodule_export]

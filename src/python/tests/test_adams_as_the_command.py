@@ -166,3 +166,18 @@ def test_a_table_of_peaks(command: Command, beside: Path) -> None:
         dashpot.Model.from_peaks("signed.csv", columns={"rebound": "RO"})
     with pytest.raises(dashpot.ModelError, match="nowhere.csv"):
         dashpot.Model.from_peaks("nowhere.csv")
+
+
+def test_a_table_of_peaks_for_each_click(command: Command, beside: Path) -> None:
+    rows = [(click, s * v, s * f * (1 + click / 20)) for click in (0, 10) for s, f in ((1, 900), (-1, 500)) for v in (0.1, 0.3)]
+    Path("clicks.csv").write_text("clicks,velocity_m_s,force_N\n" + "".join(f"{c},{v},{f}\n" for c, v, f in rows))
+    command("import", "peaks", "clicks.csv", "-o", "c.toml", "--clicks", "all")
+    for clicks in (0, 10):
+        assert dashpot.Model.from_peaks("clicks.csv", clicks=clicks).text == Path(f"c_{clicks}.toml").read_text()
+    with pytest.raises(dashpot.ModelError) as several:
+        dashpot.Model.from_peaks("clicks.csv")
+    assert "each of 0, 10 clicks; clicks=0 takes one of them, one call for each gives a model of each" in str(several.value)
+    ran = command.run("import", "peaks", "clicks.csv", "-o", "never.toml")
+    assert ran.returncode == 2 and str(several.value) == as_arguments(ran.stderr.strip().removeprefix("dashpot: "))
+    with pytest.raises(dashpot.ModelError, match="no curve of 5 clicks; there are those of 0, 10"):
+        dashpot.Model.from_peaks("clicks.csv", clicks=5)

@@ -141,7 +141,7 @@ def test_two_effects_are_two_rows(fleet: Path) -> None:
     said = dashpot.diagnose_groups(dashpot.Model.read("good.toml"), "fleet", "folders", "good", **few).to_dict()
     evidence = dict.fromkeys(("fraction", "mean_square_before", "mean_square_after", "log_odds", "numbers", "negative_log_prior", "tests_better"), 0.5)
     effect: dict[str, object] = {
-        **dict.fromkeys(("effect", "form", "meaning", "path", "family"), "word"), **dict.fromkeys(("confidence", "family_confidence", "fraction"), 0.9),
+        **dict.fromkeys(("effect", "form", "meaning", "path", "family"), "word"), **dict.fromkeys(("confidence", "family_confidence", "fraction", "force_n_rms"), 0.9),
         "of_the_rig": False, "parameters": {}, "gap_closed": None, "evidence": evidence, "rivals": [],
     }  # fmt: skip
     said["groups"][1]["diagnosis"]["findings"] = [effect, {**effect, "effect": "another"}]

@@ -229,10 +229,10 @@ def test_a_campaign_and_a_reference_that_were_read_in_opposite_directions_are_to
         assert not any("counting" in note for note in dashpot.diagnose(model, campaign, own, **few).notes)  # type: ignore[arg-type]
     both = dashpot.Campaign.read(tmp_path / "turned", positive="compression"), dashpot.Campaign.read(own.paths[0], positive="rebound")
     assert not any("counting" in note for note in dashpot.diagnose(model, *both, **few).notes)  # type: ignore[arg-type]
-    for file in (tmp_path / "turned").glob("a25*"):
-        file.unlink()
-    with pytest.raises(dashpot.DiagnosisError, match="read both with positive"):
-        dashpot.diagnose(model, turned[3:4], own[:1], **few)  # type: ignore[arg-type]
+    # A reference without a like motion is compared with all the same; both are told, in arguments.
+    notes = dashpot.diagnose(model, turned[3:4], own[:1], **few).notes  # type: ignore[arg-type]
+    assert any("the reference has no motion like these" in note for note in notes)
+    assert any('read both with positive="rebound", or both with positive="compression"' in note for note in notes)
 
 
 def test_a_model_file_is_written_as_it_was_read(own: dashpot.Campaign, tmp_path: Path) -> None:
@@ -564,6 +564,7 @@ def test_a_missing_path_is_a_file_that_is_not_found(own: dashpot.Campaign, tmp_p
         (lambda: dashpot.read_limits(f"{nowhere}.csv"), dashpot.ValidationError),
         (lambda: model.export_fmu(tmp_path / "a.fmu", binaries={"win64": f"{nowhere}.dll"}), dashpot.ExportError),
         (lambda: dashpot.diagnose_groups(model, nowhere, "folders"), dashpot.DiagnosisError),
+        (lambda: dashpot.explain(model, f"{nowhere}.toml"), dashpot.DimensionsError),
     ]
     for call, kind in calls:
         with pytest.raises(FileNotFoundError, match="nowhere") as raised:
@@ -609,7 +610,7 @@ def test_the_interface_alone_is_listed() -> None:
 def test_every_number_of_an_argument_has_its_unit_in_its_name() -> None:
     """Arguments that are floats have a unit in their names, but for pure numbers."""
     pure = {
-        "gain", "setting", "motion_scale", "force_scale", "noise_percent", "noise_colour", "hide", "seed", "max_effects",
+        "gain", "setting", "clicks", "motion_scale", "force_scale", "noise_percent", "noise_colour", "hide", "seed", "max_effects",
     }  # fmt: skip
     units = ("_m", "_s", "_m_s", "_n", "_c", "_hz", "_kg")
     calls = [getattr(dashpot, name) for name in dashpot.__all__]

@@ -130,6 +130,30 @@ def test_check(command: Command) -> None:
             steep.check(**wrong)
 
 
+def test_explain(command: Command) -> None:
+    model, dimensions = damper(), command.folder / "dimensions.toml"
+    model.write(command.folder / "explained.toml")
+    dimensions.write_text('design = "monotube"\nbore_mm = 36\nrod_mm = 11\nrebound_chamber_mm = 130\ngas_pressure_bar = [5, 6]\n')
+    told = command("explain", "explained.toml", "--dimensions", "dimensions.toml", "--json", "explained.json")
+    found = dashpot.explain(model, dimensions)
+    said = command.json("explained.json")
+    del said["model"], said["dimensions"]
+    assert found.to_dict() == said and list(found.lines) == told.splitlines()
+    # 140 N on the rod of 11 mm are 14.7 bar.
+    pressure = found["gas_pressure"]
+    assert pressure.value == pytest.approx(14.7, abs=0.1) and pressure.unit == "bar gauge" and "gas_force" in pressure.sources
+    assert [one.parameter for one in found.contradictions] == ["gas_force"] and found.unknown
+    assert dashpot.Explanation.from_dict(json.loads(json.dumps(said))) == found == pickle.loads(pickle.dumps(found))
+    assert "gas_pressure" in found._repr_html_() and len(found.to_pandas()) == len(found.quantities)
+    with pytest.raises(KeyError, match="no quantity 'colour'; there are .*gas_pressure"):
+        found["colour"]
+    dimensions.write_text("rod_mm = 11\nbore_m = 0.036\n")
+    with pytest.raises(dashpot.DimensionsError) as refused:
+        dashpot.explain(model, dimensions)
+    ran = command.run("explain", "explained.toml", "--dimensions", str(dimensions))
+    assert ran.returncode == 2 and str(refused.value) == ran.stderr.strip().removeprefix("dashpot: ") and "line 2: bore_m" in ran.stderr
+
+
 def test_diagnose(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel) -> None:
     few = ["free_play", "moving_mass"]
     model.write(command.folder / "diagnosed.toml")

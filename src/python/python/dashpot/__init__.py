@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 from ._native import (
     DashpotError,
     DiagnosisError,
+    DimensionsError,
     ExportError,
     FitError,
     ModelError,
@@ -36,13 +37,14 @@ from ._native import VERSION as __version__
 from .adams import export_adm
 from .campaign import Campaign, Record
 from .damper import Damper
+from .explanation import explain
 from .family import Family, FittedFamily
 from .identification import diagnose, diagnose_groups, fit
 from .limits import Limit, Limits, read_limits
 from .literature import LiteratureModel, fit_literature
 from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual, write_test_matrix
-from .results import Certificate, Diagnosis, FamilyFitResult, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
+from .results import Certificate, Diagnosis, Explanation, FamilyFitResult, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -54,6 +56,8 @@ __all__ = [
     "DashpotError",
     "Diagnosis",
     "DiagnosisError",
+    "DimensionsError",
+    "Explanation",
     "ExportError",
     "Family",
     "FamilyFitResult",
@@ -82,6 +86,7 @@ __all__ = [
     "__version__",
     "diagnose",
     "diagnose_groups",
+    "explain",
     "export_adm",
     "fit",
     "fit_literature",

@@ -23,6 +23,10 @@ _NAMES = {
     "delay": "delay_s",
     "rig-mass": "rig_mass_kg",
     "initial-position": "initial_position_m",
+    "force-zero": "force_zero_n",
+    "displacement-zero": "displacement_zero_m",
+    "setting": "setting",
+    "clicks": "clicks",
     "model": "family",
     "elements": "elements",
     "hold-out": "hold_out",
@@ -56,12 +60,18 @@ _WORDS = {
     "model": "thesis|fv|piecewise|lag",
 }
 #: Options that take a number.
-_MEASURED = ("sample-rate", "delay", "rig-mass", "initial-position", "position-offset", "motion-scale", "force-scale", "for-step")
+_MEASURED = (
+    "sample-rate", "delay", "rig-mass", "initial-position", "force-zero", "displacement-zero", "position-offset", "motion-scale", "force-scale",
+    "for-step", "clicks",
+)  # fmt: skip
+#: What only the command does in one run, and what does it here.
+_PHRASES = {"--clicks all makes a model of each": "one call for each gives a model of each"}
 #: A channel with its unit or heading.
 _PAIR = r"(\w+)=(\"[^\"]*\"|[^\s,;()]*[^\s,;().]|\.\.\.)"
 #: A whole command stays one: it is what the sentence says to run.
 _OPTION = re.compile(
     r"(?P<command>dashpot [a-z]+(?:-[a-z]+)*(?: [A-Z]+)? --[a-z-]+(?: [a-z_]+=\S+| [a-z]+)?)"
+    rf"|(?P<phrase>{'|'.join(map(re.escape, _PHRASES))})"
     rf"|(?<![\w-])--(?P<pair>unit|column) {_PAIR}(?: --(?P=pair) {_PAIR})*"
     + "".join(rf"|(?<![\w-])--{name} (?P<{name}>{words})\b" for name, words in _WORDS.items())
     # A number is no part of an option that takes none.
@@ -76,6 +86,8 @@ def as_arguments(sentence: str) -> str:
     def said(found: re.Match[str]) -> str:
         if found["command"]:
             return found[0]
+        if found["phrase"]:
+            return _PHRASES[found[0]]
         if found["pair"]:
             # Given twice, an option is one argument with two entries.
             entries = (

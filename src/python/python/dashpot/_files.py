@@ -48,6 +48,10 @@ class MissingGroupsError(_native.DiagnosisError, _OfTheSystem, FileNotFoundError
     """Groups of records that do not exist: a :class:`DiagnosisError` and a :class:`FileNotFoundError`."""
 
 
+class MissingDimensionsError(_native.DimensionsError, _OfTheSystem, FileNotFoundError):
+    """A file of dimensions that does not exist: a :class:`DimensionsError` and a :class:`FileNotFoundError`."""
+
+
 class OverwriteError(_native.OutputError, _OfTheSystem, FileExistsError):
     """A file that would be overwritten: an :class:`OutputError` and a :class:`FileExistsError`."""
 
@@ -59,6 +63,7 @@ _MISSING: dict[type[Exception], type[_OfTheSystem]] = {
     _native.ExportError: MissingExportError,
     _native.RigError: MissingMatrixError,
     _native.DiagnosisError: MissingGroupsError,
+    _native.DimensionsError: MissingDimensionsError,
 }
 
 

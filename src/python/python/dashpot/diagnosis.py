@@ -154,6 +154,7 @@ class Change(Result):
     name: str
     reference: float
     value: float
+    #: 95 % interval of the value where ``reference`` is exact: less ``reference``, that of the change.
     low: float
     high: float
     unit: str

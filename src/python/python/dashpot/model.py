@@ -156,6 +156,7 @@ class Model:
         positive: str | None = None,
         units: Mapping[str, str] | None = None,
         columns: Mapping[str, str | int] | None = None,
+        clicks: float | None = None,
         gas_force_n: float = 0.0,
         friction_n: float = 0.0,
     ) -> Model:
@@ -167,15 +168,16 @@ class Model:
         :param units: unit of ``velocity`` or ``force`` where the headings have none or a wrong one: ``{"force": "lbf"}``.
         :param columns: heading, or number from 1, of a column: ``velocity``, ``force``, and of one stroke ``rebound_velocity``,
             ``rebound_force``, ``compression_velocity``, ``compression_force``.
+        :param clicks: the curve to take of a table that has one for each number of clicks.
         :param gas_force_n: gas force in the table's forces, N; taken out of the curve.
         :param friction_n: friction in the table's forces, N; taken out of the curve.
         :raises ModelError: naming the table and its line, where it cannot be read, what a column is cannot be told, or its forces make no model.
         """
-        for name, value in (("gas_force_n", gas_force_n), ("friction_n", friction_n)):
+        for name, value in (("clicks", clicks), ("gas_force_n", gas_force_n), ("friction_n", friction_n)):
             real(name, value)
         with needs(path):
             text, direction, is_doubtful = _native.import_peaks(
-                os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, gas_force_n, friction_n
+                os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, clicks, gas_force_n, friction_n
             )
         if is_doubtful:
             warnings.warn(as_arguments(direction), stacklevel=2)

@@ -18,13 +18,14 @@ from .diagnosis import (
     Branch, Change, CouldNotTest, Diagnosis, Evidence, Figures, Finding, Findings, NextTest,
     OverWholeRecords, Region, Rival, Shift, TestOutcome, Tried, Value,
 )
+from .explanation import Contradiction, Explanation, Gap, Quantity
 from .family_fit import FamilyEstimate, FamilyFitResult, SettingAxis, SettingDependence, SettingError, SettingReport
 from .groups import Group, GroupsDiagnosis
 from .literature import LiteratureModel
 
 __all__ = [
-    "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "FamilyEstimate", "FamilyFitResult", "Figures", "Finding", "Findings", "FitResult", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
-    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Region", "Result", "Rival", "SettingAxis", "SettingDependence", "SettingError", "SettingReport", "SettingSummary", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
+    "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "Contradiction", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "ErrorMatrix", "Errors", "Estimate",
+    "Evidence", "Explanation", "FamilyEstimate", "FamilyFitResult", "Figures", "Finding", "Findings", "FitResult", "Gap", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Quantity", "Region", "Result", "Rival", "SettingAxis", "SettingDependence", "SettingError", "SettingReport", "SettingSummary", "Shift", "SignFinding", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]

@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import importlib.util
 import logging
+import signal
 import subprocess
 import tempfile
+import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -105,12 +107,21 @@ def wait_for_workers(client: Any, say: Callable[[str], object]) -> None:
 _LOOK = "5s"
 
 
-def _slurm(place: Place, jobs: int, logs: str | None) -> Any:
+def slurm_cluster() -> Any:
+    """The class of clusters on Slurm. Its package ends the process at Ctrl-C from its import on; here Ctrl-C keeps its handler."""
+    handler = signal.getsignal(signal.SIGINT)
     try:
         from dask_jobqueue.slurm import SLURMCluster
     except ImportError as error:
         raise DashpotError("Slurm needs dask-jobqueue: pip install 'dashpot[slurm]'") from error
-    cluster = SLURMCluster(
+    finally:
+        if handler is not None and threading.current_thread() is threading.main_thread():
+            signal.signal(signal.SIGINT, handler)
+    return SLURMCluster
+
+
+def _slurm(place: Place, jobs: int, logs: str | None) -> Any:
+    cluster = slurm_cluster()(
         cores=1,
         processes=1,
         memory=place.slurm_memory,
