@@ -72,7 +72,7 @@ fn assert_inventory(found: &Value) {
     let mut effects = BTreeSet::new();
     for item in items {
         assert!(effects.insert(word(item, "effect")), "{item}");
-        assert!(number(item, "force_n_rms") >= 0.0 && number(item, "fraction") >= 0.0, "{item}");
+        assert!(number(item, "force_n_rms") >= 0.0 && number(item, "share") >= 0.0, "{item}");
         assert_share(item, "probability");
         assert!(item["form"].is_string() && item.get("test_forces_n").is_none(), "{item}");
         let status = word(item, "status");

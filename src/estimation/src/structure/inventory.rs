@@ -31,7 +31,8 @@ pub struct InventoryItem {
     pub form: &'static str,
     /// Force that it carries: root mean square over all fitted tests of what its removal changes, everything else kept, N.
     pub force_n_rms: f64,
-    /// That force over the root mean square of the measured force.
+    /// That force over the root mean square of the measured force. Its key in JSON is `share`, which scripts rely on.
+    #[serde(rename = "share")]
     pub fraction: f64,
     /// The force in each fitted test, N rms, in the order of the tests; empty where the model gives none without the effect.
     #[serde(skip)]

@@ -41,7 +41,7 @@ class InventoryItem(Result):
     form: str
     force_n_rms: float
     """Root mean square, over the fitted tests, of the force that its removal changes; everything else is kept."""
-    fraction: float
+    share: float
     """That force over the root mean square of the measured force."""
     probability: float
     status: str
@@ -64,7 +64,7 @@ class Measured(Result):
 
 def _described(item: InventoryItem) -> str:
     form = f" ({item.form})" if item.form else ""
-    return f"{item.effect}{form}: {item.force_n_rms:.4g} N rms, {item.fraction:.0%} of the force, probability {item.probability:.0%}"
+    return f"{item.effect}{form}: {item.force_n_rms:.4g} N rms, {item.share:.0%} of the force, probability {item.probability:.0%}"
 
 
 @dataclass(frozen=True, repr=False)
