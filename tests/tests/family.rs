@@ -190,8 +190,9 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     assert_eq!(varies(&found, "fv_force"), Some(true));
     assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
     for of in &found.settings {
-        // Figures of the book, with room for another search.
+        // Figures of the book, with room for another search. The ratio of the left-out error to that of the own fit is not held: it grows where
+        // the own fit gets better.
         assert!(of.family.mean_error_n < 1.25 * of.own_fit.mean_error_n, "{of:?}");
-        assert!(of.left_out_ratio.is_none_or(|ratio| ratio < 2.2), "{of:?}");
+        assert!(of.left_out.is_none_or(|error| error.error_percent < 12.0), "{of:?}");
     }
 }

@@ -82,7 +82,7 @@ pub fn through(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Interva
                 .zip(&steps)
                 .map(|(input, step)| {
                     let u = 0.5 + (i as f64 + 1.0) * step;
-                    input.at_deviation(normal_quantile((u - libm::floor(u)).clamp(1e-6, 1.0 - 1e-6)))
+                    input.at_deviation(normal_quantile((u - libm::floor(u)).clamp(1e-6, 0.999_999)))
                 })
                 .collect();
             finite(formula(&values))

@@ -190,7 +190,8 @@ mod tests {
         let (aeration, cavitation) = (without(Part::Aeration), without(Part::Cavitation));
         assert!(aeration.compliance(5.0) < whole.compliance(5.0) && aeration.compliance(0.2) > 10.0 * whole.oil);
         assert!((cavitation.compliance(5.0) - whole.compliance(5.0)).abs() < 1e-15);
-        assert!((cavitation.compliance(0.2) - cavitation.compliance(1.0)).abs() < 1e-15);
+        // Vapor rounds the pressure by half a percent at 1 bar.
+        assert!((cavitation.compliance(0.2) / cavitation.compliance(1.0) - 1.0).abs() < 0.02);
         assert!(without(Part::OilCompressibility).compliance(5.0) < 0.05 * whole.compliance(5.0));
     }
 }
