@@ -24,7 +24,7 @@
     X(MOTION_SCALE)          /* damper extension per unit of the host's displacement */                                \
     X(FORCE_SCALE)           /* the host's force per N of tension */                                                   \
     X(POSITION_OFFSET)       /* the damper's extension, from the rig's zero, where the host's displacement is 0, m */  \
-    X(DISPLACEMENT_GIVEN)    /* boolean: the host gives displacement, else it is integrated */                         \
+    X(HAS_DISPLACEMENT)      /* boolean: the host gives displacement, else it is integrated */                         \
     X(INITIAL_POSITION)      /* where it is integrated from, m of extension */                                         \
     X(SPEED_MARGIN)          /* m/s to the end of the identified curve: the event indicator */                         \
     X(BETWEEN_POINTS)        /* enumeration: how inputs run between two instants at which the host sets them */        \

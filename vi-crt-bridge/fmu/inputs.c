@@ -25,7 +25,7 @@ double instance_given(const struct data *data, int corner, enum kind kind)
 
 int instance_displacement_given(const struct data *data, int corner)
 {
-    return instance_given(data, corner, DISPLACEMENT_GIVEN) != 0.0;
+    return instance_given(data, corner, HAS_DISPLACEMENT) != 0.0;
 }
 
 dashpot_input instance_input(const struct data *data, int corner)

@@ -33,7 +33,7 @@ static void start_values(struct instance *instance)
         case FORCE_SCALE: value[i] = contents->force_scale; break;
         case POSITION_OFFSET: value[i] = contents->position_offset; break;
         case DISPLACEMENT: value[i] = contents->displacement; break;
-        case DISPLACEMENT_GIVEN: value[i] = 1.0; break;
+        case HAS_DISPLACEMENT: value[i] = 1.0; break;
         case BETWEEN_POINTS: value[i] = contents->between_points; break;
         case CHOICE: dashpot_params_get(params, v->name, &value[i]); break;
         case PARAMETER:
@@ -327,7 +327,7 @@ int instance_terminate(struct instance *instance)
 static enum type type_of(enum kind kind)
 {
     return kind == STATUS || kind == CHOICE || kind == BETWEEN_POINTS ? INTEGER
-           : kind == DISPLACEMENT_GIVEN                               ? BOOLEAN
+           : kind == HAS_DISPLACEMENT                                 ? BOOLEAN
                                                                       : REAL;
 }
 
@@ -423,7 +423,7 @@ int instance_set(struct instance *instance, uint32_t reference, enum type type, 
         if (!(fabs(value) <= 1.0))
             return instance_complain(instance, "position_offset is in m and lies between -1 and 1");
         goto fixed;
-    case DISPLACEMENT_GIVEN:
+    case HAS_DISPLACEMENT:
     case INITIAL_POSITION:
     case CHOICE:
     fixed:
