@@ -4,7 +4,6 @@ use super::options::{DiagnosisError, Options};
 use super::{opposite, reference};
 use dashpot_core::Params;
 use dashpot_core::element;
-use dashpot_core::parameter::Element;
 use dashpot_estimation::gap::errors;
 use dashpot_estimation::heating::Heating;
 use dashpot_estimation::refit::Effort;
@@ -49,21 +48,21 @@ pub(super) struct Against {
     pub shifted: Vec<String>,
 }
 
+/// Whether a model has dry friction of any kind.
+fn has_friction(params: &Params) -> bool {
+    let kinds = [element!("presliding_friction"), element!("coulomb_friction"), element!("stribeck_friction")];
+    kinds.iter().any(|friction| params.is_on(*friction))
+}
+
 /// The structure with the step of its curve at rest read as friction, where it has no friction and the records leave the split open.
-fn with_friction(structure: Structure, own: &Prepared) -> Structure {
+fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure>) -> Structure {
     /// Mean square residual, relative to that without friction, up to which the records do not contradict it.
     const OPEN: f64 = 1.05;
-    const FRICTIONS: [Element; 3] =
-        [element!("presliding_friction"), element!("coulomb_friction"), element!("stribeck_friction")];
     let params = structure.hypothesis.params(&structure.refit.theta);
-    if FRICTIONS.iter().any(|friction| params.is_on(*friction)) {
+    if has_friction(&params) {
         return structure;
     }
-    let read = read_step(&params).and_then(|read| {
-        let (mut hypothesis, components) = starts::from_params(&read, &own.heating);
-        hypothesis.heating.clone_from(&structure.hypothesis.heating);
-        Structure::fit(hypothesis, components, &own.fitted, Effort::FINE)
-    });
+    let read = read_step(&params).and_then(|read| fit(&read));
     read.filter(|read| read.evidence.mean() <= OPEN * structure.evidence.mean()).unwrap_or(structure)
 }
 
@@ -87,12 +86,9 @@ impl Prepared {
             hypothesis.heating = None;
             (hypothesis.with_priors(&options.priors), components)
         };
-        let has = |element: Element| params.is_on(element);
-        let mut all = vec![no_heat(starts::from_params(params, &own.heating))];
-        let lacks_friction = ["presliding_friction", "coulomb_friction", "stribeck_friction"]
-            .iter()
-            .all(|name| Element::find(name).is_ok_and(|element| !has(element)));
-        if lacks_friction {
+        let start = |params: &Params| no_heat(starts::from_params(params, &own.heating));
+        let mut all = vec![start(params)];
+        if !has_friction(params) {
             all.extend(starts::plain(&own.fitted, &own.heating, &|_| true).into_iter().map(no_heat));
         }
         let fit =
@@ -102,7 +98,7 @@ impl Prepared {
             .filter_map(fit)
             .max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
             .ok_or(DiagnosisError::NotFinite)?;
-        let structure = with_friction(structure, &own);
+        let structure = with_friction(structure, |params| fit(start(params)));
         // By the integration of the refits: its error is the same on both dampers.
         let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;

@@ -77,7 +77,7 @@ impl Dimensions {
         self.design.is_none() && self.entries.iter().all(Option::is_none)
     }
 
-    /// Those of the entries about which nothing is known.
+    /// Keys of the needed entries that the drawing does not state.
     pub fn missing(&self, needed: &[Entry]) -> Vec<&'static str> {
         needed.iter().filter(|entry| self.known(**entry).is_none()).map(|entry| entry.key()).collect()
     }

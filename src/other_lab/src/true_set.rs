@@ -18,7 +18,7 @@ impl Case {
     /// The damper is simulated once for each of them.
     ///
     /// # Errors
-    /// Those of [`Case::run`].
+    /// The errors of [`Case::run`].
     pub fn true_set(&self) -> Result<Vec<String>, LabError> {
         let whole = self.run()?;
         let mut found = Vec::new();

@@ -34,7 +34,7 @@ const PARTS: f64 = 2.0;
 const MOST_PARTS: f64 = 16.0;
 /// Largest coefficient that a polynomial of this degree needs, in units of force over a power of the fastest velocity.
 ///
-/// Those of Chebyshev's polynomial of degree 7 end at 112.
+/// The coefficients of Chebyshev's polynomial of degree 7 end at 112.
 const LARGEST: f64 = 120.0;
 
 /// Most coefficients: as many as the kernel's range of coefficients holds. A coefficient of a high power becomes
