@@ -1,4 +1,4 @@
-//! Many dampers, or one at many settings, each against the same reference.
+//! Many dampers, or one at many settings, each against one reference or against the group before it.
 
 use crate::diagnose::diagnose;
 use crate::hold_out::choose;
@@ -15,6 +15,8 @@ use serde::Serialize;
 pub struct GroupResult {
     /// Its name.
     pub group: String,
+    /// What it was compared with.
+    pub reference: String,
     /// Number of tests.
     pub tests: usize,
     /// The diagnosis against the reference.
@@ -24,7 +26,7 @@ pub struct GroupResult {
 /// The results for all groups. Its JSON form is what `dashpot diagnose --group` writes.
 #[derive(Debug, Serialize)]
 pub struct GroupResults {
-    /// What they were compared with.
+    /// What they were compared with; in a chain, the first of them alone.
     pub reference: String,
     /// Tests that belong to no group.
     pub left_aside: Vec<String>,
@@ -38,6 +40,15 @@ pub struct GroupResults {
     pub as_the_fit_saw: Option<Sentence>,
     /// Every group but the reference.
     pub groups: Vec<GroupResult>,
+}
+
+/// What each group is compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Comparison {
+    /// All with the reference: what is wrong with each damper.
+    Reference,
+    /// Each with the group before it, the first with the reference: what one step of an adjuster, or of wear, changes.
+    Chain,
 }
 
 /// What groups are compared with, beside those that are among them.
@@ -69,14 +80,17 @@ pub enum GroupsError {
     },
 }
 
-/// Diagnoses every group of data that were split `by` something against what is good, or against the first of them where that is not given. The
-/// reference of `options` is put there; `seed` chooses which tests no refit sees; `progress` is told the share done and what is being done.
+/// Diagnoses every group of data that were split `by` something against what is good, or against the first of them where that is not given.
+///
+/// In a chain each is compared with the one before. The reference of `options` is put there; `seed` chooses which tests no refit sees;
+/// `progress` is told the fraction done and what is being done.
 ///
 /// # Errors
 /// One group alone, or one that cannot be diagnosed.
 pub fn diagnose_groups(
     (split, by): (Split, &str),
     good: Option<Good>,
+    comparison: Comparison,
     model: &ModelFile,
     options: Options,
     seed: u64,
@@ -99,19 +113,23 @@ pub fn diagnose_groups(
     };
     let all = groups.iter_mut().flat_map(|group| &mut group.records).chain(&mut reference);
     let as_the_fit_saw = model.identification.right(all).map(|note| note.text);
-    let options = Options { reference, ..options };
+    let mut options = Options { reference, ..options };
+    let mut compared_with = name.clone();
     let count = groups.len() as f64;
-    let one = |(k, Group { name, records }): (usize, Group)| {
+    let mut one = |(k, Group { name, records }): (usize, Group)| {
         let all: Vec<&Record> = records.iter().collect();
         let left = choose(&all, seed);
         let told = |done: f64, text: Template| {
             progress((k as f64 + done) / count, &format!("{name}: {}", text.english()));
         };
-        match diagnose(&all, &left, &model.params, &options, &told) {
-            Ok(diagnosis) => Ok(GroupResult { group: name.clone(), tests: all.len(), diagnosis }),
-            Err(source) => Err(GroupsError::Group { name: name.clone(), source }),
+        let found = diagnose(&all, &left, &model.params, &options, &told);
+        let diagnosis = found.map_err(|source| GroupsError::Group { name: name.clone(), source })?;
+        let answer = GroupResult { group: name, reference: compared_with.clone(), tests: all.len(), diagnosis };
+        if comparison == Comparison::Chain {
+            (options.reference, compared_with) = (records, answer.group.clone());
         }
+        Ok(answer)
     };
-    let groups = groups.into_iter().enumerate().map(one).collect::<Result<_, _>>()?;
+    let groups = groups.into_iter().enumerate().map(&mut one).collect::<Result<_, _>>()?;
     Ok(GroupResults { reference: name, left_aside, without_test, unusable, as_the_fit_saw, groups })
 }

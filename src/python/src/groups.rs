@@ -1,4 +1,4 @@
-//! Many dampers, or one at many settings, each against the same reference.
+//! Many dampers, or one at many settings, each against its reference.
 
 use crate::campaign::{Campaign, options};
 use crate::errors::{DiagnosisError, RecordError, raise};
@@ -6,7 +6,7 @@ use crate::examine::arrays;
 use crate::model::Model;
 use crate::work;
 use dashpot_diagnosis::Options;
-use dashpot_diagnosis::groups::{Good, GroupResults};
+use dashpot_diagnosis::groups::{Comparison, Good, GroupResults};
 use dashpot_records::groups::{GroupError, split};
 use dashpot_records::load;
 use pyo3::prelude::*;
@@ -44,6 +44,8 @@ pub struct Grouping {
     reference: Option<Data>,
     /// What the reference is called.
     reference_name: String,
+    /// Whether each is compared with the one before it.
+    chain: bool,
     /// Entries of a `campaign.toml` by which files are read, as JSON.
     mapping: String,
     strict: bool,
@@ -114,7 +116,9 @@ pub fn diagnose_groups<'py>(
         }
         let options = Options { max_effects, candidates, ..Options::default() };
         let say = |done: f64, text: &str| progress.say(done, text);
-        let answers = dashpot_diagnosis::groups::diagnose_groups((split, by), good, file, options, seed, &say);
+        let comparison = if grouping.chain { Comparison::Chain } else { Comparison::Reference };
+        let answers =
+            dashpot_diagnosis::groups::diagnose_groups((split, by), good, comparison, file, options, seed, &say);
         Ok((answers.map_err(|why| Refusal::Diagnosing(why.into()))?, notes, files))
     })?;
     let (answers, notes, files) = done.map_err(|refusal| match refusal {

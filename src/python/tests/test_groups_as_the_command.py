@@ -85,6 +85,9 @@ def test_tests_of_a_campaign_by_their_names(command: Command, fleet: Path) -> No
         same(command, found, "together", "--exclude", "*v3", "--gain=1.01", "--group", "c{}_*", *FEW, language="de")
         assert found.reference == "9" and list(found) == ["10", "11"]
         assert found.left_aside == ("warm up",) and "no record" in found.unusable[0].why and [g.tests for g in found.groups] == [4, 4]
+    chain = dashpot.diagnose_groups(model, "together", "c{}_*", chain=True, **few)
+    same(command, chain, "together", "--group", "c{}_*", "--chain", *FEW)
+    assert [(one.group, one.reference) for one in chain.groups] == [("10", "9"), ("11", "10")]
     by_list = dashpot.diagnose_groups(model, Path("together"), "tests.csv:Clicks", reference=["good"], seed=3, **few)
     same(command, by_list, "together", "--group", "tests.csv:Clicks", "--reference", "good", *FEW, "--seed", "3")
     assert by_list.without_test == ("c12_* (line 5)",)

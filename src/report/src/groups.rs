@@ -49,13 +49,21 @@ pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Wo
     Page { subtitle, sections, made, words }
 }
 
+/// Name of a group, with what it was compared with where that is not the reference of all.
+fn label(answer: &GroupResult, answers: &GroupResults, words: &Words) -> String {
+    if answer.reference == answers.reference {
+        return answer.group.clone();
+    }
+    words.fill(words.group_against, &[("group", &answer.group), ("reference", &answer.reference)])
+}
+
 /// A row a group: its answer and its errors.
 fn of_groups(answers: &GroupResults, words: &Words) -> Table {
     let of_group = |answer: &GroupResult| {
         let names: Vec<String> = answer.diagnosis.findings.iter().map(|f| finding(f, words)).collect();
         let rms = |value: f64| Cell::digits(value, 3);
         vec![
-            answer.group.as_str().into(),
+            label(answer, answers, words).into(),
             Cell::count(answer.tests),
             words.say(&answer.diagnosis.summary).into(),
             names.join(words.comma).into(),

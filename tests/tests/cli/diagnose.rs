@@ -440,6 +440,25 @@ fn groups_are_compared_with_one_reference() {
         .map(ToString::to_string)
         .collect();
     assert_eq!(names, ["b", "c"]);
+    // In a chain what a step changed is said at that step alone.
+    std::fs::create_dir(dir.join("fleet/d")).unwrap();
+    for entry in std::fs::read_dir(dir.join("fleet/c")).unwrap() {
+        let path = entry.unwrap().path();
+        std::fs::copy(&path, dir.join("fleet/d").join(path.file_name().unwrap())).unwrap();
+    }
+    let told = done(
+        dir,
+        &["diagnose", "plain.toml", "fleet", "--group", "folders", "--chain", "--json", "h.json", "--report", "h.html"],
+    );
+    assert!(told.contains("Compared with the group before each, the first with a:"), "{told}");
+    let all = json(&dir.join("h.json"));
+    let steps = list(&all, "groups");
+    let compared: Vec<_> = steps.iter().map(|g| (word(g, "group"), word(g, "reference"))).collect();
+    assert_eq!(compared, [("b", "a"), ("c", "b"), ("d", "c")]);
+    let changed: Vec<bool> = steps.iter().map(|g| !list(&g["diagnosis"], "changes").is_empty()).collect();
+    assert_eq!(changed, [false, true, false]);
+    assert!(std::fs::read_to_string(dir.join("h.html")).unwrap().contains("d, against c"));
+    std::fs::remove_dir_all(dir.join("fleet/d")).unwrap();
     let group = ["diagnose", "plain.toml", "fleet", "--group", "folders", "--candidates", "channel_delay"];
     // Every result takes the place of its own older version.
     done(dir, &[&group[..], &outputs, &["--language", "zh", "--json", "g.json"]].concat());

@@ -7,7 +7,7 @@ use super::diagnosed::examine;
 use super::{groups, model};
 use crate::progress::Progress;
 use anyhow::bail;
-use dashpot_diagnosis::groups::{Good, diagnose_groups};
+use dashpot_diagnosis::groups::{Comparison, Good, diagnose_groups};
 use dashpot_diagnosis::{Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_output::{FolderLock, Kind};
@@ -157,7 +157,8 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     };
     let progress = Progress::new("diagnosing");
     let told = |done: f64, text: &str| progress.say(done, text);
-    let answers = diagnose_groups((split, by), good, model, options, args.seed, &told)?;
+    let comparison = if args.chain { Comparison::Chain } else { Comparison::Reference };
+    let answers = diagnose_groups((split, by), good, comparison, model, options, args.seed, &told)?;
     drop(progress);
     let json = args.json.as_deref();
     dashpot_output::say(json, &groups::format_groups(&answers).join("\n"))?;

@@ -55,6 +55,9 @@ pub struct Args {
     /// tests or folders in its first column) and the column that tells the groups apart, such as tests.csv:clicks
     #[arg(long, value_name = "BY", conflicts_with_all = ["output", "svg", "hold_out", "next_tests"])]
     pub group: Option<String>,
+    /// Compare each group with the one before it, in their order: what one click of an adjuster, or one stage of wear, changes
+    #[arg(long, requires = "group")]
+    pub chain: bool,
     /// Dimensions of the damper, a TOML file with the unit in every key: they make priors of what follows from them
     #[arg(long, value_name = "D.toml")]
     pub dimensions: Option<PathBuf>,

@@ -1,4 +1,4 @@
-//! Many dampers, or one at many settings, each against the same reference, in lines: `dashpot diagnose --group`.
+//! Many dampers, or one at many settings, each against its reference, in lines: `dashpot diagnose --group`.
 
 use dashpot_diagnosis::Change;
 use dashpot_diagnosis::groups::GroupResults;
@@ -20,7 +20,9 @@ fn foremost(changed: &[Change]) -> &[Change] {
 
 /// One line a group, and the numbers that changed in any of them.
 pub fn format_groups(answers: &GroupResults) -> Vec<String> {
-    let mut lines = vec![format!("Compared with {}:", answers.reference)];
+    let is_chain = answers.groups.iter().any(|answer| answer.reference != answers.reference);
+    let with = if is_chain { "the group before each, the first with " } else { "" };
+    let mut lines = vec![format!("Compared with {with}{}:", answers.reference)];
     for answer in &answers.groups {
         let names: Vec<String> = answer
             .diagnosis

@@ -4,7 +4,7 @@ use super::budget::Budget;
 use super::component::Component;
 use super::context::{Form, SearchContext, Structure};
 use super::evidence::Evidence;
-use super::halving::{Entrant, Field, halve};
+use super::halving::{Entrant, Field, Rating, halve};
 use super::nearby::Nearby;
 use super::prior_odds::log_prior;
 use super::screening::{Projection, Screened, screen};
@@ -94,13 +94,18 @@ pub fn expand(
         all.push((candidate.effect, candidate.form, candidate.is_artefact()));
         log_prior(&all, context.priors)
     };
-    let posterior = |place: usize, refit: &Refit| {
+    let log_likelihood = from.evidence.log_likelihood();
+    let rate = |place: usize, refit: &Refit| {
         let candidate = &list[screened[place].candidate];
         let numbers = from.numbers() + Component::of_candidate(candidate).numbers;
         let hypothesis = &screened[place].hypothesis;
-        Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers).log_evidence() + prior_with(candidate)
+        let evidence = Evidence::new(hypothesis, &refit.theta, &refit.residual, tests, numbers);
+        Rating {
+            log_posterior: evidence.log_evidence() + prior_with(candidate),
+            rise: evidence.log_likelihood() - log_likelihood,
+        }
     };
-    let mut trials: Vec<Trial> = halve(entrants, &field, &posterior)
+    let mut trials: Vec<Trial> = halve(entrants, &field, &rate)
         .into_iter()
         .map(|(place, refit)| {
             let candidate = &list[screened[place].candidate];

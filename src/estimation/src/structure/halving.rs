@@ -10,12 +10,39 @@ use crate::samples::Test;
 use crate::vocabulary::Candidate;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 /// Largest distance from the most probable form after the second stage, in units of the log posterior, for a full refit.
 ///
 /// A full refit rarely gains more.
 const REACH: f64 = 8.0;
+
+/// Rise of the log likelihood from which a longer refit is worth its time. No number costs less than one, so what has risen by less pays for none.
+///
+/// Without this bar effects of no strength, which cost little, crowd out one that has begun to explain the records.
+const BEGUN: f64 = 0.5;
+
+/// How good a refit is.
+#[derive(Debug, Clone, Copy)]
+pub struct Rating {
+    /// Log posterior, up to a constant.
+    pub log_posterior: f64,
+    /// Rise of the log likelihood over the structure without the effect.
+    pub rise: f64,
+}
+
+impl Rating {
+    /// Whether the effect explains anything so far.
+    fn has_begun(&self) -> bool {
+        self.rise > BEGUN
+    }
+
+    /// Better ones first: those that explain something, by their log posterior.
+    fn compare(&self, other: &Rating) -> Ordering {
+        other.has_begun().cmp(&self.has_begun()).then(other.log_posterior.total_cmp(&self.log_posterior))
+    }
+}
 
 /// A start with the Jacobian there.
 pub struct Entrant {
@@ -45,34 +72,37 @@ pub struct Field<'a> {
 pub fn halve(
     entrants: Vec<Entrant>,
     field: &Field,
-    log_posterior: &(dyn Fn(usize, &Refit) -> f64 + Sync),
+    rate: &(dyn Fn(usize, &Refit) -> Rating + Sync),
 ) -> Vec<(usize, Refit)> {
     let Field { screened, list, tests, nearby, budget } = *field;
     let of = |place: usize| &screened[place].hypothesis;
     let form_of = |place: usize| screened[place].candidate;
-    let by_posterior = |refits: &mut Vec<(f64, usize, Refit)>| refits.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let sort = |refits: &mut Vec<(Rating, usize, Refit)>| refits.sort_by(|a, b| a.0.compare(&b.0));
     let short = |entrant: Entrant| {
         let place = entrant.screened;
         let residual = |theta: &[f64]| nearby.residual(of(place), tests, theta);
         let end = refit_by(of(place), tests, &entrant.start, Some(entrant.jacobian), Effort::SCREEN, &residual)?;
-        Some((log_posterior(place, &end), place, end))
+        Some((rate(place, &end), place, end))
     };
-    let mut ahead: Vec<(f64, usize, Refit)> = entrants.into_par_iter().filter_map(short).collect();
-    by_posterior(&mut ahead);
+    let mut ahead: Vec<(Rating, usize, Refit)> = entrants.into_par_iter().filter_map(short).collect();
+    sort(&mut ahead);
     let mut forms: BTreeSet<usize> = BTreeSet::new();
     ahead.retain(|(_, place, _)| forms.insert(form_of(*place)));
     let rest = ahead.split_off(budget.forms.min(ahead.len()));
-    let longer = |(_, place, known): (f64, usize, Refit)| {
+    let longer = |(_, place, known): (Rating, usize, Refit)| {
         let residual = |theta: &[f64]| nearby.residual(of(place), tests, theta);
         let jacobian = Some(known.jacobian.clone());
         let end = refit_by(of(place), tests, &known.theta, jacobian, Effort::COMPARE, &residual).unwrap_or(known);
-        (log_posterior(place, &end), place, end)
+        (rate(place, &end), place, end)
     };
-    let mut refits: Vec<(f64, usize, Refit)> = ahead.into_par_iter().map(longer).collect();
-    by_posterior(&mut refits);
-    let best = refits.first().map_or(f64::NEG_INFINITY, |r| r.0);
-    let finals: Vec<bool> = refits.iter().enumerate().map(|(k, r)| k < budget.finals && best - r.0 < REACH).collect();
-    let full = |((_, place, known), is_final): ((f64, usize, Refit), bool)| {
+    let mut refits: Vec<(Rating, usize, Refit)> = ahead.into_par_iter().map(longer).collect();
+    sort(&mut refits);
+    let best = refits.first().map_or(f64::NEG_INFINITY, |r| r.0.log_posterior);
+    let is_final = |(k, (rating, ..)): (usize, &(Rating, usize, Refit))| {
+        k < budget.finals && rating.has_begun() && best - rating.log_posterior < REACH
+    };
+    let finals: Vec<bool> = refits.iter().enumerate().map(is_final).collect();
+    let full = |((_, place, known), is_final): ((Rating, usize, Refit), bool)| {
         if !is_final {
             return (place, known);
         }
@@ -94,4 +124,19 @@ pub fn halve(
     let mut all: Vec<(usize, Refit)> = refits.into_par_iter().zip(finals).map(full).collect();
     all.extend(rest.into_iter().map(|(_, place, refit)| (place, refit)));
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_begun_to_explain_goes_before_what_costs_little() {
+        let rating = |log_posterior: f64, rise: f64| Rating { log_posterior, rise };
+        let (absent, begun, better) = (rating(-3.0, 0.0), rating(-3.6, 8.0), rating(-2.0, 9.0));
+        let mut all = [absent, begun, better];
+        all.sort_by(Rating::compare);
+        assert_eq!(all.map(|r| r.log_posterior), [-2.0, -3.6, -3.0]);
+        assert!(!absent.has_begun() && begun.has_begun());
+    }
 }

@@ -28,6 +28,8 @@ class Group(Result):
 
     group: str
     """Its name: that of its folder, what a pattern found in the names of its tests, or what a list has in its column."""
+    reference: str
+    """What it was compared with: in a chain, the group before it."""
     tests: int
     """Number of tests."""
     diagnosis: Findings
@@ -42,7 +44,7 @@ class GroupsDiagnosis(Tables, Result):
     """
 
     reference: str
-    """What they were compared with."""
+    """What they were compared with; in a chain, the first of them alone."""
     left_aside: tuple[str, ...]
     """Tests, or folders, that belong to no group."""
     without_test: tuple[str, ...] = field(default=(), metadata={"omitted": True})

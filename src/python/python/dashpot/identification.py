@@ -126,6 +126,7 @@ def diagnose_groups(
     group: str,
     reference: Path | Sequence[Path] | Sequence[Record] | None = None,
     *,
+    chain: bool = False,
     max_effects: int = 3,
     candidates: Sequence[str] | None = None,
     seed: int = 0,
@@ -140,6 +141,7 @@ def diagnose_groups(
         column that tells them apart, such as ``"tests.csv:clicks"``.
     :param reference: records of the same tests on a damper known to be good, or paths of theirs, which are read as ``data`` are; the first of the
         groups if not given.
+    :param chain: compares each group with the one before it, in their order: what one click of an adjuster, or one stage of wear, changes.
     :param max_effects: most effects to add.
     :param candidates: effects that may be named; all if not given.
     :param seed: chooses which tests no refit sees.
@@ -170,7 +172,7 @@ def diagnose_groups(
     with watched(progress) as told, needs(*paths):
         said, notes, cycles, made_from = _native.diagnose_groups(
             model._native,
-            {"data": own, "by": group, "reference": good, "reference_name": called, "mapping": reads.mapping, "strict": reads.strict},
+            {"data": own, "by": group, "reference": good, "reference_name": called, "chain": chain, "mapping": reads.mapping, "strict": reads.strict},
             max_effects,
             None if candidates is None else words(candidates),
             seed,
@@ -182,7 +184,7 @@ def diagnose_groups(
     arguments: tuple[str, ...] | None = None
     if read_by is not None and (good is None or _read_by(reference, read_by)):
         compared_with = [word for path in (good["paths"] if good else ()) for word in ("--reference", path)]
-        arguments = (*own["paths"], *read_by.options, "--group", group, *compared_with, *_bounds(candidates, max_effects, seed))
+        arguments = (*own["paths"], *read_by.options, "--group", group, *(("--chain",) if chain else ()), *compared_with, *_bounds(candidates, max_effects, seed))
     return replace(found, groups=answers, notes=noticed, _made_from=(made_from, model, Origin(named, arguments)))
 
 

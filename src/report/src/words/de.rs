@@ -436,6 +436,7 @@ pub const DE: Words = Words {
     groups_subtitle: "Modell {model} gegen jede Gruppe; Referenz: {reference}",
     groups_section: "Was sich in welcher Gruppe geändert hat",
     groups_caption: "Jede Gruppe neben der Referenz. N effektiv über die mittleren Zyklen der Versuche, das Modell neu angepasst: bevor ein Name hinzukommt, danach, und was allein das Rauschen ausmacht.",
+    group_against: "{group}, gegen {reference}",
     col_group: "Gruppe",
     col_answer: "Ergebnis",
     col_named: "benannt",

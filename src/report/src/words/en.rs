@@ -436,6 +436,7 @@ pub const EN: Words = Words {
     groups_subtitle: "Model {model} against each group; reference: {reference}",
     groups_section: "What changed in which group",
     groups_caption: "Every group beside the reference. N rms over the mean cycles of the tests, the model refitted: before a name is added, after, and what noise makes of it.",
+    group_against: "{group}, against {reference}",
     col_group: "group",
     col_answer: "answer",
     col_named: "named",

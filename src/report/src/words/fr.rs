@@ -436,6 +436,7 @@ pub const FR: Words = Words {
     groups_subtitle: "Modèle {model} face à chaque groupe ; référence : {reference}",
     groups_section: "Ce qui a changé dans quel groupe",
     groups_caption: "Chaque groupe à côté de la référence. N efficaces sur les cycles moyens des essais, le modèle réajusté : avant d’ajouter un nom, après, et ce que donne le bruit seul.",
+    group_against: "{group}, face à {reference}",
     col_group: "groupe",
     col_answer: "résultat",
     col_named: "nommé",

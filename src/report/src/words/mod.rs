@@ -578,6 +578,7 @@ words!(
     groups_subtitle,
     groups_section,
     groups_caption,
+    group_against,
     col_group,
     col_answer,
     col_named,

@@ -436,6 +436,7 @@ pub const ZH: Words = Words {
     groups_subtitle: "模型 {model} 与各组对比；参考：{reference}",
     groups_section: "各组的变化",
     groups_caption: "各组与参考对比。各试验平均周期上的均方根（N），模型重新拟合：加入名称之前、之后，以及噪声所致。",
+    group_against: "{group}，与 {reference} 对比",
     col_group: "组",
     col_answer: "结论",
     col_named: "确定的效应",
