@@ -7,7 +7,7 @@ use dashpot_core::Params;
 use dashpot_core::{element, number};
 use dashpot_identification::{FitOptions, fit, to_measurement_error};
 use dashpot_records::Record;
-use dashpot_records::taken_out::taken_out;
+use dashpot_records::measurement_correction::correct_record;
 use dashpot_rig::{CHECK_PREFIX, InjectedCampaign, InjectedCase, Matrix, Options, Plan, TestPoint, Truth};
 
 /// What is asked for.
@@ -159,7 +159,7 @@ impl Measured {
     pub(crate) fn take_out(&mut self, measured: &[dashpot_identification::Measured]) {
         let off = to_measurement_error(measured);
         for record in self.records.iter_mut().chain(&mut self.clean) {
-            *record = taken_out(record, &off);
+            *record = correct_record(record, &off);
         }
         self.taken_out = measured.iter().filter_map(dashpot_identification::Measured::effect).collect();
     }

@@ -5,10 +5,10 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::channel::Channel;
-use super::date_order::DateOrder;
-use super::setting_value::SettingRules;
-use super::unit::Unit;
+use crate::dates::date_order::DateOrder;
+use crate::quantities::channel::Channel;
+use crate::quantities::setting_value::SettingRules;
+use crate::quantities::unit::Unit;
 
 /// The direction in which displacement, velocity and force of a file are counted positive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,11 +1,11 @@
 //! Channels cut off at the end of their measuring range: flat tops at an extreme value.
 
-use super::super::channel::Channel;
-use super::super::error::RecordError;
-use super::super::numbers::quantum;
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::quantum;
+use crate::quantities::channel::Channel;
 
 /// Fewest equal samples at the extreme that make a flat top.
 const RUN: usize = 4;
@@ -232,8 +232,8 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn a_little_clipped_force_is_masked_and_much_is_refused() {

@@ -6,11 +6,11 @@
 //! frequency that wanders. Cycles that differ in stroke or length from the rest (run-up, run-down, a pause) are not
 //! taken.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::{median, quantile, range, sample_time};
 use super::drift::time_mean;
+use crate::data::cycle::Cycle;
 use crate::numbers::restrict;
+use crate::numbers::{median, quantile, range, sample_time};
+use crate::signal::noise::difference_noise;
 
 /// Allowed deviation of stroke and period from their medians: what the bulk scatters, but at least and at most this.
 const TOLERANCE: (f64, f64) = (0.03, 0.15);
@@ -366,8 +366,8 @@ mod tests {
     use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
-    use super::super::super::fixtures::{Random, SineTest};
     use super::*;
+    use crate::fixtures::{Random, SineTest};
 
     #[test]
     fn rest_run_up_and_run_down_are_no_cycles() {

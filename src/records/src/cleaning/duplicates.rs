@@ -2,11 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::super::channel::Channel;
-use super::super::numbers::{median, range};
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range};
+use crate::quantities::channel::Channel;
 
 /// Shortest block with new time stamps that counts as repeated; measured rows do not agree to the last digit so often.
 const BLOCK: usize = 10;
@@ -144,8 +144,8 @@ fn rest_is_noisy(samples: &Samples, i: usize, lag: usize, run: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     /// The rows `range` written twice; with `new_stamps` the logger goes on counting time.
     fn doubled(sound: &Samples, range: std::ops::Range<usize>, new_stamps: bool) -> Samples {

@@ -1,13 +1,13 @@
 //! Gaps in time: a logger that paused, a buffer that was lost. What lies on both sides are tests of their own.
 
-use super::super::cycle::Cycle;
-use super::super::numbers::{median, range};
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
 use super::FEWEST;
 use super::cycles::{self, turning_points};
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range};
 use std::ops::Range;
 
 /// How many times longer than the steps around it a step is that counts as a gap. Loggers that change their rate do so for
@@ -128,8 +128,8 @@ fn find(time: &[f64]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn a_pause_makes_two_tests_and_is_told_first() {

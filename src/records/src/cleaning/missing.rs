@@ -1,10 +1,10 @@
 //! Empty and not-a-number cells: a few rows are dropped, many are refused.
 
-use super::super::channel::Channel;
-use super::super::error::RecordError;
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::quantities::channel::Channel;
 
 /// Largest share of rows that may be dropped.
 const SHARE: f64 = 0.02;
@@ -110,8 +110,8 @@ fn bridge(time: &[f64], values: &mut [f64]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn stray_cells_cost_their_row_and_are_told() {

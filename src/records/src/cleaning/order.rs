@@ -1,10 +1,10 @@
 //! Time stamps that repeat or step back.
 
-use super::super::error::RecordError;
-use super::super::numbers::{range, sample_time};
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{range, sample_time};
 
 /// How far, in samples, a row may be out of its place to be put back; further is another block of data.
 const REACH: usize = 10;
@@ -96,8 +96,8 @@ fn spread(samples: &mut Samples) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn rows_of_an_earlier_run_are_left_out() {

@@ -1,10 +1,10 @@
 //! Spikes: one to three samples far off both neighbours, which nothing mechanical does.
 
-use super::super::channel::Channel;
-use super::super::noise::difference_noise;
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::quantities::channel::Channel;
+use crate::signal::noise::difference_noise;
 
 /// Longest spike, samples.
 const LONGEST: usize = 3;
@@ -107,8 +107,8 @@ fn is_spike(values: &[f64], steps: &[f64], sigma: f64, start: usize, length: usi
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, SineTest};
     use super::*;
+    use crate::fixtures::{Random, SineTest};
 
     #[test]
     fn spikes_are_replaced_and_nothing_else() {

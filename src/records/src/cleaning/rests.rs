@@ -1,15 +1,15 @@
 //! Several tests one after the other in one record, without a column that tells them apart: rigs that run through a list write so. They are
 //! told apart at rests, where what comes before moves otherwise than what follows. A pause between equal cycles parts nothing.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::{median, quantile, quantum, range, sample_time};
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
 use super::FEWEST;
 use super::cycles::{self, turning_points};
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, quantile, quantum, range, sample_time};
+use crate::signal::noise::difference_noise;
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -267,8 +267,8 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, moving};
     use super::*;
+    use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
     /// A course in pieces: rests (amplitude 0), sines (amplitude and frequency in mm and Hz, for so many cycles) and ways to another place.

@@ -4,16 +4,16 @@
 //! They are told apart where stroke or period jumps and then stays. A sweep, whose cycles change little by little, is
 //! one test.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::{median, range};
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
 use super::FEWEST;
 use super::cycles::{self, candidates};
 use super::rests::part;
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range};
+use crate::signal::noise::difference_noise;
 use std::ops::Range;
 
 /// Share of the whole range below which a swing is no cycle of a test: small tests beside large ones are found down to it.
@@ -117,8 +117,8 @@ fn jumps(before: &[Cycle], after: &[Cycle], noise: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, moving};
     use super::*;
+    use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
     /// A motion whose amplitude, mm, and frequency, Hz, are given at each moment.

@@ -1,16 +1,16 @@
 //! Friction programs: strokes of constant speed to and fro, a few at each of several speeds, without a rest between them. Each speed is a test.
 //! Too few cycles of each are whole for a comparison of cycles, so the strokes themselves are compared.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::range;
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
 use super::FEWEST;
 use super::cycles::{self, turning_points};
 use super::rests::part;
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::range;
+use crate::signal::noise::difference_noise;
 use std::ops::Range;
 
 /// Fraction of the whole range that a stroke has at least: the slowest speeds may have short ones.
@@ -127,8 +127,8 @@ fn runs(strokes: &[Stroke]) -> Vec<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, moving};
     use super::*;
+    use crate::fixtures::{Random, moving};
 
     /// Two cycles of a triangle at each speed, mm/s, over 35 mm or at least half a second.
     fn program(rate: f64, speeds: &[f64]) -> Samples {

@@ -1,10 +1,10 @@
 //! Tests in which nothing moves, or no force is measured: nothing can be learned of a damper from them.
 
-use super::super::channel::Channel;
-use super::super::error::RecordError;
-use super::super::noise::difference_noise;
-use super::super::numbers::range;
-use super::super::samples::Samples;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::numbers::range;
+use crate::quantities::channel::Channel;
+use crate::signal::noise::difference_noise;
 
 /// Standard deviation and range, in standard deviations of the noise, up to which a channel shows noise alone.
 ///
@@ -64,8 +64,8 @@ fn flickers(values: &[f64]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, SineTest};
     use super::*;
+    use crate::fixtures::{Random, SineTest};
 
     #[test]
     fn rest_is_told_from_the_smallest_motion() {
