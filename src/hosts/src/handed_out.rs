@@ -105,7 +105,7 @@ pub fn property_file(
     let mut notes = vec![format!(
         "Written by dashpot {} from {named} (check sum {:08x}). Rebound and tension are positive.",
         env!("CARGO_PKG_VERSION"),
-        fmu::check_sum(text)
+        crc32fast::hash(text)
     )];
     notes.extend(remarks.iter().cloned());
     let has_gas = xml && plain.params.is_on(element!("gas_preload"));

@@ -233,6 +233,8 @@ pub(super) fn file_name(path: &Path) -> String {
 }
 
 /// Order in which people number files: digits compare as numbers, `test2` before `test10`.
+///
+/// Crate `natord` compares figures behind a leading zero as decimals, so it puts `t010` before `t9`.
 pub(super) fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
     loop {

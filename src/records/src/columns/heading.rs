@@ -577,23 +577,8 @@ pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a 
 fn distance(a: &str, b: &str) -> usize {
     /// Headings are shorter; this bounds the work on hostile files.
     const LONG: usize = 64;
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(LONG + 1).collect(), b.chars().take(LONG + 1).collect());
-    if a.len() > LONG || b.len() > LONG {
-        return usize::MAX;
-    }
-    let (mut before, mut row): (Vec<usize>, Vec<usize>) = (Vec::new(), (0..=b.len()).collect());
-    for (i, x) in a.iter().enumerate() {
-        let mut next = vec![i + 1];
-        for (j, y) in b.iter().enumerate() {
-            let mut least = (row[j] + usize::from(x != y)).min(row[j + 1] + 1).min(next[j] + 1);
-            if i > 0 && j > 0 && *x == b[j - 1] && a[i - 1] == *y {
-                least = least.min(before[j - 1] + 1);
-            }
-            next.push(least);
-        }
-        before = std::mem::replace(&mut row, next);
-    }
-    row[b.len()]
+    let is_long = |text: &str| text.chars().nth(LONG).is_some();
+    if is_long(a) || is_long(b) { usize::MAX } else { strsim::osa_distance(a, b) }
 }
 
 enum HeadingUnitText<'a> {
