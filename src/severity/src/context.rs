@@ -5,7 +5,7 @@
 //! square of the difference between what the two leave: a difference of two such figures would count where the effect
 //! happens to point along what is left anyway.
 
-use crate::EvaluationError;
+use crate::SeverityError;
 use crate::measured::{base_model, read, without_noise};
 use dashpot_core::Params;
 use dashpot_core::element;
@@ -33,7 +33,7 @@ pub struct SeverityContext {
 }
 
 /// The base model identified from records, with friction by side force or without.
-fn identified(records: &[&Record], knows_side_force: bool) -> Result<Params, EvaluationError> {
+fn identified(records: &[&Record], knows_side_force: bool) -> Result<Params, SeverityError> {
     let mut base = base_model(records)?;
     // A name of the kernel's own list.
     base.enable(element!("side_force_friction"), knows_side_force);
@@ -49,7 +49,7 @@ impl SeverityContext {
     ///
     /// # Errors
     /// What reader or fit refuse.
-    pub fn new(neutral: &Campaign, percent: f64, knows_side_force: bool) -> Result<SeverityContext, EvaluationError> {
+    pub fn new(neutral: &Campaign, percent: f64, knows_side_force: bool) -> Result<SeverityContext, SeverityError> {
         let clean = read(&without_noise(neutral))?;
         let records = seen(&clean);
         let base = identified(&records, knows_side_force)?;
@@ -60,7 +60,7 @@ impl SeverityContext {
                 0.01 * percent * rms + LEAST_NOISE
             })
             .collect();
-        let (base, own) = refitted(&records, &noise, &base).ok_or(EvaluationError::NotFinite)?;
+        let (base, own) = refitted(&records, &noise, &base).ok_or(SeverityError::NotFinite)?;
         Ok(SeverityContext { base, noise, own })
     }
 
@@ -72,7 +72,7 @@ impl SeverityContext {
     ///
     /// # Errors
     /// What reader or fit refuse.
-    pub fn severity(&self, campaign: &Campaign, wanted: f64) -> Result<f64, EvaluationError> {
+    pub fn severity(&self, campaign: &Campaign, wanted: f64) -> Result<f64, SeverityError> {
         let clean = read(&without_noise(campaign))?;
         let records = seen(&clean);
         let from_neutral = self.left(&records, &self.base)?;
@@ -84,10 +84,10 @@ impl SeverityContext {
     }
 
     /// What refitting a model leaves beyond what it leaves of the neutral damper.
-    fn left(&self, records: &[&Record], model: &Params) -> Result<f64, EvaluationError> {
-        let (_, left) = refitted(records, &self.noise, model).ok_or(EvaluationError::NotFinite)?;
+    fn left(&self, records: &[&Record], model: &Params) -> Result<f64, SeverityError> {
+        let (_, left) = refitted(records, &self.noise, model).ok_or(SeverityError::NotFinite)?;
         if left.len() != self.own.len() {
-            return Err(EvaluationError::OtherSamples);
+            return Err(SeverityError::OtherSamples);
         }
         let of_effect: f64 = left.iter().zip(&self.own).map(|(with, without)| (with - without).powi(2)).sum();
         Ok((of_effect / left.len().max(1) as f64).sqrt())
@@ -101,8 +101,8 @@ impl SeverityContext {
         &self,
         effect: &str,
         wanted: f64,
-        mut campaign: impl FnMut(f64) -> Result<Campaign, EvaluationError>,
-    ) -> Result<f64, EvaluationError> {
+        mut campaign: impl FnMut(f64) -> Result<Campaign, SeverityError>,
+    ) -> Result<f64, SeverityError> {
         if wanted <= 0.0 {
             return Ok(0.0);
         }
@@ -139,6 +139,6 @@ impl SeverityContext {
         if best.0 < 0.35 {
             return Ok(best.1);
         }
-        Err(EvaluationError::OutOfReach { effect: effect.to_owned(), reached: best.2, wanted })
+        Err(SeverityError::OutOfReach { effect: effect.to_owned(), reached: best.2, wanted })
     }
 }

@@ -1,8 +1,8 @@
 //! A case: what is hidden, at which severity, measured how, and which model is diagnosed.
 
-use crate::EvaluationError;
+use crate::SeverityError;
+use crate::context;
 use crate::measured::{base_model, read, without_noise};
-use crate::severity;
 use dashpot_core::Params;
 use dashpot_core::{element, number};
 use dashpot_identification::{FitOptions, fit, to_measurement_error};
@@ -68,7 +68,7 @@ impl Case {
         strengths: &[f64],
         more: &[TestPoint],
         watch: &dyn Fn(usize, usize),
-    ) -> Result<InjectedCampaign, EvaluationError> {
+    ) -> Result<InjectedCampaign, SeverityError> {
         let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
         let case = InjectedCase { effects, plan: self.plan, options: self.options.clone() };
         let planned = self.plan.matrix(self.options.order.unwrap_or(self.options.seed));
@@ -83,7 +83,7 @@ impl Case {
     ///
     /// # Errors
     /// What rig, reader or fit refuse; a severity that no strength reaches.
-    pub fn strengths(&self) -> Result<Vec<f64>, EvaluationError> {
+    pub fn strengths(&self) -> Result<Vec<f64>, SeverityError> {
         self.strengths_watched(&|_, _| ())
     }
 
@@ -91,14 +91,14 @@ impl Case {
     ///
     /// # Errors
     /// As [`Case::strengths`].
-    pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, EvaluationError> {
+    pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, SeverityError> {
         let mut strengths = vec![0.0; self.effects.len()];
         if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
             return Ok(strengths);
         }
         let neutral = self.at(&strengths, &[], watch)?;
         let ground =
-            severity::SeverityContext::new(&neutral.campaign, self.options.noise_percent, !self.hides_side_force())?;
+            context::SeverityContext::new(&neutral.campaign, self.options.noise_percent, !self.hides_side_force())?;
         for (k, (name, wanted)) in self.effects.iter().enumerate() {
             let mut alone = vec![0.0; self.effects.len()];
             let found = ground.strength(name, *wanted, |strength| {
@@ -107,7 +107,7 @@ impl Case {
             });
             strengths[k] = match found {
                 // A poor plan may not show the effect however strong it is: then it is as strong as it typically is.
-                Err(EvaluationError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
+                Err(SeverityError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
                 other => other?,
             };
         }
@@ -118,7 +118,7 @@ impl Case {
     ///
     /// # Errors
     /// What rig, reader or fit refuse; a severity that no strength reaches.
-    pub fn measure(&self) -> Result<Measured, EvaluationError> {
+    pub fn measure(&self) -> Result<Measured, SeverityError> {
         self.measure_at(self.strengths()?, &[])
     }
 
@@ -126,7 +126,7 @@ impl Case {
     ///
     /// # Errors
     /// What rig, reader or fit refuse.
-    pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, EvaluationError> {
+    pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, SeverityError> {
         let hidden = self.at(&strengths, more, &|_, _| ())?;
         let noisy = read(&hidden.campaign)?;
         let clean = read(&without_noise(&hidden.campaign))?;
@@ -156,7 +156,7 @@ impl Case {
 
 impl Measured {
     /// Takes what the fit found the measurement to be off by out of the records, as the verbs do.
-    pub(crate) fn take_out(&mut self, measured: &[dashpot_identification::Measured]) {
+    pub fn take_out(&mut self, measured: &[dashpot_identification::Measured]) {
         let off = to_measurement_error(measured);
         for record in self.records.iter_mut().chain(&mut self.clean) {
             *record = correct_record(record, &off);
@@ -168,10 +168,10 @@ impl Measured {
 /// The model that is diagnosed, with the measurement errors that its fit found.
 ///
 /// It is what `fit` makes with all that it may use, as a user has it; or [`base_model`], for which the records stay as they are.
-pub(crate) fn model_of(
+pub fn model_of(
     records: &[&Record],
     whole_fit: bool,
-) -> Result<(Params, Vec<dashpot_identification::Measured>), EvaluationError> {
+) -> Result<(Params, Vec<dashpot_identification::Measured>), SeverityError> {
     if !whole_fit {
         return Ok((base_model(records)?, Vec::new()));
     }

@@ -1,11 +1,11 @@
 //! What somebody asks to hide in a neutral damper, and the strengths that make it: for the command and for Python.
 
-use crate::EvaluationError;
+use crate::SeverityError;
 use crate::case::Case;
 use dashpot_rig::{NOTHING, Options, Plan, RigError};
 
 /// Names, `name:form` for one physical form, each with a number where one is given.
-pub type Asked = Vec<(String, Option<f64>)>;
+pub type RequestedEffects = Vec<(String, Option<f64>)>;
 
 /// What the numbers are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub enum Numbers {
 /// Strength of a typical strong case, which is meant where no number is given.
 const TYPICAL: f64 = 1.0;
 
-fn refused(problem: String) -> EvaluationError {
+fn refused(problem: String) -> SeverityError {
     RigError::Option { option: "hide", problem }.into()
 }
 
@@ -30,12 +30,12 @@ fn refused(problem: String) -> EvaluationError {
 /// `nothing` beside an effect, a number that is none, severities without plan or noise, a severity that no strength reaches, and what the rig
 /// refuses.
 pub fn strengths(
-    asked: Asked,
+    asked: RequestedEffects,
     numbers: Numbers,
     plan: Option<Plan>,
     options: &Options,
     watch: &dyn Fn(usize, usize),
-) -> Result<Vec<(String, f64)>, EvaluationError> {
+) -> Result<Vec<(String, f64)>, SeverityError> {
     let is_nothing = |(name, number): &(String, Option<f64>)| name == NOTHING && number.is_none();
     if asked.iter().any(is_nothing) {
         if asked.len() > 1 {
@@ -52,9 +52,9 @@ pub fn strengths(
         if let Some((name, number)) = severities.iter().find(|(_, number)| !number.is_finite()) {
             return Err(refused(format!("'{number}' is no severity of '{name}'; give a number")));
         }
-        let Some(plan) = plan else { return Err(EvaluationError::OwnTests) };
+        let Some(plan) = plan else { return Err(SeverityError::OwnTests) };
         if options.noise_percent <= 0.0 {
-            return Err(EvaluationError::NoNoise);
+            return Err(SeverityError::NoNoise);
         }
         let options = Options { threads: Some(1), ..options.clone() };
         let case = Case { effects: severities, plan, options, ..Case::nothing(0) };

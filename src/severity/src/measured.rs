@@ -1,6 +1,6 @@
 //! A campaign of the virtual rig as a user has it: read from files, with a model identified from it.
 
-use crate::EvaluationError;
+use crate::SeverityError;
 use dashpot_core::parameter::Element;
 use dashpot_core::{Params, element, number};
 use dashpot_identification::{FitOptions, fit};
@@ -13,7 +13,7 @@ pub const BASE: [Element; 4] =
     [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
 
 /// The model that is diagnosed: identified from the records by the usual way, with a weak linear spring to start from.
-pub fn base_model(records: &[&Record]) -> Result<Params, EvaluationError> {
+pub fn base_model(records: &[&Record]) -> Result<Params, SeverityError> {
     let options =
         FitOptions { elements: Some(BASE.map(|element| element.name().to_owned()).to_vec()), ..FitOptions::default() };
     let mut params = fit(records, &options, |_| ())?.params;
@@ -47,18 +47,16 @@ pub fn without_noise(campaign: &Campaign) -> Campaign {
 }
 
 /// The records as a user reads them: written to files and loaded.
-pub fn read(campaign: &Campaign) -> Result<Vec<Record>, EvaluationError> {
+pub fn read(campaign: &Campaign) -> Result<Vec<Record>, SeverityError> {
     write_and_read(|path| Ok(campaign.write(path)?))
 }
 
 /// The records of a campaign that is written into a folder, as a user reads them.
-pub fn write_and_read(
-    write: impl FnOnce(&Path) -> Result<(), EvaluationError>,
-) -> Result<Vec<Record>, EvaluationError> {
-    let folder = tempfile::tempdir()?;
+pub fn write_and_read<E: From<SeverityError>>(write: impl FnOnce(&Path) -> Result<(), E>) -> Result<Vec<Record>, E> {
+    let folder = tempfile::tempdir().map_err(SeverityError::Folder)?;
     let path = folder.path().join("campaign");
     write(&path)?;
     let options = records::Options { positive: Some(records::Positive::Rebound), ..records::Options::default() };
-    let loaded = records::load(&[path], &options, &|_| ()).map_err(|e| EvaluationError::Records(e.to_string()))?;
+    let loaded = records::load(&[path], &options, &|_| ()).map_err(|e| SeverityError::Records(e.to_string()))?;
     Ok(loaded.records)
 }
