@@ -26,6 +26,7 @@ mod settings;
 mod signal;
 mod source;
 mod texts;
+mod tuning;
 
 pub use campaign::common_clock::apart;
 pub use campaign::imposed_motion::{MotionRecord, read_motion};

@@ -6,12 +6,8 @@ use crate::data::record::{Note, Record};
 use crate::dates::clock::{DAY, written};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
+use crate::tuning::common_clock::{WITH_DATE, WITHOUT_DATE};
 use std::cmp::Ordering;
-
-/// Longest campaign, s, whose files bear the time of day alone: beyond half a day it is not sure which of two came first.
-const WITHOUT_DATE: f64 = 0.5 * DAY;
-/// Longest campaign, s, whose files bear the date too: a year. Beyond it one of the dates is wrong.
-const WITH_DATE: f64 = 366.0 * DAY;
 
 /// Sets the campaign's clock of every record, and says so, or why not. Records that run on one clock already keep it.
 pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
@@ -105,5 +101,12 @@ mod tests {
             assert!(said.contains(why) && records.iter().all(|r| r.clock_s == 0.0), "{begins:?}: {said}");
         }
         assert_eq!(of(&[None, None]).1 + &of(&[Some(day)]).1, "");
+    }
+
+    #[test]
+    fn a_campaign_with_dates_lasts_a_year_at_most() {
+        let day = 20_000.0 * DAY;
+        let said = |days: f64| of(&[Some(day), Some(day + days * DAY)]).1;
+        assert!(!said(200.0).contains("far apart") && said(400.0).contains("far apart"));
     }
 }

@@ -6,20 +6,14 @@
 
 use crate::data::record::Note;
 use crate::data::samples::Samples;
-use crate::dates::clock::{self, DAY};
+use crate::dates::clock;
 use crate::dates::date_order::DateOrder;
 use crate::dates::file_dates::{Dates, Open};
 use crate::messages::phrases;
 use crate::messages::sentence::{Sentence, Template};
 use crate::options::Options;
+use crate::tuning::date_agreement::{APART, CLOSER};
 use std::collections::BTreeSet;
-
-/// How much closer together the tests of a campaign must lie by one reading than by the other to decide, as a ratio.
-///
-/// The second number is the least distance by the other reading, s. A campaign takes days, and a month read as a day
-/// scatters it over the year.
-const CLOSER: f64 = 5.0;
-const APART: f64 = 20.0 * DAY;
 
 /// Settles the order of the dates of all tests, and says what was assumed.
 pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
@@ -171,5 +165,13 @@ mod tests {
         dates.resolve_column(&mut times);
         assert_eq!((times[1] - times[0], clock::written(times[0]).as_str()), (2.0, "2026-11-03 23:59:59"));
         assert_eq!(dates.decided, Some(DateOrder::DayFirst));
+    }
+
+    #[test]
+    fn dates_decide_only_where_one_reading_lies_much_closer_together() {
+        let said = |dates: &[&str]| read(dates, &Options::default(), None).1;
+        // 39 days in America and 243 elsewhere; 66 days and 214.
+        assert!(said(&["1/2/2026 9:00:00", "2/10/2026 9:00:00"]).contains("close together"));
+        assert!(!said(&["1/2/2026 9:00:00", "3/9/2026 9:00:00"]).contains("close together"));
     }
 }

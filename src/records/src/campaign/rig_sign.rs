@@ -4,17 +4,13 @@
 //! decides for those that hardly tell.
 
 use super::loading::Campaign;
-use crate::checks::sign::UNSURE;
 use crate::cleaning::cycles_of;
 use crate::data::record::Note;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::options::Positive;
-
-/// How sure a campaign is from which on it is not overruled.
-///
-/// Two that are as sure as that and disagree are of two rigs, or of two exports.
-const OWN: f64 = 0.9;
+use crate::tuning::rig_sign::OWN;
+use crate::tuning::sign::UNSURE;
 
 /// Turns campaigns that disagree with the surest one, unless the user gave their direction or they are sure themselves. A note of the campaign
 /// says so.

@@ -13,6 +13,10 @@ use crate::numbers::{median, sample_time};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
+use crate::tuning::file_units::{
+    AGREE, AS_LIKELY, AS_LONG, BEYOND_DAMPERS, CELL_OFFSET, CLOSE, CLOSE_BEYOND, FEWEST, LARGEST_AMPLITUDE, OF_SCATTER,
+    OFF,
+};
 use std::collections::{BTreeMap, HashMap};
 
 /// How a test was read.
@@ -23,39 +27,6 @@ pub(crate) struct Reading<'a> {
     /// What the user says of its file.
     pub options: &'a Options,
 }
-
-/// Natural logarithm of the ratio of forces up to which two tests agree.
-///
-/// A damper that is 30 % softer when warm does, and so do the two sides of a hysteresis. Between two tests of sound
-/// campaigns, of real dampers too, it is mostly below 0.1; with free play up to 0.3.
-const AGREE: f64 = 0.4;
-/// Logarithm from which a test differs for another reason than its damper: three and a half times.
-///
-/// The smallest step between two units of force is that of pound-force and newton, 1.49; free play and presliding
-/// reach 0.7.
-const OFF: f64 = 1.25;
-/// Ratio of units from which on no damper comes near it: the force of an adjustable damper changes by up to fifteen times.
-const BEYOND_DAMPERS: f64 = 50.0;
-/// How close, as the same logarithm, a test must lie to the others in its likely unit.
-///
-/// As two tests that agree, and where no damper comes near the ratio, twice that.
-const CLOSE: f64 = 0.3;
-const CLOSE_BEYOND: f64 = 0.7;
-/// Worse than the best unit by this, another unit is still as likely: kilogram-force and decanewton are 0.02 apart.
-const AS_LIKELY: f64 = 0.05;
-/// Velocities at which a test must be seen beside the others: a triangle has hardly more than two.
-const FEWEST: usize = 2;
-/// Force between the directions, N, that indicates gas and not only the load cell's zero.
-///
-/// The second number is its ratio to the scatter from test to test.
-const CELL_OFFSET: f64 = 15.0;
-const OF_SCATTER: f64 = 3.0;
-/// How much shorter than that of the others the stroke of a test may be to be held against them in all.
-///
-/// Mounts, oil under pressure and free play take a share of short strokes.
-const AS_LONG: f64 = 0.67;
-/// Longest displacement amplitude, m, that a unit is taken to mean, as in what no damper has.
-const LARGEST_AMPLITUDE: f64 = 0.5;
 
 /// A test, and what it shows.
 struct Seen<'a> {

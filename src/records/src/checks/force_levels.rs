@@ -3,23 +3,11 @@
 
 use crate::data::record::Record;
 use crate::numbers::median;
+use crate::tuning::force_levels::{FEWEST, LOWEST, MIDDLE, STEP};
 use std::collections::BTreeMap;
 
-/// Ratio of one velocity to the next at which a test is looked at.
-///
-/// The force grows by no more than that between two of them, and a sine has nine of them in the upper nine tenths of
-/// its velocities.
-const STEP: f64 = 1.3;
 /// Velocity of the level 0, m/s. Only the distance of levels counts.
 const FROM: f64 = 1e-3;
-/// Share of a test's peak velocity below which it is not looked at: there the noise of a derived velocity decides.
-const LOWEST: f64 = 0.1;
-/// Share of its peak velocity from which on a test is in the middle of its stroke.
-///
-/// A sine then has gone less than seven eighths of the way to its end.
-const MIDDLE: f64 = 0.5;
-/// Samples in each direction from which on a median stands for a velocity.
-const FEWEST: usize = 5;
 
 /// What is seen at one velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]

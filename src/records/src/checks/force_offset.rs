@@ -12,26 +12,8 @@ use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::numbers::median;
 use crate::quantities::load_cell;
+use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO, VELOCITIES};
 use std::collections::BTreeMap;
-
-/// Fewest other tests at a velocity for their median to stand for the damper.
-const FEWEST: usize = 3;
-/// Fewest velocities at which a test must be seen beside others for its offset to be the same at all.
-const VELOCITIES: usize = 3;
-/// Fewest at which it must be seen to be turned round.
-const TWO: usize = 2;
-/// What a test may lie off the others beside the offset of a load cell, in times of their scatter.
-///
-/// Load cells creep and gas warms up.
-const OF_SCATTER: f64 = 3.0;
-/// How many times that a test must lie off as it was read, where turning it round brings it within.
-const STRONG: f64 = 2.0;
-/// Fraction of its offset that a test's own scatter may be, so that it is one offset and no other stroke or position.
-///
-/// It may differ by as much toward the ends of the strokes.
-const CONSTANT: f64 = 0.3;
-/// Largest share of the tests that are told of: of more, they would be the others.
-const FEW: f64 = 0.34;
 
 /// Force between the directions of each test, N, by velocity.
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;

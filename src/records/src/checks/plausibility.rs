@@ -11,29 +11,10 @@ use crate::messages::sentence::Sentence;
 use crate::numbers::range;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
-
-/// Largest displacement amplitude, m; the longest suspensions travel half of it.
-const LARGEST_AMPLITUDE: f64 = 0.5;
-/// Highest speed, m/s; kerb strikes reach about 10.
-const HIGHEST_SPEED: f64 = 20.0;
-/// Largest force, N; dampers of heavy vehicles reach a third of it.
-const LARGEST_FORCE: f64 = 2e5;
-
-/// Range of the force, N, below which no damper's stays in every test: the smallest, of toys and of drawers, have a newton.
-const LEAST_FORCE: f64 = 0.05;
-/// Below these figures in every test a unit is likely wrong.
-const SMALL_AMPLITUDE: f64 = 2e-4;
-const SMALL_SPEED: f64 = 6e-3;
-const SMALL_FORCE: f64 = 20.0;
-
-/// Range of the force, in standard deviations of its noise, below which it shows noise alone: white noise of a hundred
-/// thousand samples stays inside.
-const NOISE_RANGE: f64 = 10.0;
-/// Standard deviation of the force, in those of its noise, below which it shows noise alone.
-const NOISE_SPREAD: f64 = 1.1;
-
-/// Peak velocity, m/s, below which a damper stands still and need show no force.
-const STANDSTILL: f64 = 1e-4;
+use crate::tuning::plausibility::{
+    HIGHEST_SPEED, LARGEST_AMPLITUDE, LARGEST_FORCE, LEAST_FORCE, NOISE_RANGE, NOISE_SPREAD, SMALL_AMPLITUDE,
+    SMALL_FORCE, SMALL_SPEED, STANDSTILL,
+};
 
 /// Refuses a record that no damper can have given.
 pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), RecordError> {
@@ -209,5 +190,42 @@ mod tests {
         assert!(insisted.contains("the unit was said") && !insisted.contains("--unit force="), "{insisted}");
         let strong = refuse_absurd(&record([1.0, 1e9]), &options).unwrap_err().to_string();
         assert!(strong.contains("the unit was said"), "{strong}");
+    }
+
+    #[test]
+    fn limits_of_what_a_damper_can_show() {
+        let plain = Options::default();
+        let absurd = |amplitude: f64, speed: f64, force: f64| {
+            let record = Record { amplitude, peak_velocity: speed, ..record([1.0, force]) };
+            refuse_absurd(&record, &plain).is_err()
+        };
+        assert!(!absurd(0.4, 15.0, 1.5e5));
+        assert!(absurd(0.7, 15.0, 1.5e5) && absurd(0.4, 28.0, 1.5e5) && absurd(0.4, 15.0, 2.8e5));
+        let noted = |amplitude: f64, speed: f64, force: f64| {
+            let noise = Noise::default();
+            let record = Record { amplitude, peak_velocity: speed, noise, ..record([1.0, 0.5 * force]) };
+            let mut notes = Vec::new();
+            remark(&[record], &plain, &mut notes).map(|()| notes.len()).ok()
+        };
+        assert_eq!(noted(2.8e-4, 8.4e-3, 28.0), Some(0));
+        assert_eq!((noted(1.4e-4, 8.4e-3, 28.0), noted(2.8e-4, 4.2e-3, 28.0)), (Some(1), Some(1)));
+        assert_eq!(
+            (noted(2.8e-4, 8.4e-3, 14.0), noted(1.0, 1.0, 0.07), noted(1.0, 1.0, 0.035)),
+            (Some(1), Some(1), None)
+        );
+    }
+
+    #[test]
+    fn noise_is_known_by_its_range_and_its_spread() {
+        let noise = Noise { force_rms: 1.0, ..Noise::default() };
+        let alone = |force: f64, spike: f64, speed: f64| {
+            let mut record = Record { peak_velocity: speed, noise: noise.clone(), ..record([1.0, force]) };
+            record.force[0] = spike;
+            shows_noise_alone(&record)
+        };
+        // A sine has a root mean square of 0.7 of its amplitude.
+        assert!(alone(1.4, 0.0, 1.0) && !alone(1.8, 0.0, 1.0));
+        assert!(alone(0.0, 8.0, 1.0) && !alone(0.0, 14.0, 1.0));
+        assert!(alone(1.0, 0.0, 1.4e-4) && !alone(1.0, 0.0, 0.7e-4));
     }
 }

@@ -10,6 +10,7 @@ use crate::data::record::Record;
 use crate::numbers::restrict;
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
+use crate::tuning::rig_frame::BEYOND;
 
 /// How the rig's own position and what is inside go together, and how far the rig has gone.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -32,9 +33,6 @@ impl Default for RigFrame {
         RigFrame { turn: 1.0, zero_m: 0.0, gain: 1.0, reach_m: everywhere, speed_m_s: f64::INFINITY }
     }
 }
-
-/// By how much a test may go beyond what was reached: amplitudes of a list are round, those of a record are measured.
-const BEYOND: f64 = 0.02;
 
 impl RigFrame {
     /// Of the records of a campaign, read by these options.

@@ -19,7 +19,11 @@ use crate::messages::sentence::Sentence;
 use crate::numbers::{median, quantile};
 use crate::options::{Options, Positive};
 use crate::quantities::load_cell;
-use crate::signal::delay::{self, Cause, Delay, UNCLEAR};
+use crate::signal::delay::{self, Cause, Delay};
+use crate::tuning::delay::UNCLEAR;
+use crate::tuning::sign::{
+    FAST, FEWEST, HYSTERESIS, MOST_BY_SHAPE, PRIOR_RATIO, RATIO_SCATTER, SLOW, SUREST, TARED, UNSURE,
+};
 
 /// What is known about the direction that the files count positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -45,22 +49,6 @@ impl SignFinding {
     }
 }
 
-/// Uncertainty of the standstill force from hysteresis, as a share of half the force range of the test.
-const HYSTERESIS: f64 = 0.1;
-/// Fraction of the rigs whose force was zeroed with the damper mounted, or never.
-///
-/// Their force at standstill says nothing about the gas. This is a guess on the safe side. Without it one number
-/// would be certain, whatever was done to the rig.
-const TARED: f64 = 0.05;
-/// Logarithm of the force in rebound over that in compression of passenger-car dampers, and how much it scatters from damper to damper.
-const USUAL_RATIO: f64 = 0.6;
-const RATIO_SCATTER: f64 = 0.5;
-/// Most that it counts for, as a logarithm of odds: seven to one.
-const MOST_BY_SHAPE: f64 = 2.0;
-/// Most that a direction that was worked out is sure of: 99 %.
-const SUREST: f64 = 4.595;
-/// How sure a direction must be to be taken without a warning.
-pub(crate) const UNSURE: f64 = 0.8;
 /// One test's evidence, in the file's signs.
 struct Evidence {
     name: String,
@@ -247,15 +235,6 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     (weights > 0.0).then(|| (sum / weights, spread / weights))
 }
 
-/// Share of a test's peak velocity from which on it counts as fast, and the shares between which it counts as slow.
-///
-/// Far enough apart for a damper's force to grow by more than hysteresis, and the slow one clear of the turning
-/// points, where friction changes its sign.
-const FAST: f64 = 0.9;
-const SLOW: [f64; 2] = [0.15, 0.35];
-/// Samples that a force at some speed needs.
-const FEWEST: usize = 10;
-
 /// Median force, N, at speeds between two shares of `peak`, of one direction.
 fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let span = motion.steady();
@@ -434,7 +413,7 @@ fn direction(
     // Twice the usual ratio times the found one over the scatter squared is what two such normal curves give; half of that, and never more
     // than seven to one, since some dampers are symmetric or the other way round. The error of the growth adds to the scatter of dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
-        (USUAL_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
+        (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });
     if let Some((ratio, error)) = grows {
         let verdict = match shape {

@@ -5,15 +5,7 @@ use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
-
-/// Share of the range of a motion that counts as a stroke, as where cycles are looked for.
-const STROKE: f64 = 0.3;
-/// Ends of strokes, those of the record among them, that a whole cycle has at least.
-const OF_A_CYCLE: usize = 4;
-/// Share of its peak velocity at which a test is no longer coming to rest. A sine is slower for a fifth of its time.
-const MOVING: f64 = 0.3;
-/// Last samples of which the velocity at the end is the median.
-const LAST: usize = 5;
+use crate::tuning::truncated_test::{LAST, MOVING, OF_A_CYCLE, STROKE};
 
 /// Notes tests that hold less than a cycle and end while the damper moves.
 pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {

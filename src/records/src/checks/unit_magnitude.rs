@@ -8,25 +8,9 @@ use crate::numbers::{median, range, sample_time};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
-
-/// Damping of the fastest test, N s/m, below which a force is likely written in kN.
-///
-/// A damper of 20 N at 1 m/s has 20, one of a passenger car in kN some units.
-const WEAKEST: f64 = 10.0;
-/// Force of the strongest test, N, from which it is taken for what it is; the smallest dampers reach twice that.
-const WEAK: f64 = 8.0;
-/// Speed, m/s, from which a damper shows damping and not friction alone.
-const MOVING: f64 = 0.02;
-/// Damping, N s/m, and amplitude, m, beyond which a displacement in m was likely read as mm. A heavy damper has 20 kN at
-/// 50 mm/s; friction alone reaches more only in strokes of some tenths of a millimetre, which are longer than this.
-const STIFFEST: f64 = 3e5;
-const SHORTEST: f64 = 1.5e-4;
-/// Fastest test, m/s, slowest sampling, s, and longest test, s, that together speak for milliseconds read as seconds.
-const SLOWEST: f64 = 6e-3;
-const RARELY: f64 = 0.05;
-const LONG: f64 = 3600.0;
-/// Frequency, Hz, that no damper rig reaches with an amplitude of a tenth of a millimetre and more.
-const FASTEST: f64 = 150.0;
+use crate::tuning::unit_magnitude::{
+    FASTEST, FOLLOWS, LONG, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
+};
 
 /// Refuses a campaign whose figures speak for a unit a thousandfold off; a unit given by the user is right.
 pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), RecordError> {
@@ -82,9 +66,6 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     }
     Ok(())
 }
-
-/// Correlation of force and velocity above which the one follows the other, in whatever unit it is written.
-const FOLLOWS: f64 = 0.3;
 
 /// Whether the force of a record has to do with its motion.
 fn follows(record: &Record) -> bool {
@@ -175,5 +156,68 @@ mod tests {
         let mut options = Options::default();
         options.units.insert(Channel::Force, Unit::Newton);
         assert!(refuse(&campaign(2000.0, 50.0, &USUAL, [1.0, 1.0, 1e-3]), &options).is_ok());
+    }
+
+    /// A record with half the range of its force, N, its peak velocity, m/s, and its sampling.
+    struct Figures {
+        half: f64,
+        speed: f64,
+        amplitude: f64,
+        step: f64,
+        seconds: f64,
+        /// Correlation of force and velocity.
+        correlation: f64,
+    }
+
+    impl Figures {
+        fn is_rejected(&self) -> bool {
+            let count = (self.seconds / self.step).ceil() as u32;
+            let phase = |i: u32| std::f64::consts::TAU * f64::from(i) / 20.0;
+            let shift = libm::acos(self.correlation);
+            let record = Record {
+                time: (0..=count).map(|i| self.step * f64::from(i)).collect(),
+                velocity: (0..=count).map(|i| self.speed * libm::cos(phase(i))).collect(),
+                force: (0..=count).map(|i| self.half * libm::cos(phase(i) + shift)).collect(),
+                amplitude: self.amplitude,
+                peak_velocity: self.speed,
+                ..Record::default()
+            };
+            refuse(&[record], &Options::default()).is_err()
+        }
+    }
+
+    #[test]
+    fn units_are_doubted_only_where_all_figures_speak_for_it() {
+        let long =
+            |half, speed, step, seconds| Figures { half, speed, amplitude: 0.01, step, seconds, correlation: 1.0 };
+        assert!(long(20.0, 4.5e-3, 0.07, 5000.0).is_rejected());
+        for other in [
+            long(6.0, 4.5e-3, 0.07, 5000.0),
+            long(20.0, 8.5e-3, 0.07, 5000.0),
+            long(20.0, 4.5e-3, 0.036, 5000.0),
+            long(20.0, 4.5e-3, 0.07, 2600.0),
+        ] {
+            assert!(!other.is_rejected());
+        }
+        let stiff =
+            |half, speed, amplitude| Figures { half, speed, amplitude, step: 1e-3, seconds: 0.2, correlation: 1.0 };
+        assert!(stiff(40.0, 1e-4, 1.1e-4).is_rejected());
+        assert!(!stiff(40.0, 1e-4, 2.1e-4).is_rejected() && !stiff(22.0, 1e-4, 1.1e-4).is_rejected());
+        assert!(!stiff(6.0, 1e-5, 1.1e-4).is_rejected());
+        let weak =
+            |half, speed, correlation| Figures { half, speed, amplitude: 0.05, step: 1e-3, seconds: 0.2, correlation };
+        assert!(weak(0.5, 0.08, 1.0).is_rejected() && weak(6.0, 0.8, 1.0).is_rejected());
+        assert!(weak(0.1, 0.028, 1.0).is_rejected() && !weak(0.1, 0.014, 1.0).is_rejected());
+        assert!(!weak(11.0, 2.0, 1.0).is_rejected() && !weak(1.1, 0.08, 1.0).is_rejected());
+        assert!(weak(0.5, 0.08, 0.42).is_rejected() && !weak(0.5, 0.08, 0.21).is_rejected());
+    }
+
+    #[test]
+    fn a_frequency_that_no_rig_reaches_is_another_unit_of_time() {
+        let rejected = |frequency: f64| {
+            let record = Record { time: vec![0.0, 1.0], frequency, amplitude: 2e-4, ..Record::default() };
+            refuse(&[record], &Options::default()).is_err()
+        };
+        assert!(!rejected(110.0) && rejected(210.0));
     }
 }

@@ -7,9 +7,7 @@ use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
 use crate::quantities::channel::Channel;
-
-/// Shortest block with new time stamps that counts as repeated; measured rows do not agree to the last digit so often.
-const BLOCK: usize = 10;
+use crate::tuning::duplicates::BLOCK;
 
 /// Most places that are looked at closely for a repeated block, each of which takes time in proportion to the rows.
 const LOOKS: usize = 200;
@@ -188,5 +186,16 @@ mod tests {
             assert_eq!(samples.force, before);
             assert!(samples.notes.is_empty());
         }
+    }
+
+    #[test]
+    fn a_short_block_is_no_repetition() {
+        let sound = SineTest::default().samples();
+        let removed = |length: usize| {
+            let mut samples = doubled(&sound, 500..500 + length, true);
+            remove(&mut samples);
+            samples.len() == sound.len()
+        };
+        assert!(removed(14) && !removed(7));
     }
 }

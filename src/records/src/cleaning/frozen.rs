@@ -7,9 +7,7 @@ use crate::messages::phrases;
 use crate::numbers::range;
 use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
-
-/// Fewest equal samples in a row that can be called frozen.
-const RUN: usize = 30;
+use crate::tuning::frozen::RUN;
 
 /// Refuses a record with a frozen channel.
 ///

@@ -33,23 +33,13 @@ use crate::quantities::setting_value::Setting;
 use crate::signal::measurement_correction::correct_inertia;
 use crate::signal::{consistency, derivative, noise};
 
+use crate::tuning::cleaning::{BY_CHANCE, FEWEST, WINDOW_NO_CYCLE, WINDOW_OF_CYCLE};
 pub(crate) use clipped::Reach;
 pub(crate) use corrections::delay_motion;
 #[cfg(test)]
 pub(crate) use cycles::find as find_cycles;
 pub(crate) use cycles::{robust_peak, turning_points};
 pub(crate) use drift::time_mean;
-
-/// Fewest samples of a test.
-const FEWEST: usize = 20;
-/// Length of the differentiating window, as a share of the cycle: bends the fundamental by 2e-5 and its fifth
-/// harmonic by 1 %.
-const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
-/// Length of the differentiating window where there is no cycle, s: bends 25 Hz, the upper end of road motion at a
-/// damper, by 1 %.
-const WINDOW_NO_CYCLE: f64 = 0.017;
-/// Share of samples with a shorter window up to which nothing is said: of a smooth motion some thousandths get one by chance.
-const BY_CHANCE: f64 = 0.01;
 
 /// Sorts the rows and splits the record into tests.
 ///

@@ -5,15 +5,7 @@ use crate::error::RecordError;
 use crate::numbers::range;
 use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
-
-/// Standard deviation and range, in standard deviations of the noise, up to which a channel shows noise alone.
-///
-/// The smallest sine that stands out has an amplitude of two thirds of the noise, and white noise of a hundred
-/// thousand samples stays inside the range.
-const SPREAD: f64 = 1.1;
-const RANGE: f64 = 10.0;
-/// A resting sensor flickers between two or three values of its last digit.
-const FLICKER: usize = 3;
+use crate::tuning::still::{FLICKER, RANGE, SPREAD};
 
 /// Refuses a test that does not move.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {

@@ -9,13 +9,7 @@ use crate::messages::sentence::Sentence;
 use crate::numbers::{median, quantile, range};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
-
-/// Largest range of displacement, m, that a damper rig has.
-const LONGEST: f64 = 1.0;
-/// Share of steps forward that a time column has at least.
-const FORWARD: f64 = 0.9;
-/// How much rougher than a force a displacement must be to be one; a motion is smooth, a force is not.
-const ROUGHER: f64 = 2.5;
+use crate::tuning::swapped_columns::{FORWARD, HIGHEST, LONGEST, NO_SINE, PURER, ROUGHER};
 
 /// Refuses samples whose headings look swapped; a unit that the user gave for a channel says that it is right.
 pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
@@ -93,15 +87,9 @@ pub(crate) struct Overtones {
 }
 
 impl Overtones {
-    /// Overtones of a motion from which on it is none that a rig drives as a sine.
-    const NO_SINE: f64 = 0.03;
-    /// How much purer the force must be. A damper's force bends the motion or follows it: a force in proportion to the motion, or to its
-    /// speed, has at least the motion's overtones, and a rig that shakes has them in both.
-    const PURER: f64 = 3.0;
-
     /// Whether what is read as force is the motion, and the reverse.
     pub fn exchanged(&self) -> bool {
-        self.displacement > Self::NO_SINE && self.displacement > Self::PURER * self.force
+        self.displacement > NO_SINE && self.displacement > PURER * self.force
     }
 
     /// Over the whole cycles of a test; nothing where it has none or too few samples.
@@ -117,8 +105,6 @@ impl Overtones {
 
 /// The overtones of one cycle as a share of its ground wave.
 fn overtones(time: &[f64], values: &[f64], cycle: &Cycle) -> Option<f64> {
-    /// The highest that is looked at; friction and knees show below it, noise is spread over all.
-    const HIGHEST: usize = 7;
     let span = cycle.start..cycle.end;
     if span.len() < 4 * HIGHEST {
         return None;

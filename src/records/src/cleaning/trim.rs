@@ -7,9 +7,7 @@ use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::numbers::median;
 use crate::signal::noise::cycle_deviations;
-
-/// A last cycle that deviates from the others by so many times their typical deviation is left out.
-const NOISY: f64 = 3.0;
+use crate::tuning::trim::NOISY;
 
 /// Cuts the test to its whole cycles, with notes; a test that is not periodic is kept whole.
 pub(crate) fn trim(motion: &mut Motion) {

@@ -13,15 +13,12 @@ use crate::error::{Place, RecordError};
 use crate::options::Options;
 use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
+use crate::tuning::lvm::TOGETHER;
 
 /// What a message calls these files.
 const KIND: &str = "a LabVIEW measurement file";
 /// Ends a heading.
 const END: &str = "***End_of_Header***";
-/// How far a packet may begin from where the one before ended and still go on with it, as a share of its length.
-///
-/// Clocks of packets are read once a packet.
-const TOGETHER: f64 = 0.02;
 
 /// Whether a text is such a file.
 pub(crate) fn is_one(text: &str) -> bool {

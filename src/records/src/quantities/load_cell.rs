@@ -1,16 +1,8 @@
 //! The load cell that a rig has for a damper.
 
 use crate::numbers::restrict;
-
-/// Zero offset to be expected of a load cell, N, with a damper of a car.
-///
-/// A tenth of a percent of a cell of 15 kN. A smaller force at rest tells nothing of gas, and a test that lies so far
-/// off the others is no other.
-const OFFSET: f64 = 15.0;
-/// Largest force, N, of the dampers of cars: between these nothing depends on it, so that a soft and a firm damper are judged alike. From the
-/// virtual rigs and the measured dampers of the book, 0.4 to 6 kN; a narrower range would change what is said of cars. Weaker dampers are
-/// measured with a smaller cell, stronger ones with a larger one.
-pub const OF_CARS: (f64, f64) = (300.0, 8000.0);
+pub use crate::tuning::load_cell::OF_CARS;
+use crate::tuning::load_cell::OFFSET;
 
 /// Zero offset, N, to be expected of the load cell that a damper with this largest force is measured with.
 pub(crate) fn offset(largest: f64) -> f64 {

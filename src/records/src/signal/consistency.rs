@@ -5,6 +5,7 @@ use nalgebra::{Matrix4, Vector4};
 use super::derivative::integrate;
 use crate::messages::phrases;
 use crate::messages::sentence::{Sentence, Template};
+use crate::tuning::consistency::{LAG_OF_PHASE, LAG_OF_SAMPLE, SAME_MOTION};
 
 /// How velocity and displacement agree.
 #[derive(Debug, Clone, Copy)]
@@ -55,15 +56,6 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
     let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);
     Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
 }
-
-/// Fraction of a sample by which a velocity may lag behind the displacement, or lead it: the two are converted one after the other.
-const LAG_OF_SAMPLE: f64 = 0.25;
-/// Phase by which it may, rad.
-///
-/// A hundredth opens the force loop by 1 %, as much as the noise of good rigs; half a sample is within twice that.
-const LAG_OF_PHASE: f64 = 0.02;
-/// Fraction of the displacement's variance that a velocity must explain for its lag to be known.
-const SAME_MOTION: f64 = 0.98;
 
 /// Whether a velocity is that of the displacement at another time, as that of a filter is. `period` is that of the cycles, where there are any.
 pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
@@ -144,5 +136,14 @@ mod tests {
         let unrelated: Vec<f64> = time.iter().map(|t| libm::sin(7.3 * t)).collect();
         assert!(contradiction(&compare(&time, &x, &unrelated).unwrap()).unwrap().to_string().contains("do not belong"));
         assert!(compare(&time, &x, &vec![0.0; x.len()]).is_none());
+    }
+
+    #[test]
+    fn a_lag_within_conversion_or_noise_is_none() {
+        let is_late = |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0 }, step, Some(1.0));
+        // Fractions of a sample; phases, rad.
+        assert!(!is_late(0.2 * 0.1, 0.1) && is_late(0.3 * 0.1, 0.1));
+        let tau = std::f64::consts::TAU;
+        assert!(!is_late(0.015 / tau, 1e-4) && is_late(0.025 / tau, 1e-4));
     }
 }

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use crate::data::complete_motion::Motion;
+use crate::tuning::delay::{BETTER, CLEARLY, LONGEST, NODES, SAMPLES, SHORTEST_REPORTED, STEP, TELLING, UNCLEAR};
 
 /// A delay of the force channel, as the records show it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -19,20 +20,6 @@ pub struct Delay {
     /// Unexplained part with the delay corrected.
     pub unexplained: f64,
 }
-
-/// Longest delay looked for, s: filters and bus systems of rigs stay below; more is a file whose channels do not belong
-/// together.
-const LONGEST: f64 = 0.060;
-/// Delays tried, s apart; between them a parabola is laid.
-const STEP: f64 = 0.001;
-/// Share of a cycle that the longest delay must be for a test to tell of it; slower tests show friction, which would drown it.
-const TELLING: f64 = 0.02;
-/// Samples of a test that are looked at.
-const SAMPLES: usize = 1500;
-/// Nodes of the curve over velocity on one side, as shares of the highest velocity: dense at zero, where friction turns.
-const NODES: [f64; 7] = [0.015, 0.03, 0.06, 0.12, 0.25, 0.5, 1.0];
-/// Normalised power below which a test neither dissipates nor feeds energy clearly.
-pub(crate) const UNCLEAR: f64 = 0.1;
 
 /// One test thinned out, its force scaled to unit variance.
 struct Thinned<'a> {
@@ -71,18 +58,12 @@ pub(crate) enum Cause {
 
 /// The delay that stands out where nothing else is wrong.
 pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
-    /// Shorter delays are told neither from series compliance nor from filters, s.
-    const TOLD_FROM: f64 = 0.005;
-    /// Share of the unexplained variance that must go with the delay.
-    const BETTER: f64 = 0.6;
     let delay = best(&thin(motions), &[])?;
-    (delay.seconds >= TOLD_FROM && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
+    (delay.seconds >= SHORTEST_REPORTED && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
 }
 
 /// Why these tests (`feeding`, by index) feed energy.
 pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
-    /// How much less one explanation must leave than the other to be preferred.
-    const CLEARLY: f64 = 0.7;
     let tests = thin(motions);
     // One that leaves as much as no curve at all is no explanation: then something else is wrong with these tests.
     let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
@@ -280,5 +261,22 @@ mod tests {
         let steady = cleaning::repair(samples, &Options::default()).unwrap();
         let found = cause(&[steady], &[0]);
         assert!(matches!(found, Cause::Either(_)), "{found:?}");
+    }
+
+    #[test]
+    fn slow_tests_tell_no_delay_and_long_ones_are_thinned_out() {
+        let counted = |frequency: f64| thin(&tests(&[frequency], 0.0, 1.0)).len();
+        assert_eq!((counted(0.5), counted(0.25)), (1, 0));
+        let test = SineTest { frequency: 1.0, cycles: 20, per_cycle: 400, ..SineTest::default() };
+        let long = [cleaning::repair(test.samples(), &Options::default()).unwrap()];
+        let count = thin(&long)[0].samples.len();
+        assert!((1500..=2000).contains(&count), "{count}");
+    }
+
+    #[test]
+    fn power_near_zero_is_neither_dissipation_nor_its_contrary() {
+        let dissipates = |power: &[f64]| Look { unexplained: 0.0, power: power.to_vec() }.dissipates();
+        assert!(dissipates(&[0.12]) && !dissipates(&[0.08]));
+        assert!(dissipates(&[0.5, -0.08]) && !dissipates(&[0.5, -0.12]));
     }
 }

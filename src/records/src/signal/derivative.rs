@@ -4,6 +4,7 @@ use nalgebra::{Matrix4, Vector4};
 
 use super::smoothing::channel_noise;
 use crate::numbers::{quantum, sample_time};
+use crate::tuning::derivative::{LONGER, REACH, SAME};
 
 /// The filter that a derivative was taken with.
 #[derive(Debug, Clone, Copy)]
@@ -17,17 +18,6 @@ pub(crate) struct Filter {
     /// Share of the samples with a shorter window, because the motion turns within that.
     pub shorter: f64,
 }
-
-/// Most samples on either side of the window; more costs time and gains little.
-const REACH: usize = 250;
-
-/// Deviations of its noise within which the derivative over a long window equals that over a shorter one.
-///
-/// With 4, one sample in a thousand of a smooth motion gets a shorter window by chance, and a derivative with all its
-/// noise. A corner differs by tens.
-const SAME: f64 = 5.0;
-/// How much longer each window is than the one before: closer ones cost time, wider ones leave a sample a window that much too short.
-const LONGER: f64 = 1.4;
 
 /// Velocity by local cubics (Savitzky and Golay 1964).
 ///
@@ -281,5 +271,12 @@ mod tests {
         assert!(integrated.iter().zip(&x).all(|(a, b)| (a - b).abs() < 5e-3 * 0.05));
         assert_eq!(integrate(&[0.0, 1.0, 3.0], &[1.0, 1.0, 1.0], 2.0), [2.0, 3.0, 5.0]);
         assert!(integrate(&[], &[], 0.0).is_empty());
+    }
+
+    #[test]
+    fn a_window_holds_a_bounded_number_of_samples() {
+        let time: Vec<f64> = (0..2000).map(|i| 1e-3 * f64::from(i)).collect();
+        let displacement: Vec<f64> = time.iter().map(|t| libm::sin(*t)).collect();
+        assert_eq!(differentiate(&time, &displacement, 10.0).1.points, 501);
     }
 }

@@ -3,9 +3,7 @@
 use crate::data::cycle::Cycle;
 use crate::data::record::{Noise, NoiseSource};
 use crate::numbers::median;
-
-/// Samples needed for a figure from sample differences.
-const FEWEST: usize = 12;
+use crate::tuning::noise::FEWEST;
 
 /// Estimates the force noise of one sample.
 ///

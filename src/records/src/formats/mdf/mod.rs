@@ -27,6 +27,7 @@ use crate::messages::sentence::Sentence;
 use crate::options::Options;
 use crate::quantities::channel::Channel as Kind;
 use crate::source::{Budget, Exhausted, Source};
+use crate::tuning::mdf::TOGETHER;
 use blocks::{Block, Mdf};
 use conversion::Conversion;
 
@@ -380,8 +381,6 @@ type JoinedAt = (Vec<f64>, Vec<String>);
 /// Loggers write channels of different rates into groups of their own. The slower one's times are kept, for between
 /// its samples nothing is known.
 fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Result<Vec<JoinedAt>, Exhausted> {
-    /// Fraction of the shorter time that both must cover.
-    const TOGETHER: f64 = 0.5;
     let holds = |group: &Group, kinds: &[Kind]| {
         group.channels.iter().any(|c| channel_of(&c.name, options).is_some_and(|kind| kinds.contains(&kind)))
     };
