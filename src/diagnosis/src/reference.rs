@@ -184,6 +184,7 @@ mod tests {
             growth: 0.0,
             noise_freedom: 100.0,
             frequency,
+            weight: 1.0,
         }
     }
 
