@@ -199,14 +199,17 @@ impl Options {
 mod tests {
     use super::*;
 
+    /// A change of one number.
+    type Change<'a> = &'a dyn Fn(&mut Options, f64);
+
     #[test]
     fn numbers_that_cannot_be_are_rejected_where_the_limits_are_stated() {
-        let check = |change: &dyn Fn(&mut Options, f64), value: f64| {
+        let check = |change: Change, value: f64| {
             let mut options = Options::default();
             change(&mut options, value);
             options.check().is_ok()
         };
-        let limits: [(&dyn Fn(&mut Options, f64), f64); 6] = [
+        let limits: [(Change, f64); 6] = [
             (&|o, v| o.delay_s = v, 1.0),
             (&|o, v| o.sample_rate_hz = Some(v), 1e7),
             (&|o, v| o.gain = v, 1e4),

@@ -219,7 +219,7 @@ mod tests {
     fn noise_is_known_by_its_range_and_its_spread() {
         let noise = Noise { force_rms: 1.0, ..Noise::default() };
         let alone = |force: f64, spike: f64, speed: f64| {
-            let mut record = Record { peak_velocity: speed, noise: noise.clone(), ..record([1.0, force]) };
+            let mut record = Record { peak_velocity: speed, noise, ..record([1.0, force]) };
             record.force[0] = spike;
             shows_noise_alone(&record)
         };
