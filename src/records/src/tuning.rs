@@ -101,7 +101,7 @@ pub(crate) mod delay {
 
     /// Share of the unexplained variance that must go with the delay.
     ///
-    /// Test: `delays_are_found_to_a_millisecond_and_their_absence_too`.
+    /// Test: none.
     pub(crate) const BETTER: f64 = 0.6;
 
     /// How much less one explanation must leave than the other to be preferred.
