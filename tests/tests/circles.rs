@@ -203,12 +203,51 @@ fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
     found
 }
 
+/// The source folders of all crates.
+fn crates() -> Vec<PathBuf> {
+    let mut crates: Vec<_> = std::fs::read_dir(root().join("src")).unwrap().map(|e| e.unwrap().path()).collect();
+    crates.sort();
+    crates.iter().map(|path| path.join("src")).filter(|path| path.is_dir()).collect()
+}
+
+/// The rooms of a crate with each folder as one room; the crate's face is left out.
+fn folders(rooms: &BTreeMap<Names, Room>) -> BTreeMap<Names, Room> {
+    let mut found: BTreeMap<Names, Room> = BTreeMap::new();
+    for (name, room) in rooms.iter().filter(|(name, _)| !name.is_empty()) {
+        let made = room.uses.iter().filter_map(|names| made_in(rooms, names, 8));
+        let uses = made.filter(|to| !to.is_empty()).map(|to| to[..1].to_vec());
+        let whole =
+            found.entry(name[..1].to_vec()).or_insert_with(|| Room { file: room.file.clone(), ..Room::default() });
+        whole.uses.extend(uses);
+    }
+    found
+}
+
+/// Crates whose folders use each other in a circle today. One that has none any more leaves the list, and the test says so.
+const WITH_CIRCLES: &[&str] = &["core", "hosts", "identification", "report", "rig"];
+
+#[test]
+fn no_two_folders_of_a_crate_use_each_other() {
+    let mut told = String::new();
+    for folder in crates() {
+        let name = folder.parent().unwrap().file_name().unwrap().to_str().unwrap().to_owned();
+        let circles = circles(&folders(&rooms(&folder)));
+        if WITH_CIRCLES.contains(&name.as_str()) {
+            assert!(!circles.is_empty(), "{name} has no circle any more");
+        } else {
+            for circle in circles {
+                let names: Vec<String> = circle.iter().map(|name| name.join("::")).collect();
+                told += &format!("{name}: in a circle: {}\n", names.join(", "));
+            }
+        }
+    }
+    assert!(told.is_empty(), "{told}");
+}
+
 #[test]
 fn no_two_files_of_a_crate_use_each_other() {
     let mut told = String::new();
-    let mut crates: Vec<_> = std::fs::read_dir(root().join("src")).unwrap().map(|e| e.unwrap().path()).collect();
-    crates.sort();
-    for folder in crates.iter().map(|path| path.join("src")).filter(|path| path.is_dir()) {
+    for folder in crates() {
         let rooms = rooms(&folder);
         for circle in circles(&rooms) {
             told += &format!("{}: in a circle:\n", folder.strip_prefix(root()).unwrap().display());

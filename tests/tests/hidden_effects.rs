@@ -4,9 +4,9 @@
 //! it).
 
 use dashpot_diagnosis::Verdict;
-use dashpot_proving::case::Case;
 use dashpot_proving::outcome::{Outcome, run};
 use dashpot_proving::score;
+use dashpot_severity::case::Case;
 
 /// Cases by block; seeds are used for nothing else.
 fn outcomes(block: &'static str, cases: Vec<Case>) -> Vec<Outcome> {

@@ -7,7 +7,7 @@ use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
 use dashpot_identification::{Fit, FitOptions, Standing, fit};
 use dashpot_records::Record;
-use dashpot_records::taken_out::{MeasurementError, taken_out};
+use dashpot_records::measurement_correction::{MeasurementError, correct_record};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -108,9 +108,9 @@ fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Rec
         // One after the other: all but the last are shorter.
         record.time.iter_mut().for_each(|t| *t += 80.0 * k as f64);
         // A mass that pulls with the motion of its own moment.
-        *record = taken_out(record, &MeasurementError { mass_kg: -off.mass_kg, ..MeasurementError::NONE });
+        *record = correct_record(record, &MeasurementError { mass_kg: -off.mass_kg, ..MeasurementError::NONE });
         // The motion of a moment later beside every force.
-        *record = taken_out(record, &MeasurementError { delay_s: -off.delay_s, ..MeasurementError::NONE });
+        *record = correct_record(record, &MeasurementError { delay_s: -off.delay_s, ..MeasurementError::NONE });
         for (force, t) in record.force.iter_mut().zip(&record.time) {
             *force = *force * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t;
         }
@@ -172,7 +172,7 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
     for seed in 1..=SEEDS {
         let few = campaign(&truth, seed, 0.03, |_| None).into_iter().step_by(2);
         let late: Vec<Record> =
-            few.map(|r| taken_out(&r, &MeasurementError { delay_s: -0.3e-3, ..MeasurementError::NONE })).collect();
+            few.map(|r| correct_record(&r, &MeasurementError { delay_s: -0.3e-3, ..MeasurementError::NONE })).collect();
         let found = fitted(&late);
         let estimate = found.estimates.iter().find(|e| e.name == "series_stiffness").unwrap();
         assert!((estimate.low.unwrap()..=estimate.high.unwrap()).contains(&stiffness), "seed {seed}: {estimate:?}");

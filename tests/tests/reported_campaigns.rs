@@ -5,7 +5,7 @@
 use dashpot_core::{Params, element, list};
 use dashpot_diagnosis::{Diagnosis, Options as DiagnosisOptions, diagnose};
 use dashpot_identification::{Fit, FitOptions, fit};
-use dashpot_records::taken_out::{MeasurementError, taken_out};
+use dashpot_records::measurement_correction::{MeasurementError, correct_record};
 use dashpot_records::{Campaign, Options, Record, load};
 use dashpot_test_support::reported;
 use dashpot_tests::kernel_campaign::{Sine, campaign};
@@ -66,7 +66,7 @@ fn a_long_delay_is_found_in_two_tests_of_a_very_asymmetric_damper() {
         let right = campaign(&asymmetric(), &[Sine::new(0.02, 1.7), Sine::new(0.02, 6.6)], 3, 0.003);
         let late: Vec<Record> = right
             .iter()
-            .map(|r| taken_out(r, &MeasurementError { delay_s: -delay, ..MeasurementError::NONE }))
+            .map(|r| correct_record(r, &MeasurementError { delay_s: -delay, ..MeasurementError::NONE }))
             .collect();
         let campaign = through_files(&late);
         let fit = fitted(&campaign);

@@ -11,7 +11,7 @@ use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::literature::{fv_curve, observation::of_records};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
-use dashpot_records::taken_out::MeasurementError;
+use dashpot_records::measurement_correction::MeasurementError;
 use dashpot_records::{Record, Sentence};
 
 /// Intervals of all scalars of the last explanation, whose numbers have these standard deviations.

@@ -11,7 +11,7 @@ use crate::measurement::Artefact;
 use dashpot_core::parameter::Number;
 use dashpot_core::schema::has_force;
 use dashpot_core::{Params, element, list, number};
-use dashpot_records::cell::OF_CARS;
+use dashpot_records::load_cell::OF_CARS;
 use dashpot_records::restrict;
 
 /// The one, N, that stands for them all, for which the medians hold: a damper far beyond the range is compared with it. The middle of the range

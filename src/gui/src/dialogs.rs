@@ -37,7 +37,7 @@ impl Ask {
     pub fn proposed(&self) -> (&'static str, &'static [&'static str]) {
         match self {
             Ask::Folder | Ask::Reference => ("", &[]),
-            Ask::Files => ("", &dashpot_records::ENDINGS),
+            Ask::Files => ("", &dashpot_records::EXTENSIONS),
             Ask::Model => ("", &["toml"]),
             Ask::SaveModel => ("damper.toml", &["toml"]),
             Ask::Export(Host::Property) => (Host::Property.proposed(), &["dpr", "xml"]),

@@ -1,15 +1,14 @@
 //! What the command and the window hand out alike: names, remarks and files around a model on its way to a host.
 
 use crate::adams::akima::Difference;
-use crate::adams::folder;
+use crate::adams::folder::{self, SineTest};
 use crate::adams::property::{self, Form, Properties};
 use crate::plain_curve::{PlainCurve, Source};
-use crate::{fmu, runtimes};
+use crate::runtimes;
 use anyhow::{Context as _, bail};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, number};
 use dashpot_identification::model_file::ModelFile;
-use dashpot_rig::Matrix;
 use std::path::{Path, PathBuf};
 
 /// What an FMU is called by the name of its model file.
@@ -105,7 +104,7 @@ pub fn property_file(
     let mut notes = vec![format!(
         "Written by dashpot {} from {named} (check sum {:08x}). Rebound and tension are positive.",
         env!("CARGO_PKG_VERSION"),
-        fmu::check_sum(text)
+        crc32fast::hash(text)
     )];
     notes.extend(remarks.iter().cloned());
     let has_gas = xml && plain.params.is_on(element!("gas_preload"));
@@ -200,18 +199,30 @@ impl RunFolder {
     }
 }
 
-/// The run folder of a model: `text` is its file, `length` the distance of the markers at zero displacement, mm. In README.txt, what was
-/// `replaced` in the model stands above everything else; how it `chatters` in a program of fixed steps, at the end, for Adams does not.
-pub fn run_folder(
-    params: &Params,
-    model: &Model,
-    text: &[u8],
-    length: f64,
-    libraries: Vec<(String, Vec<u8>)>,
-    replaced: Vec<String>,
-    chatters: Vec<String>,
-) -> RunFolder {
-    let (texts, no_native) = folder::files(params, model, "damper.toml", length, &Matrix::default());
+/// What a run folder is made from.
+pub struct RunFolderInput<'a> {
+    /// The parameters.
+    pub params: &'a Params,
+    /// The prepared model.
+    pub model: &'a Model,
+    /// The text of the model file.
+    pub text: &'a [u8],
+    /// Distance of the markers at zero displacement, mm.
+    pub length: f64,
+    /// The tests that the rig of the folder runs.
+    pub tests: &'a [SineTest],
+    /// The libraries with their names.
+    pub libraries: Vec<(String, Vec<u8>)>,
+    /// Elements that were replaced in the model, in sentences: README.txt begins with them.
+    pub replaced: Vec<String>,
+    /// How the model chatters in a program of fixed steps: README.txt ends with it, for Adams has no such steps.
+    pub chatters: Vec<String>,
+}
+
+/// Makes the run folder of a model.
+pub fn run_folder(input: RunFolderInput<'_>) -> RunFolder {
+    let RunFolderInput { params, model, text, length, tests, libraries, replaced, chatters } = input;
+    let (texts, no_native) = folder::files(params, model, "damper.toml", length, tests);
     let has_library = !libraries.is_empty();
     let missing =
         if has_library { String::new() } else { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_adams_library()) };

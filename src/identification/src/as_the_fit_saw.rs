@@ -6,7 +6,7 @@
 use super::model_file::Identification;
 use super::of_the_rig::{Measured, to_measurement_error};
 use super::phrases;
-use dashpot_records::taken_out::{MeasurementError, taken_out};
+use dashpot_records::measurement_correction::{MeasurementError, correct_record};
 use dashpot_records::{Note, Record, Sentence};
 use rayon::prelude::*;
 
@@ -46,7 +46,7 @@ impl Identification {
                 record.clock_s = begins - from;
             }
             // What the user gave is out of them already.
-            *record = taken_out(record, &off.beyond(&record.stated_error));
+            *record = correct_record(record, &off.beyond(&record.stated_error));
         });
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);
         let text = text.with_list("findings", found, phrases::SEMICOLON);

@@ -30,8 +30,8 @@ use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_records::Record;
+use dashpot_records::measurement_correction::MeasurementError;
 use dashpot_records::sentence::{Sentence, Template};
-use dashpot_records::taken_out::MeasurementError;
 use std::sync::Arc;
 
 /// Which kind of model is fitted.

@@ -11,7 +11,7 @@ use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_records::Sentence;
-use dashpot_records::taken_out::MeasurementError;
+use dashpot_records::measurement_correction::MeasurementError;
 use serde::Serialize;
 
 /// All that is looked for, in the order in which the load cell makes it.

@@ -5,9 +5,9 @@
 //! would wait for them. `whole` starts a case by name from a fit with all elements.
 
 use dashpot_core::list;
-use dashpot_proving::case::Case;
 use dashpot_proving::suite::{Entry, Size, suite};
 use dashpot_proving::{outcome, score, split};
+use dashpot_severity::case::Case;
 use rayon::prelude::*;
 
 fn main() {

@@ -2,8 +2,6 @@
 //! severity that they make.
 
 use crate::EvaluationError;
-use crate::case::{Measured, model_of};
-use crate::measured::{base_model, write_and_read};
 use crate::outcome::{Outcome, judged};
 use dashpot_core::Params;
 use dashpot_core::element;
@@ -11,6 +9,9 @@ use dashpot_diagnosis::{Diagnosis, Options, refitted};
 use dashpot_other_lab::{Campaign, Case, Kind, LEFT_OUT_PREFIX, Protocol};
 use dashpot_records::Record;
 use dashpot_rig::{InjectedEffect, Truth};
+use dashpot_severity::SeverityError;
+use dashpot_severity::case::{Measured, model_of};
+use dashpot_severity::measured::{base_model, write_and_read};
 use std::collections::BTreeMap;
 
 /// How near the severity must come.
@@ -185,7 +186,7 @@ impl SeverityContext {
             })
             .collect();
         let base = base_of(case, &records)?;
-        let (base, own) = refitted(&records, &noise, &base).ok_or(EvaluationError::NotFinite)?;
+        let (base, own) = refitted(&records, &noise, &base).ok_or(SeverityError::NotFinite)?;
         Ok(SeverityContext { base, noise, own })
     }
 
@@ -202,9 +203,9 @@ impl SeverityContext {
     }
 
     fn left(&self, records: &[&Record], model: &Params) -> Result<f64, EvaluationError> {
-        let (_, left) = refitted(records, &self.noise, model).ok_or(EvaluationError::NotFinite)?;
+        let (_, left) = refitted(records, &self.noise, model).ok_or(SeverityError::NotFinite)?;
         if left.len() != self.own.len() {
-            return Err(EvaluationError::OtherSamples);
+            return Err(SeverityError::OtherSamples.into());
         }
         let square: f64 = left.iter().zip(&self.own).map(|(with, without)| (with - without).powi(2)).sum();
         Ok((square / left.len().max(1) as f64).sqrt())
@@ -244,7 +245,7 @@ impl SeverityContext {
         if best.0 < 0.35 {
             return Ok(best.1);
         }
-        Err(EvaluationError::OutOfReach { effect: name.to_owned(), reached: best.2, wanted })
+        Err(SeverityError::OutOfReach { effect: name.to_owned(), reached: best.2, wanted }.into())
     }
 }
 

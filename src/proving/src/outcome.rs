@@ -1,11 +1,11 @@
 //! What the diagnosis answered in one case, beside the sealed truth.
 
 use crate::EvaluationError;
-use crate::case::{Case, Measured};
 use dashpot_core::parameter::Element;
 use dashpot_diagnosis::{Diagnosis, Evidence, NextTest, Options, Verdict, diagnose};
 use dashpot_records::Record;
 use dashpot_rig::TestPoint;
+use dashpot_severity::case::{Case, Measured};
 use serde::Serialize;
 
 /// One scored case.

@@ -1,7 +1,7 @@
 //! The cases of the benchmark.
 
-use crate::case::Case;
 use dashpot_rig::{EFFECTS, Plan, UNKNOWN_EFFECTS};
+use dashpot_severity::case::Case;
 
 /// A case with the block that it belongs to.
 #[derive(Debug, Clone)]

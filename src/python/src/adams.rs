@@ -3,14 +3,16 @@
 use crate::errors::{ExportError, ModelError, OutputError, raise, say};
 use crate::model::Model;
 use dashpot_core::Params;
+use dashpot_hosts::adams::folder::SineTest;
 use dashpot_hosts::adams::imported::of_property_file;
 use dashpot_hosts::adams::replaced::{Named, replaced};
 use dashpot_hosts::damper_length::{in_metres, in_millimetres};
-use dashpot_hosts::handed_out;
+use dashpot_hosts::handed_out::{self, RunFolderInput};
 use dashpot_identification::model_file;
 use dashpot_identification::of_peaks::of_peaks;
 use dashpot_output::as_a_run;
 use dashpot_records::PeakOptions;
+use dashpot_rig::{Matrix, TestPoint};
 use dashpot_simulation::chatter::{Host, Ready, remarks};
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
@@ -48,7 +50,18 @@ pub fn export_adams(
             None => model.text_of_file().to_owned(),
         };
         let (replaced, chatters) = (ready.replaced(), ready.remarks());
-        Ok(handed_out::run_folder(&ready.params, &prepared, text.as_bytes(), length, libraries, replaced, chatters))
+        let sine = |p: &TestPoint| SineTest { amplitude_m: p.amplitude_m, frequency_hz: p.frequency_hz };
+        let tests: Vec<SineTest> = Matrix::default().points().iter().map(sine).collect();
+        Ok(handed_out::run_folder(RunFolderInput {
+            params: &ready.params,
+            model: &prepared,
+            text: text.as_bytes(),
+            length,
+            tests: &tests,
+            libraries,
+            replaced,
+            chatters,
+        }))
     });
     let made = made.map_err(raise::<ExportError>)?;
     let written = as_a_run(force, library.as_deref(), || {

@@ -3,9 +3,9 @@
 use crate::errors::{OutputError, RigError, raise, say};
 use crate::work;
 use dashpot_output::FolderLock;
-use dashpot_proving::EvaluationError;
-use dashpot_proving::asked::{Asked, Numbers, strengths};
 use dashpot_rig::{Campaign, InjectedCase, Matrix, MatrixOptions, Options, Plan, RigError as Refusal};
+use dashpot_severity::SeverityError;
+use dashpot_severity::request::{Numbers, RequestedEffects, strengths};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -100,9 +100,9 @@ fn refused(error: anyhow::Error) -> PyErr {
 }
 
 /// A refusal of the rig by itself, whoever asked it.
-fn of_rig(error: EvaluationError) -> anyhow::Error {
+fn of_rig(error: SeverityError) -> anyhow::Error {
     match error {
-        EvaluationError::Rig(refusal) => refusal.into(),
+        SeverityError::Rig(refusal) => refusal.into(),
         other => other.into(),
     }
 }
@@ -117,7 +117,7 @@ pub fn measure(
     folder: PathBuf,
     tests: Tests,
     bench: Bench,
-    hide: Option<Asked>,
+    hide: Option<RequestedEffects>,
     severity: bool,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<usize> {

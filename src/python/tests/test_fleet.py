@@ -580,8 +580,8 @@ class TestJobs:
         assert [j.campaign for j in find_jobs([tmp_path])] == [str(tmp_path)]
 
     def test_the_endings_are_those_of_the_reader(self) -> None:
-        source = (Path(__file__).parents[2] / "records" / "src" / "endings.rs").read_text(encoding="utf-8")
-        listed = source.split("pub const ENDINGS")[1].split("];")[0].split("=")[1]
+        source = (Path(__file__).parents[2] / "records" / "src" / "file_extensions.rs").read_text(encoding="utf-8")
+        listed = source.split("pub const EXTENSIONS")[1].split("];")[0].split("=")[1]
         assert {f".{e}" for e in listed.split('"')[1::2]} == RECORDS
 
     def test_lists_and_notes_beside_campaigns_do_not_make_one_of_them(self, two: Path) -> None:

@@ -3,14 +3,14 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use super::channel::Channel;
-use super::phrases;
-use super::sentence::{Sentence, Template};
-use super::unit::Unit;
+use crate::messages::phrases;
+use crate::messages::sentence::{Sentence, Template};
+use crate::quantities::channel::Channel;
+use crate::quantities::unit::Unit;
 
 /// The files that are read, for messages.
 fn kinds() -> Sentence {
-    let all = super::endings::ENDINGS.map(|ending| format!(".{ending}"));
+    let all = crate::file_extensions::EXTENSIONS.map(|ending| format!(".{ending}"));
     let (last, others) = (&all[all.len() - 1], &all[..all.len() - 1]);
     Sentence::from(phrases::KINDS).with("others", others.join(", ")).with("last", last)
 }

@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use super::error::Place;
-use super::record::Record;
-use super::samples::Samples;
+use crate::data::record::Record;
+use crate::data::samples::Samples;
+use crate::error::Place;
 
 /// Uniform and normal random numbers from a seed (xorshift64*; Vigna 2016).
 pub(crate) struct Random(u64);
@@ -55,7 +55,7 @@ pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
         lines: (1..=n).collect(),
         time: (0..n).map(|i| i as f64 / rate).collect(),
         begins: None,
-        dates: super::file_dates::Dates::default(),
+        dates: crate::dates::file_dates::Dates::default(),
         force: vec![0.0; n],
         displacement: Some(displacement),
         velocity: None,
@@ -63,7 +63,7 @@ pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
         temperature: None,
         current: None,
         headings: Vec::new(),
-        about: super::about::About::default(),
+        about: crate::data::test_metadata::TestMetadata::default(),
         units: Vec::new(),
         notes: Vec::new(),
     }

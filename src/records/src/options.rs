@@ -5,10 +5,11 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::channel::Channel;
-use super::date_order::DateOrder;
-use super::setting_value::SettingRules;
-use super::unit::Unit;
+use crate::dates::date_order::DateOrder;
+use crate::quantities::channel::Channel;
+use crate::quantities::setting_value::SettingRules;
+use crate::quantities::unit::Unit;
+use crate::tuning::options::{GAINS, LARGEST_FORCE_ZERO, LARGEST_MASS, LARGEST_POSITION, LONGEST_DELAY, SAMPLE_RATES};
 
 /// The direction in which displacement, velocity and force of a file are counted positive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -112,19 +113,6 @@ impl Default for Options {
     }
 }
 
-/// Longest delay taken for one, s.
-const LONGEST_DELAY: f64 = 1.0;
-/// Sampling rates that rigs have, 1/s: a slow test of a day, and the fastest acquisition of force.
-const SAMPLE_RATES: (f64, f64) = (1e-3, 1e7);
-/// Factors taken for a calibration: three digits of a unit either way, and a thousandth more for what a sensor is off by.
-const GAINS: (f64, f64) = (1e-4, 1e4);
-/// Largest zero taken for one: what a load cell of heavy vehicles and the longest drive can show, N and m.
-const LARGEST_FORCE_ZERO: f64 = 1e6;
-const LARGEST_POSITION: f64 = 10.0;
-/// Largest mass taken for one that hangs on a load cell, kg: a heavy truck's damper with its clamps has less. A larger number was meant in
-/// grams. Below zero it gives back what a rig's own compensation took too much.
-const LARGEST_MASS: f64 = 100.0;
-
 impl Options {
     /// Makes sure that the numbers can be.
     ///
@@ -204,5 +192,36 @@ impl Options {
         all.rig_mass_kg = number(self.rig_mass_kg, profile.rig_mass_kg, 0.0);
         all.settings = self.settings.over(&profile.settings);
         all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A change of one number.
+    type Change<'a> = &'a dyn Fn(&mut Options, f64);
+
+    #[test]
+    fn numbers_that_cannot_be_are_rejected_where_the_limits_are_stated() {
+        let check = |change: Change, value: f64| {
+            let mut options = Options::default();
+            change(&mut options, value);
+            options.check().is_ok()
+        };
+        let limits: [(Change, f64); 6] = [
+            (&|o, v| o.delay_s = v, 1.0),
+            (&|o, v| o.sample_rate_hz = Some(v), 1e7),
+            (&|o, v| o.gain = v, 1e4),
+            (&|o, v| o.force_zero_n = v, 1e6),
+            (&|o, v| o.initial_position = v, 10.0),
+            (&|o, v| o.rig_mass_kg = v, 100.0),
+        ];
+        for (change, limit) in limits {
+            assert!(check(change, 0.75 * limit) && !check(change, 1.35 * limit), "{limit}");
+        }
+        for (change, limit) in [(limits[1].0, 1e-3), (limits[2].0, 1e-4)] {
+            assert!(check(change, 1.35 * limit) && !check(change, 0.75 * limit), "{limit}");
+        }
     }
 }

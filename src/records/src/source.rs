@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-use super::error::{Place, RecordError};
+use crate::error::{Place, RecordError};
 
 /// Largest record file, bytes: an hour of four channels at 1 kHz as text has 130 MB.
 pub(crate) const LARGEST: u64 = 256 << 20;

@@ -1,10 +1,10 @@
 //! All that reading says, for those who translate it.
 
-use super::channel::Channel;
-use super::not_read;
-use super::phrases::TEMPLATES;
-use super::sentence::{Template, each_once};
-use super::setting_value;
+use crate::formats::unsupported;
+use crate::messages::phrases::TEMPLATES;
+use crate::messages::sentence::{Template, each_once};
+use crate::quantities::channel::Channel;
+use crate::quantities::setting_value;
 
 /// What a channel, a direction, or the end of a record is called.
 const WORDS: &[&str] =
@@ -24,6 +24,6 @@ pub fn texts() -> Vec<&'static str> {
             .copied()
             .chain(setting_value::NAMES)
             .chain(Channel::ALL.map(Channel::name))
-            .chain(not_read::words()),
+            .chain(unsupported::words()),
     )
 }

@@ -2,7 +2,7 @@
 
 use super::numbers::digits;
 use crate::words::Words;
-use dashpot_records::{About, Record, clock};
+use dashpot_records::{Record, TestMetadata, clock};
 
 /// Most values that are listed one by one.
 const LISTED: usize = 3;
@@ -11,7 +11,7 @@ const DAY: f64 = 86_400.0;
 
 /// A line each: part, serial number, tester and date, which a certificate needs, and the rig and the temperature where they are known.
 pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
-    let said = |of: fn(&About) -> &Option<String>| {
+    let said = |of: fn(&TestMetadata) -> &Option<String>| {
         let mut values: Vec<String> = Vec::new();
         for value in records.iter().filter_map(|record| of(&record.about).clone()) {
             if !values.contains(&value) {

@@ -12,8 +12,8 @@ use dashpot_identification::model_file::{NoModel, prepared};
 use dashpot_identification::validation::{Compared, Deviation, ValidationError, validate};
 use dashpot_identification::{Fit, Measured, to_measurement_error};
 use dashpot_records::Record;
+use dashpot_records::measurement_correction::correct_record;
 use dashpot_records::smoothing::smooth;
-use dashpot_records::taken_out::taken_out;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -79,7 +79,7 @@ pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsEr
 /// Over the records without what the measurement was found to be off by.
 fn without(measured: &[Measured], params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let off = to_measurement_error(measured);
-    let right: Vec<Record> = records.iter().map(|record| taken_out(record, &off)).collect();
+    let right: Vec<Record> = records.iter().map(|record| correct_record(record, &off)).collect();
     deviation(params, &right.iter().collect::<Vec<_>>())
 }
 

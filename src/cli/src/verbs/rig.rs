@@ -3,8 +3,8 @@
 use crate::progress::Progress;
 use anyhow::Context as _;
 use dashpot_output::FolderLock;
-use dashpot_proving::asked::{Asked, Numbers, strengths};
 use dashpot_rig::{Campaign, EFFECTS, InjectedCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
+use dashpot_severity::request::{Numbers, RequestedEffects, strengths};
 use std::path::PathBuf;
 
 /// Measure a campaign on the virtual rig: a physical damper that shares nothing with the model
@@ -119,7 +119,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 }
 
 /// Names and the numbers given with them.
-fn effects(texts: &[String]) -> anyhow::Result<Asked> {
+fn effects(texts: &[String]) -> anyhow::Result<RequestedEffects> {
     texts
         .iter()
         .map(|text| {

@@ -4,9 +4,12 @@ use crate::session::guarded::write;
 use anyhow::{Context as _, bail};
 use dashpot_core::family::Axis;
 use dashpot_core::{Model, Params};
-use dashpot_hosts::{fmu, handed_out, runtimes};
+use dashpot_hosts::adams::folder::SineTest;
+use dashpot_hosts::handed_out::{self, RunFolderInput};
+use dashpot_hosts::{fmu, runtimes};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
+use dashpot_rig::{Matrix, TestPoint};
 use dashpot_simulation::{chatter, stiffness};
 use std::path::Path;
 
@@ -116,8 +119,18 @@ impl Export {
         };
         let libraries = handed_out::adams_libraries(None)?;
         let chatters = chatter::remarks(&self.params, chatter::Host::TYPICAL);
-        let made =
-            handed_out::run_folder(&self.params, model, self.text.as_bytes(), LENGTH, libraries, Vec::new(), chatters);
+        let sine = |p: &TestPoint| SineTest { amplitude_m: p.amplitude_m, frequency_hz: p.frequency_hz };
+        let tests: Vec<SineTest> = Matrix::default().points().iter().map(sine).collect();
+        let made = handed_out::run_folder(RunFolderInput {
+            params: &self.params,
+            model,
+            text: self.text.as_bytes(),
+            length: LENGTH,
+            tests: &tests,
+            libraries,
+            replaced: Vec::new(),
+            chatters,
+        });
         made.files.iter().try_for_each(|(name, content)| put(name, content))?;
         let mut notes = made.notes(path);
         notes.extend(made.if_coupled());

@@ -2,8 +2,16 @@
 
 use super::native;
 use dashpot_core::{Model, Params};
-use dashpot_rig::Matrix;
 use std::fmt::Write as _;
+
+/// A sine on the rig.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SineTest {
+    /// Amplitude, m.
+    pub amplitude_m: f64,
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+}
 
 /// A file of the folder.
 pub struct File {
@@ -20,7 +28,7 @@ pub fn files(
     model: &Model,
     model_file: &str,
     length: f64,
-    matrix: &Matrix,
+    tests: &[SineTest],
 ) -> (Vec<File>, Option<String>) {
     let states = model.states();
     let fill = |template: &str| {
@@ -45,7 +53,7 @@ pub fn files(
         File { name: "damper.cmd", text: fill(include_str!("templates/damper.cmd")) },
         File { name: "damper.adm", text: fill(include_str!("templates/damper.adm")) },
         File { name: "rig.adm", text: fill(include_str!("templates/rig.adm")) },
-        File { name: "rig.acf", text: acf(matrix) },
+        File { name: "rig.acf", text: acf(tests) },
         File { name: "README.txt", text: read_me },
     ];
     match native {
@@ -99,16 +107,16 @@ fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// The test matrix on the rig, one line a command.
+/// The tests on the rig, one line a command.
 ///
 /// Every test begins and ends at rest in the middle, so that one follows the other.
-fn acf(matrix: &Matrix) -> String {
+fn acf(tests: &[SineTest]) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");
     out += "INTEGRATOR/GSTIFF, SI2, ERROR=1.0E-5\nSIMULATE/STATICS\n";
     let mut begin = 0.0;
-    for point in matrix.points() {
-        let (period, amplitude) = (1.0 / point.frequency_hz, 1e3 * point.amplitude_m);
+    for test in tests {
+        let (period, amplitude) = (1.0 / test.frequency_hz, 1e3 * test.amplitude_m);
         let [rise, fall, end] = [1.0, 3.0, 4.0].map(|cycles| begin + cycles * period);
         let w = std::f64::consts::TAU / period;
         let [a, b, r, f, e] = [amplitude, begin, rise, fall, end].map(short);

@@ -1,5 +1,6 @@
 //! Export of a model as a functional mock-up unit.
 
+mod archive;
 mod carmaker;
 mod description;
 mod kernel;
@@ -9,14 +10,13 @@ mod sources;
 mod units;
 mod variables;
 mod veil;
-mod zip;
 
 pub use carmaker::{LONGEST, not_in_the_equilibrium, plug_info};
 pub use scales::Scales;
 pub use sources::Version;
 pub use variables::Inputs;
-pub use zip::check_sum;
 
+use self::archive::Archive;
 use crate::runtimes;
 use anyhow::{Context as _, bail};
 use dashpot_core::family::Definition;
@@ -180,44 +180,44 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     } else {
         Vec::new()
     };
-    let mut archive = zip::Zip::default();
-    archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes());
-    archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON);
+    let mut archive = Archive::new();
+    archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes())?;
+    archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON)?;
     // What is said of chatter has stiffness and damping in it.
     let remarks = if options.conceal_parameters { &[] } else { options.remarks };
-    archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes());
+    archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes())?;
     for (platform, suffix, content) in &binaries {
-        archive.add(&format!("binaries/{platform}/{}{suffix}", description::IDENTIFIER), content);
+        archive.add(&format!("binaries/{platform}/{}{suffix}", description::IDENTIFIER), content)?;
     }
-    archive.add("resources/contents.txt", contents.as_bytes());
+    archive.add("resources/contents.txt", contents.as_bytes())?;
     for (i, text) in texts.iter().enumerate() {
-        archive.add(&format!("resources/{}", variables::model_file_name(i, corners.len())), text.as_bytes());
+        archive.add(&format!("resources/{}", variables::model_file_name(i, corners.len())), text.as_bytes())?;
     }
     if options.sources {
         for (name, content) in &files {
-            archive.add(&format!("sources/{name}"), content);
+            archive.add(&format!("sources/{name}"), content)?;
         }
-        archive.add("sources/README.txt", sources::README.as_bytes());
-        archive.add("sources/build.sh", sources::BUILD.as_bytes());
+        archive.add("sources/README.txt", sources::README.as_bytes())?;
+        archive.add("sources/build.sh", sources::BUILD.as_bytes())?;
         if let Some((object, platform)) = &kernel {
-            archive.add(&format!("sources/{KERNEL}"), object);
+            archive.add(&format!("sources/{KERNEL}"), object)?;
             if version == Version::Three {
                 let text = description::build_description(platform, &compiled);
-                archive.add("sources/buildDescription.xml", text.as_bytes());
+                archive.add("sources/buildDescription.xml", text.as_bytes())?;
             }
             let system = if options.from_source.is_some() { system() } else { "Linux-x86_64".to_owned() };
             for (name, text) in [("platform", platform), ("system", &system)] {
-                archive.add(&format!("sources/lib/{name}"), format!("{text}\n").as_bytes());
+                archive.add(&format!("sources/lib/{name}"), format!("{text}\n").as_bytes())?;
             }
         }
         let fmi = if version == Version::Two { "2\n" } else { "3\n" };
-        archive.add("sources/lib/fmi", fmi.as_bytes());
+        archive.add("sources/lib/fmi", fmi.as_bytes())?;
         for (name, text) in kernel::files() {
-            archive.add(&format!("sources/kernel/{name}"), text.as_bytes());
+            archive.add(&format!("sources/kernel/{name}"), text.as_bytes())?;
         }
     }
     let platforms = binaries.into_iter().map(|(platform, ..)| platform).collect();
-    Ok(Made { bytes: archive.finish(), platforms, guid })
+    Ok(Made { bytes: archive.finish()?, platforms, guid })
 }
 
 /// The kernel as one object, below `sources`.

@@ -23,8 +23,8 @@ use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_records::Record;
+use dashpot_records::measurement_correction::MeasurementError;
 use dashpot_records::sentence::Sentence;
-use dashpot_records::taken_out::MeasurementError;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

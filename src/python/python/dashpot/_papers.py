@@ -5,7 +5,7 @@ from __future__ import annotations
 import datetime
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from ._numbers import several
 from .campaign import Campaign, Record
@@ -13,9 +13,17 @@ from .campaign import Campaign, Record
 if TYPE_CHECKING:
     import pathlib
 
+    from . import _native
     from ._given import Page
     from .campaign import Path
-    from .model import Model
+
+
+class NamedModel(Protocol):
+    """A model as a report names it."""
+
+    _name: str
+    _file: str | None
+    _native: _native.Model
 
 
 @dataclass(frozen=True)
@@ -48,7 +56,7 @@ def option(name: str, values: Sequence[str]) -> list[str]:
 
 
 def page(
-    verb: str, source: Origin, model: Model | None, *, language: str, date: str | datetime.date | None, force: bool, full: bool = False, name: str = ""
+    verb: str, source: Origin, model: NamedModel | None, *, language: str, date: str | datetime.date | None, force: bool, full: bool = False, name: str = ""
 ) -> Page:
     """How a paper is written, as the compiled part takes it.
 

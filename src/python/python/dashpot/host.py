@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import Generic, TypeVar
 
 from ._result import Result, table
 
-if TYPE_CHECKING:
-    from .model import Model
+_Model = TypeVar("_Model")
 
 
 @dataclass(frozen=True, repr=False)
-class HostCheck(Result):
+class HostCheck(Result, Generic[_Model]):
     """Whether a damper chatters in a host; the JSON of ``dashpot check``."""
 
     host_step_s: float
@@ -50,10 +49,10 @@ class HostCheck(Result):
     largest_error_n: float | None
     told: tuple[str, ...] = field(default=(), metadata={"hidden": True}, compare=False)
     """What the command says of it, in sentences."""
-    _ready: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
+    _ready: _Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
 
     @property
-    def ready(self) -> Model:
+    def ready(self) -> _Model:
         """The damper as the host gets it: with ``for_step_s`` without the friction that would chatter, else as it was.
 
         :raises ValueError: of a result that was made from a dictionary, which holds no model.

@@ -350,7 +350,7 @@ class Model:
         warn_of_units(displacement_m=response.displacement, velocity_m_s=response.velocity)
         return response
 
-    def check(self, *, host_step_s: float = 1e-3, wheel_mass_kg: float = 40.0, for_step_s: float | None = None) -> HostCheck:
+    def check(self, *, host_step_s: float = 1e-3, wheel_mass_kg: float = 40.0, for_step_s: float | None = None) -> HostCheck[Model]:
         """Whether the damper chatters in a host that holds its force over a step; as ``dashpot check``.
 
         :param host_step_s: step of the host, s.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._papers import Origin, Papers, figures_alone, page
+from ._papers import NamedModel, Origin, Papers, figures_alone, page
 from ._result import Result, Row, by_test, folded, held, table
 from ._work import watched
 from .certificate import Certificate
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
     from .campaign import Campaign, Path
     from .limits import Row as Window
-    from .model import Model
 
 
 @dataclass(frozen=True, repr=False)
@@ -203,7 +202,7 @@ def _in_groups(matrix: ErrorMatrix) -> list[Row]:
 class Compared:
     """What a validation compared, beside the records and the forces: what its papers are made from."""
 
-    model: Model
+    model: NamedModel
     windows: list[Window] | None
     #: Names of models of the literature with their forces on every test.
     rivals: tuple[tuple[str, list[npt.NDArray[np.float64]]], ...]

@@ -1,18 +1,12 @@
 //! Channels cut off at the end of their measuring range: flat tops at an extreme value.
 
-use super::super::channel::Channel;
-use super::super::error::RecordError;
-use super::super::numbers::quantum;
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-
-/// Fewest equal samples at the extreme that make a flat top.
-const RUN: usize = 4;
-/// Share of clipped force samples up to which the record is still used without them.
-const FORCE_SHARE: f64 = 0.05;
-/// Share of the samples that a rounded peak may take; more is an end of the range, for a range may be switched between tests.
-const ROUNDED_SHARE: f64 = 0.05;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::quantum;
+use crate::quantities::channel::Channel;
+use crate::tuning::clipped::{FORCE_FRACTION, ROUNDED_FRACTION, RUN, SHOWN};
 
 /// How far the motion channels of all tests of a campaign go: an end of the measuring range is one for all.
 #[derive(Debug, Clone, Copy)]
@@ -90,9 +84,6 @@ impl FlatTops {
     }
 }
 
-/// Share of the overshoot of a clipped channel that the other one shows at least: a parabola has two thirds of it in the mean.
-const SHOWN: f64 = 1.0 / 3.0;
-
 /// Whether the other motion channel moved as the flat top says: constant velocity to and fro, or a rest between two ramps, is no clipping.
 fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> bool {
     let (first, last) = (top.samples.start, top.samples.end - 1);
@@ -128,7 +119,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
             }
         }
         let (count, line) = (tops.count, samples.lines[tops.first]);
-        if count as f64 <= ROUNDED_SHARE * samples.len() as f64 {
+        if count as f64 <= ROUNDED_FRACTION * samples.len() as f64 {
             let value = tops.value;
             tops.leave_out(|top| reach.goes_beyond(channel, top));
             if tops.count == 0 {
@@ -177,7 +168,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
     };
     let percent = 100.0 * tops.count as f64 / samples.len() as f64;
     let (line, value) = (samples.lines[tops.first], tops.value);
-    if tops.count as f64 > FORCE_SHARE * samples.len() as f64 {
+    if tops.count as f64 > FORCE_FRACTION * samples.len() as f64 {
         return Err(RecordError::Clipped {
             at: samples.at.clone(),
             line,
@@ -232,8 +223,8 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn a_little_clipped_force_is_masked_and_much_is_refused() {

@@ -1,12 +1,12 @@
 //! What the user knows of the sensors: zeros, a gain, signs, a late force channel. The only place where these are applied.
 
-use super::super::earlier::Earlier;
-use super::super::options::Options;
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
 use super::{Motion, cycles};
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::options::Options;
+use crate::signal::delayed_motion::DelayedMotion;
 
 /// Applies factors of channels other than the force, before displacement and velocity are compared with each other. A displacement without a
 /// velocity brings its factor into the velocity that is derived of it.
@@ -65,7 +65,7 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
 ///
 /// Returns the range of the samples, of those before, that have such a motion.
 pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<usize> {
-    let earlier = Earlier::new(&motion.time, delay);
+    let earlier = DelayedMotion::new(&motion.time, delay);
     motion.displacement = earlier.values(&motion.displacement);
     motion.velocity = earlier.values(&motion.velocity);
     motion.force = earlier.kept(&motion.force);
@@ -80,10 +80,10 @@ pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<u
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::channel::Channel;
-    use super::super::super::fixtures::SineTest;
     use super::super::{finish, repair};
     use super::*;
+    use crate::fixtures::SineTest;
+    use crate::quantities::channel::Channel;
 
     #[test]
     fn every_channel_takes_a_factor() {

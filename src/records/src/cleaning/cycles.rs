@@ -6,24 +6,15 @@
 //! frequency that wanders. Cycles that differ in stroke or length from the rest (run-up, run-down, a pause) are not
 //! taken.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::{median, quantile, range, sample_time};
 use super::drift::time_mean;
+use crate::data::cycle::Cycle;
 use crate::numbers::restrict;
+use crate::numbers::{median, quantile, range, sample_time};
+use crate::signal::noise::difference_noise;
+use crate::tuning::cycles::{END_TOLERANCE, LIKENESS, LONELY, TOLERANCE, WIGGLE};
 
-/// Allowed deviation of stroke and period from their medians: what the bulk scatters, but at least and at most this.
-const TOLERANCE: (f64, f64) = (0.03, 0.15);
-/// Tolerance of the first and the last cycle once the crossings are exact: the tail of a run-up is small.
-const END_TOLERANCE: f64 = 0.003;
-
-/// Phases at which the courses of cycles are compared, and the correlation of neighbours that makes a test periodic.
+/// Phases at which the courses of cycles are compared.
 const PHASES: usize = 64;
-const LIKENESS: f64 = 0.97;
-/// Share of the fundamental that one or two cycles must have, with nothing to compare them with: a triangle has 0.985.
-const LONELY: f64 = 0.98;
-/// Share of their stroke by which they may turn on the way.
-const WIGGLE: f64 = 0.01;
 
 /// The whole cycles; empty where the motion is not periodic.
 pub(crate) fn find(time: &[f64], displacement: &[f64]) -> Vec<Cycle> {
@@ -366,8 +357,8 @@ mod tests {
     use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
-    use super::super::super::fixtures::{Random, SineTest};
     use super::*;
+    use crate::fixtures::{Random, SineTest};
 
     #[test]
     fn rest_run_up_and_run_down_are_no_cycles() {

@@ -1,10 +1,10 @@
 //! Slow change of mean displacement and force over the cycles: reported, never removed.
 
-use super::super::cycle::Cycle;
-use super::super::noise;
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::sentence::Sentence;
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::signal::noise;
 
 /// Drift of a cycle mean, over the record.
 pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: &[Cycle], notes: &mut Vec<Note>) {
@@ -61,9 +61,9 @@ pub(crate) fn time_mean(time: &[f64], values: &[f64], start: usize, end: usize) 
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::super::cycles;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn drift_is_told_with_its_size_and_absence_is_not() {

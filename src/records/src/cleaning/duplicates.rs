@@ -2,14 +2,12 @@
 
 use std::collections::HashMap;
 
-use super::super::channel::Channel;
-use super::super::numbers::{median, range};
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-
-/// Shortest block with new time stamps that counts as repeated; measured rows do not agree to the last digit so often.
-const BLOCK: usize = 10;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range};
+use crate::quantities::channel::Channel;
+use crate::tuning::duplicates::BLOCK;
 
 /// Most places that are looked at closely for a repeated block, each of which takes time in proportion to the rows.
 const LOOKS: usize = 200;
@@ -144,8 +142,8 @@ fn rest_is_noisy(samples: &Samples, i: usize, lag: usize, run: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     /// The rows `range` written twice; with `new_stamps` the logger goes on counting time.
     fn doubled(sound: &Samples, range: std::ops::Range<usize>, new_stamps: bool) -> Samples {
@@ -188,5 +186,16 @@ mod tests {
             assert_eq!(samples.force, before);
             assert!(samples.notes.is_empty());
         }
+    }
+
+    #[test]
+    fn a_short_block_is_no_repetition() {
+        let sound = SineTest::default().samples();
+        let removed = |length: usize| {
+            let mut samples = doubled(&sound, 500..500 + length, true);
+            remove(&mut samples);
+            samples.len() == sound.len()
+        };
+        assert!(removed(14) && !removed(7));
     }
 }

@@ -1,15 +1,13 @@
 //! A channel that stands still while the others move: a lost sensor or a stalled logger.
 
-use super::super::channel::Channel;
-use super::super::error::RecordError;
-use super::super::noise::difference_noise;
-use super::super::numbers::range;
-use super::super::phrases;
-use super::super::samples::Samples;
 use super::cycles::turning_points;
-
-/// Fewest equal samples in a row that can be called frozen.
-const RUN: usize = 30;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::numbers::range;
+use crate::quantities::channel::Channel;
+use crate::signal::noise::difference_noise;
+use crate::tuning::frozen::RUN;
 
 /// Refuses a record with a frozen channel.
 ///
@@ -112,8 +110,8 @@ fn equal_share(before: &[f64], after: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     fn freeze(values: &mut [f64], range: std::ops::Range<usize>) {
         let value = values[range.start];

@@ -1,20 +1,15 @@
 //! Gaps in time: a logger that paused, a buffer that was lost. What lies on both sides are tests of their own.
 
-use super::super::cycle::Cycle;
-use super::super::numbers::{median, range};
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-use super::FEWEST;
 use super::cycles::{self, turning_points};
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range};
+use crate::tuning::cleaning::FEWEST;
+use crate::tuning::gaps::{AROUND, BEYOND, LONGER, TURNS};
 use std::ops::Range;
-
-/// How many times longer than the steps around it a step is that counts as a gap. Loggers that change their rate do so for
-/// many samples; lost telegrams cost a few.
-const LONGER: f64 = 12.0;
-/// Steps on each side that a step is compared with.
-const AROUND: usize = 15;
 
 /// Splits a test at its gaps; says so first.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
@@ -73,11 +68,6 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
 /// On its own such a stump would be a motion whose ends are where the gap is. A longer piece is a motion of another
 /// kind.
 fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<Sentence> {
-    /// By how much a stump may go beyond the strokes of the cycles, and the turns that it has at most.
-    ///
-    /// A motion of another kind has more.
-    const BEYOND: f64 = 1.1;
-    const TURNS: usize = 5;
     let x = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite()))?;
     let stroke = |span: &Range<usize>| {
         let cycles = cycles::find(&samples.time[span.clone()], &x[span.clone()]);
@@ -128,8 +118,8 @@ fn find(time: &[f64]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn a_pause_makes_two_tests_and_is_told_first() {

@@ -1,15 +1,11 @@
 //! Empty and not-a-number cells: a few rows are dropped, many are refused.
 
-use super::super::channel::Channel;
-use super::super::error::RecordError;
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-
-/// Largest share of rows that may be dropped.
-const SHARE: f64 = 0.02;
-/// Longest run of rows that may be dropped; a longer hole is no stray cell.
-const RUN: usize = 10;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::quantities::channel::Channel;
+use crate::tuning::missing::{FRACTION, RUN};
 
 /// Drops rows in which time, force or motion is missing.
 ///
@@ -24,7 +20,7 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     if count > 0 {
         let longest = missing.chunk_by(|a, b| a == b).filter(|run| run[0]).map(<[bool]>::len).max().unwrap_or(0);
         let first = missing.iter().position(|&m| m).unwrap_or(0);
-        if count as f64 > (SHARE * rows as f64).max(3.0) || longest > RUN {
+        if count as f64 > (FRACTION * rows as f64).max(3.0) || longest > RUN {
             let channel = NEEDED
                 .into_iter()
                 .find(|&c| samples.channel(c).is_some_and(|values| values[first].is_nan()))
@@ -110,8 +106,8 @@ fn bridge(time: &[f64], values: &mut [f64]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn stray_cells_cost_their_row_and_are_told() {
@@ -147,5 +143,16 @@ mod tests {
         assert_eq!((temperature[0], temperature[3], temperature.len()), (3.0, 3.0, n));
         assert!((temperature[57] - 57.0).abs() < 1e-9);
         assert_eq!(samples.notes.len(), 3);
+    }
+
+    #[test]
+    fn a_small_fraction_and_a_short_run_may_be_missing() {
+        let dropped = |missing: &dyn Fn(usize) -> bool| {
+            let mut samples = SineTest { per_cycle: 1000, ..SineTest::default() }.samples();
+            (0..samples.len()).filter(|i| missing(*i)).for_each(|i| samples.force[i] = f64::NAN);
+            drop_rows(&mut samples).is_ok()
+        };
+        assert!(dropped(&|i| i % 67 == 0) && !dropped(&|i| i % 33 == 0));
+        assert!(dropped(&|i| (100..107).contains(&i)) && !dropped(&|i| (100..114).contains(&i)));
     }
 }

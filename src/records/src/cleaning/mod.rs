@@ -15,26 +15,25 @@ mod rests;
 mod settings;
 mod stairs;
 mod still;
+pub(crate) mod swapped_columns;
 mod trim;
 
-use super::channel::Channel;
-use super::consistency;
-use super::cycle::Cycle;
-use super::derive;
-use super::error::RecordError;
-use super::noise;
-use super::numbers::{range, sample_time};
-use super::off::MeasurementError;
-use super::options::Options;
-use super::phrases;
-use super::record::Record;
-use super::samples::Samples;
-use super::sentence::Sentence;
-use super::setting_value::Setting;
-use super::swapped;
-use super::taken_out::take_mass;
-use super::whole_motion::{Motion, steady};
+use crate::data::complete_motion::{Motion, steady};
+use crate::data::cycle::Cycle;
+use crate::data::measurement_error::MeasurementError;
+use crate::data::record::Record;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{range, sample_time};
+use crate::options::Options;
+use crate::quantities::channel::Channel;
+use crate::quantities::setting_value::Setting;
+use crate::signal::measurement_correction::correct_inertia;
+use crate::signal::{consistency, derivative, noise};
 
+use crate::tuning::cleaning::{BY_CHANCE, FEWEST, WINDOW_NO_CYCLE, WINDOW_OF_CYCLE};
 pub(crate) use clipped::Reach;
 pub(crate) use corrections::delay_motion;
 #[cfg(test)]
@@ -42,24 +41,13 @@ pub(crate) use cycles::find as find_cycles;
 pub(crate) use cycles::{robust_peak, turning_points};
 pub(crate) use drift::time_mean;
 
-/// Fewest samples of a test.
-const FEWEST: usize = 20;
-/// Length of the differentiating window, as a share of the cycle: bends the fundamental by 2e-5 and its fifth
-/// harmonic by 1 %.
-const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
-/// Length of the differentiating window where there is no cycle, s: bends 25 Hz, the upper end of road motion at a
-/// damper, by 1 %.
-const WINDOW_NO_CYCLE: f64 = 0.017;
-/// Share of samples with a shorter window up to which nothing is said: of a smooth motion some thousandths get one by chance.
-const BY_CHANCE: f64 = 0.01;
-
 /// Sorts the rows and splits the record into tests.
 ///
 /// Missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where
 /// the setting of a motion that goes on changes.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
-    swapped::refuse(&samples, options)?;
+    swapped_columns::refuse(&samples, options)?;
     missing::drop_rows(&mut samples)?;
     order::drop_stale(&mut samples);
     duplicates::remove(&mut samples);
@@ -201,7 +189,7 @@ fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMoti
         0 => WINDOW_NO_CYCLE,
         n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
     };
-    let (velocity, filter) = derive::differentiate(&samples.time, &displacement, window);
+    let (velocity, filter) = derivative::differentiate(&samples.time, &displacement, window);
     let shorter = (filter.shorter > BY_CHANCE)
         .then(|| Sentence::from(phrases::SHORTER).with("percent", format!("{:.0}", 100.0 * filter.shorter)));
     samples.note(
@@ -228,12 +216,12 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
         let offset = time_mean(time, &velocity, span.start, span.end.min(n - 1));
         velocity.iter_mut().for_each(|v| *v -= offset);
         removed += offset;
-        cycles = cycles::find(time, &derive::integrate(time, &velocity, initial));
+        cycles = cycles::find(time, &derivative::integrate(time, &velocity, initial));
         if cycles.is_empty() {
             break;
         }
     }
-    let displacement = derive::integrate(time, &velocity, initial);
+    let displacement = derivative::integrate(time, &velocity, initial);
     let seconds = time[n - 1] - time[0];
     let basis = if cycles.is_empty() { phrases::NOT_PERIODIC_ENDS } else { phrases::CYCLES_RETURN };
     samples.note(
@@ -287,7 +275,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         (Some(_), Some(_)) => {
             let strokes: Vec<f64> = cycles.iter().map(Cycle::stroke).collect();
             let seconds: f64 = cycles.iter().map(Cycle::period).sum();
-            (0.5 * super::numbers::median(&mut strokes.clone()), cycles.len() as f64 / seconds)
+            (0.5 * crate::numbers::median(&mut strokes.clone()), cycles.len() as f64 / seconds)
         }
         _ => (0.5 * range(&displacement), 0.0),
     };
@@ -316,7 +304,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         stated_error: given,
         counted: None,
     };
-    take_mass(&mut record, given.mass_kg);
+    correct_inertia(&mut record, given.mass_kg);
     Ok(record)
 }
 
@@ -325,11 +313,11 @@ mod tests {
     use dashpot_test_support::drawn;
     use proptest::prelude::*;
 
-    use super::super::about::About;
-    use super::super::error::Place;
-    use super::super::fixtures::SineTest;
-    use super::super::record::NoiseSource;
     use super::*;
+    use crate::data::record::NoiseSource;
+    use crate::data::test_metadata::TestMetadata;
+    use crate::error::Place;
+    use crate::fixtures::SineTest;
 
     fn clean(samples: Samples, options: &Options) -> Result<Record, RecordError> {
         finish(repair(samples, options)?)
@@ -457,7 +445,7 @@ mod tests {
                 time: times,
                 begins: None,
                 dates: Default::default(),
-                about: About::default(),
+                about: TestMetadata::default(),
                 force: rows.iter().map(|r| if r.1 == 3 { r.3 } else { f64::from(r.1) }).collect(),
                 displacement: (motion != 0).then(|| rows.iter().map(|r| r.2).collect()),
                 velocity: (motion != 1).then(|| rows.iter().map(|r| f64::from(r.1)).collect()),

@@ -1,18 +1,11 @@
 //! Time stamps that repeat or step back.
 
-use super::super::error::RecordError;
-use super::super::numbers::{range, sample_time};
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-
-/// How far, in samples, a row may be out of its place to be put back; further is another block of data.
-const REACH: usize = 10;
-
-/// Most rows of an earlier run that a logger's buffer may still hold, as a share of all.
-///
-/// More may be a test of its own.
-const STALE: f64 = 0.1;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{range, sample_time};
+use crate::tuning::order::{REACH, STALE};
 
 /// Takes out rows at the beginning that belong to an earlier run.
 ///
@@ -96,8 +89,8 @@ fn spread(samples: &mut Samples) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::SineTest;
     use super::*;
+    use crate::fixtures::SineTest;
 
     #[test]
     fn rows_of_an_earlier_run_are_left_out() {
@@ -174,5 +167,15 @@ mod tests {
         assert!(samples.time.windows(2).all(|w| w[1] > w[0]));
         assert!(samples.time.iter().zip(&true_time).all(|(a, b)| (a - b).abs() < 1e-6));
         assert_eq!(samples.notes[0].kind, "time_resolution");
+    }
+
+    #[test]
+    fn a_row_far_out_of_its_place_is_another_block() {
+        let restored = |places: usize| {
+            let mut samples = SineTest::default().samples();
+            samples.time[100..=100 + places].rotate_left(1);
+            restore(&mut samples).is_ok()
+        };
+        assert!(restored(7) && !restored(14));
     }
 }

@@ -1,15 +1,11 @@
 //! Spikes: one to three samples far off both neighbours, which nothing mechanical does.
 
-use super::super::channel::Channel;
-use super::super::noise::difference_noise;
-use super::super::phrases;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-
-/// Longest spike, samples.
-const LONGEST: usize = 3;
-/// Above this share of samples the channel is not spiky but noisy, and is left alone.
-const SHARE: f64 = 0.01;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::quantities::channel::Channel;
+use crate::signal::noise::difference_noise;
+use crate::tuning::outliers::{FRACTION, LONGEST};
 
 /// Replaces spikes in force and motion by straight lines, with a note.
 pub(crate) fn replace(samples: &mut Samples) {
@@ -22,7 +18,7 @@ pub(crate) fn replace(samples: &mut Samples) {
         if count == 0 {
             continue;
         }
-        if count as f64 > (SHARE * values.len() as f64).max(3.0) {
+        if count as f64 > (FRACTION * values.len() as f64).max(3.0) {
             let percent = 100.0 * count as f64 / values.len() as f64;
             samples.note(
                 "outlier",
@@ -107,8 +103,8 @@ fn is_spike(values: &[f64], steps: &[f64], sigma: f64, start: usize, length: usi
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, SineTest};
     use super::*;
+    use crate::fixtures::{Random, SineTest};
 
     #[test]
     fn spikes_are_replaced_and_nothing_else() {

@@ -1,41 +1,18 @@
 //! Several tests one after the other in one record, without a column that tells them apart: rigs that run through a list write so. They are
 //! told apart at rests, where what comes before moves otherwise than what follows. A pause between equal cycles parts nothing.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::{median, quantile, quantum, range, sample_time};
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-use super::FEWEST;
 use super::cycles::{self, turning_points};
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, quantile, quantum, range, sample_time};
+use crate::signal::noise::difference_noise;
+use crate::tuning::cleaning::FEWEST;
+use crate::tuning::rests::{MARGIN, PIECES, REST, SAME_ENDS, SAME_SPEED, SPIKES, STILL, STILL_OF_RANGE, STROKE, TURN};
 use std::f64::consts::PI;
 use std::ops::Range;
-
-/// Shortest rest between tests, s, in so many pieces that each must be still. A shorter pause is one within a test, or the turn of a slow one.
-const REST: f64 = 1.0;
-const PIECES: usize = 4;
-/// Range of a channel at rest in standard deviations of its noise: ten thousand samples stay within eight.
-const STILL: f64 = 10.0;
-/// Stillness as a fraction of the range of the channel: sensors are good to a few ten thousandths of their range.
-const STILL_OF_RANGE: f64 = 3e-4;
-/// Share of a piece's samples on either side that may be spikes.
-const SPIKES: f64 = 0.02;
-/// Share of the stroke by which the ends of two motions may differ, and of the mean speed, to be the same motion
-/// again.
-///
-/// Amplitudes and frequencies of a list differ by more, what a drive makes of one setting by less.
-const SAME_ENDS: f64 = 0.1;
-const SAME_SPEED: f64 = 0.15;
-/// Samples of the rest on either side that stay with a motion: a cycle that begins out of rest is found so.
-const MARGIN: usize = 2;
-/// How many times as long as a turn a pause must be to be a rest.
-///
-/// It is found in pieces, and noise keeps it still for longer.
-const TURN: f64 = 3.0;
-/// Share of its range that a motion goes to count as a stroke.
-const STROKE: f64 = 0.3;
 
 /// A motion between two rests.
 #[derive(Debug, Clone)]
@@ -267,8 +244,8 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, moving};
     use super::*;
+    use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
     /// A course in pieces: rests (amplitude 0), sines (amplitude and frequency in mm and Hz, for so many cycles) and ways to another place.

@@ -4,33 +4,18 @@
 //! They are told apart where stroke or period jumps and then stays. A sweep, whose cycles change little by little, is
 //! one test.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::{median, range};
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-use super::FEWEST;
 use super::cycles::{self, candidates};
 use super::rests::part;
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range};
+use crate::signal::noise::difference_noise;
+use crate::tuning::cleaning::FEWEST;
+use crate::tuning::settings::{BEFORE, COVERED, JUMPS, SAME, SMALLEST, STAYS};
 use std::ops::Range;
-
-/// Share of the whole range below which a swing is no cycle of a test: small tests beside large ones are found down to it.
-const SMALLEST: f64 = 0.01;
-/// By how much, as a logarithm, stroke and period of the cycles of one setting may lie off their median.
-///
-/// Drives keep both to a few percent.
-const SAME: f64 = 0.05;
-/// Fewest cycles of a setting: a drive that makes four of each goes on to the next within the first and the last. On a road two alike are rare, and
-/// nearly all would have to be.
-const STAYS: usize = 2;
-/// Cycles by which the next one is judged.
-const BEFORE: usize = 3;
-/// Share of all cycles that must keep a setting: what changes all the time, as a road does, has none.
-const COVERED: f64 = 0.7;
-/// How many times the scatter from cycle to cycle a jump is.
-const JUMPS: f64 = 5.0;
 
 /// What a drive was set to, as logarithms: stroke and period.
 fn setting(cycle: &Cycle) -> [f64; 2] {
@@ -117,8 +102,8 @@ fn jumps(before: &[Cycle], after: &[Cycle], noise: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, moving};
     use super::*;
+    use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
     /// A motion whose amplitude, mm, and frequency, Hz, are given at each moment.

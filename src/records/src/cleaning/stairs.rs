@@ -1,36 +1,18 @@
 //! Friction programs: strokes of constant speed to and fro, a few at each of several speeds, without a rest between them. Each speed is a test.
 //! Too few cycles of each are whole for a comparison of cycles, so the strokes themselves are compared.
 
-use super::super::cycle::Cycle;
-use super::super::noise::difference_noise;
-use super::super::numbers::range;
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::samples::Samples;
-use super::super::sentence::Sentence;
-use super::FEWEST;
 use super::cycles::{self, turning_points};
 use super::rests::part;
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::data::samples::Samples;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::range;
+use crate::signal::noise::difference_noise;
+use crate::tuning::cleaning::FEWEST;
+use crate::tuning::stairs::{COARSE, FEWEST_STROKES, LINE_DEVIATION, MOST, SAME, STROKE};
 use std::ops::Range;
-
-/// Fraction of the whole range that a stroke has at least: the slowest speeds may have short ones.
-const STROKE: f64 = 0.1;
-/// Root mean square by which a stroke may be off a straight line, as a fraction of its length.
-///
-/// Half a sine is off by 0.043.
-const STRAIGHT: f64 = 0.015;
-/// Fraction of all strokes that must be straight.
-const MOST: f64 = 0.9;
-/// By how much speeds of one test may differ, as a ratio.
-///
-/// Drives keep them to a few percent, time stamps of slow loggers are rounded.
-const SAME: f64 = 1.15;
-/// Strokes of a test: one to and one fro.
-const FEWEST_STROKES: usize = 2;
-/// Samples of a stroke up to which its speed is that of the whole stroke.
-///
-/// A window of a few samples would reach around both its turns.
-const COARSE: usize = 40;
 
 /// A stroke between two turns.
 struct Stroke {
@@ -105,7 +87,7 @@ fn stroke(time: &[f64], x: &[f64], samples: Range<usize>) -> Stroke {
     }
     let speed = if tt > 0.0 { tx / tt } else { 0.0 };
     let off = ((xx - speed * tx).max(0.0) / n).sqrt();
-    let is_straight = off <= STRAIGHT * range(&x[samples.clone()]);
+    let is_straight = off <= LINE_DEVIATION * range(&x[samples.clone()]);
     Stroke { samples, speed, off, is_straight }
 }
 
@@ -127,8 +109,8 @@ fn runs(strokes: &[Stroke]) -> Vec<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, moving};
     use super::*;
+    use crate::fixtures::{Random, moving};
 
     /// Two cycles of a triangle at each speed, mm/s, over 35 mm or at least half a second.
     fn program(rate: f64, speeds: &[f64]) -> Samples {

@@ -1,19 +1,11 @@
 //! Tests in which nothing moves, or no force is measured: nothing can be learned of a damper from them.
 
-use super::super::channel::Channel;
-use super::super::error::RecordError;
-use super::super::noise::difference_noise;
-use super::super::numbers::range;
-use super::super::samples::Samples;
-
-/// Standard deviation and range, in standard deviations of the noise, up to which a channel shows noise alone.
-///
-/// The smallest sine that stands out has an amplitude of two thirds of the noise, and white noise of a hundred
-/// thousand samples stays inside the range.
-const SPREAD: f64 = 1.1;
-const RANGE: f64 = 10.0;
-/// A resting sensor flickers between two or three values of its last digit.
-const FLICKER: usize = 3;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::numbers::range;
+use crate::quantities::channel::Channel;
+use crate::signal::noise::difference_noise;
+use crate::tuning::still::{FLICKER, RANGE, SPREAD};
 
 /// Refuses a test that does not move.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
@@ -64,8 +56,8 @@ fn flickers(values: &[f64]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixtures::{Random, SineTest};
     use super::*;
+    use crate::fixtures::{Random, SineTest};
 
     #[test]
     fn rest_is_told_from_the_smallest_motion() {

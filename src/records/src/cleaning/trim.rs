@@ -1,15 +1,13 @@
 //! Cuts off what is not whole cycles: rest and run-up before, run-down and rest after, a noisy last cycle.
 
-use super::super::cycle::Cycle;
-use super::super::noise::cycle_deviations;
-use super::super::numbers::median;
-use super::super::phrases;
-use super::super::record::Note;
-use super::super::sentence::Sentence;
-use super::super::whole_motion::Motion;
-
-/// A last cycle that deviates from the others by so many times their typical deviation is left out.
-const NOISY: f64 = 3.0;
+use crate::data::complete_motion::Motion;
+use crate::data::cycle::Cycle;
+use crate::data::record::Note;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::median;
+use crate::signal::noise::cycle_deviations;
+use crate::tuning::trim::NOISY;
 
 /// Cuts the test to its whole cycles, with notes; a test that is not periodic is kept whole.
 pub(crate) fn trim(motion: &mut Motion) {

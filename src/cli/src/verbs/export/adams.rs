@@ -3,10 +3,12 @@
 use crate::verbs::host_step::HostArgs;
 use crate::verbs::model;
 use anyhow::Context as _;
+use dashpot_hosts::adams::folder::SineTest;
 use dashpot_hosts::damper_length::in_millimetres;
-use dashpot_hosts::handed_out;
+use dashpot_hosts::handed_out::{self, RunFolderInput};
 use dashpot_identification::model_file;
 use dashpot_report::replace_file;
+use dashpot_rig::{Matrix, TestPoint};
 use std::path::{Path, PathBuf};
 
 /// Write everything that a run folder of Adams needs: model file, library, commands, a test rig
@@ -44,8 +46,18 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let path = args.output.join(name);
         replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
     };
-    let folder =
-        handed_out::run_folder(&params, &model, &text, args.length, libraries, ready.replaced(), ready.remarks());
+    let sine = |p: &TestPoint| SineTest { amplitude_m: p.amplitude_m, frequency_hz: p.frequency_hz };
+    let tests: Vec<SineTest> = Matrix::default().points().iter().map(sine).collect();
+    let folder = handed_out::run_folder(RunFolderInput {
+        params: &params,
+        model: &model,
+        text: &text,
+        length: args.length,
+        tests: &tests,
+        libraries,
+        replaced: ready.replaced(),
+        chatters: ready.remarks(),
+    });
     folder.files.iter().try_for_each(|(name, content)| put(name, content))?;
     let notes = folder.notes(&args.output).into_iter().map(|note| format!("note: {note}"));
     let coupled = folder.if_coupled().map(|note| format!("note, {note}"));

@@ -11,7 +11,7 @@ from .._native import DashpotError
 from ..campaign import Campaign
 from ._text import text_of
 
-#: Endings of record files: those that the reader takes out of a folder (``ENDINGS`` in ``src/records/src/endings.rs``).
+#: Endings of record files: those that the reader takes out of a folder (``EXTENSIONS`` in ``src/records/src/file_extensions.rs``).
 RECORDS = frozenset(
     f".{e}" for e in ("csv", "txt", "asc", "dat", "tsv", "tra", "lvm", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim")
 )

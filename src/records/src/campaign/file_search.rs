@@ -1,0 +1,281 @@
+//! The search for the record files of a campaign.
+
+use std::cmp::Ordering;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::profile::{self, Profile};
+use crate::data::record::Note;
+use crate::error::RecordError;
+use crate::file_extensions::is_record_name;
+use crate::glob;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::options::Options;
+
+/// A file to read, and how.
+pub(super) struct File {
+    pub path: PathBuf,
+    pub options: Arc<Options>,
+    /// What stands before the names of its tests: the subfolder that it was found in, with a stroke behind it.
+    pub within: String,
+}
+
+/// What is to be read.
+pub(super) struct Found {
+    pub files: Vec<File>,
+    /// Folders with a profile, and what it says.
+    pub folders: Vec<(PathBuf, Options)>,
+    /// Folders whose subfolders hold records that were not asked for.
+    pub below: Vec<Below>,
+    pub excluded: Excluded,
+}
+
+/// What patterns have left out.
+#[derive(Default)]
+pub(super) struct Excluded {
+    pub patterns: BTreeSet<String>,
+    pub count: usize,
+}
+
+impl Excluded {
+    /// Whether a file or test is left out by its name.
+    pub fn takes(&mut self, options: &Options, name: &str) -> bool {
+        let matching: Vec<&String> = options.exclude.iter().filter(|p| glob::matches(p, name)).collect();
+        self.count += usize::from(!matching.is_empty());
+        self.patterns.extend(matching.iter().map(|p| (*p).clone()));
+        !matching.is_empty()
+    }
+}
+
+/// The record files among the paths, folders opened, with what is said about them.
+pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) -> Result<Found, RecordError> {
+    if paths.is_empty() {
+        return Err(RecordError::NoPaths);
+    }
+    let mut found = Found { files: Vec::new(), folders: Vec::new(), below: Vec::new(), excluded: Excluded::default() };
+    let mut search = Search { given: options, found: &mut found, known: HashMap::new(), seen: HashSet::new(), notes };
+    for path in paths {
+        if !path.exists() {
+            return Err(RecordError::NotFound { file: path.clone() });
+        }
+        let own = search.options(&profile::folder_of(path), None)?;
+        if path.is_dir() {
+            search.folder(path, "", &own)?;
+        } else {
+            search.file(path.clone(), "", &own);
+        }
+    }
+    Ok(found)
+}
+
+/// The search for the files of a campaign.
+struct Search<'a> {
+    given: &'a Options,
+    found: &'a mut Found,
+    /// The options of the folders that were looked at.
+    known: HashMap<PathBuf, Arc<Options>>,
+    /// The files found. The same file by another path is the same file.
+    seen: HashSet<PathBuf>,
+    notes: &'a mut Vec<Note>,
+}
+
+impl Search<'_> {
+    /// How the files of a folder are read: as its own profile says, else as the folder above it.
+    fn options(&mut self, folder: &Path, above: Option<&Arc<Options>>) -> Result<Arc<Options>, RecordError> {
+        if let Some(known) = self.known.get(folder) {
+            return Ok(known.clone());
+        }
+        let own = match Profile::read(folder)? {
+            Some(profile) => {
+                // Checked when it was read.
+                let said = profile.options().unwrap_or_default();
+                let file = folder.join(profile::FILE);
+                let text = Sentence::from(phrases::PROFILE).with("file", file.display());
+                self.notes.push(Note { kind: "profile", text });
+                let own = Arc::new(self.given.over(&said));
+                self.found.folders.push((folder.to_owned(), said));
+                own
+            }
+            None => above.cloned().unwrap_or_else(|| Arc::new(self.given.clone())),
+        };
+        self.known.insert(folder.to_owned(), own.clone());
+        Ok(own)
+    }
+
+    /// Takes the records of a folder, and those of its subfolders where they are asked for.
+    fn folder(&mut self, folder: &Path, within: &str, own: &Arc<Options>) -> Result<(), RecordError> {
+        let has_profile = self.found.folders.iter().any(|(f, _)| f == folder);
+        let (files, subfolders) = entries(folder, has_profile, self.notes)?;
+        let holds_none = files.is_empty();
+        for file in files {
+            self.file(file, within, own);
+        }
+        if holds_none && subfolders.is_empty() {
+            return Err(RecordError::EmptyFolder { folder: folder.to_owned() });
+        }
+        if own.subfolders {
+            for sub in subfolders {
+                let own = self.options(&sub, Some(own))?;
+                self.folder(&sub, &format!("{within}{}/", file_name(&sub)), &own)?;
+            }
+        } else if !subfolders.is_empty() {
+            let names = subfolders.iter().map(|sub| file_name(sub)).collect();
+            let count = subfolders.iter().map(|sub| records_below(sub, DEEPEST)).sum();
+            self.found.below.push(Below { folder: folder.to_owned(), names, count });
+        }
+        Ok(())
+    }
+
+    /// Takes a file, unless it was taken already or a pattern leaves it out.
+    fn file(&mut self, path: PathBuf, within: &str, own: &Arc<Options>) {
+        let place = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
+        let name = file_name(&path);
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let mut names = vec![name.clone(), stem.clone()];
+        if !within.is_empty() {
+            names.extend([format!("{within}{name}"), format!("{within}{stem}")]);
+        }
+        if self.seen.insert(place) && !names.iter().any(|name| self.found.excluded.takes(own, name)) {
+            self.found.files.push(File { path, options: own.clone(), within: within.to_owned() });
+        }
+    }
+}
+
+/// Subfolders that hold records, of a folder whose own records alone were asked for.
+pub(super) struct Below {
+    folder: PathBuf,
+    names: Vec<String>,
+    count: usize,
+}
+
+impl Below {
+    pub fn note(&self) -> Note {
+        let text = Sentence::from(phrases::BELOW)
+            .with("folder", self.folder.display())
+            .with("count", self.count)
+            .with_names("names", &self.names, phrases::COMMA);
+        Note { kind: "subfolders", text }
+    }
+
+    pub fn to_error(&self) -> RecordError {
+        RecordError::InSubfolders { folder: self.folder.clone(), names: self.names.clone(), count: self.count }
+    }
+}
+
+/// How many folders deep records are looked for: campaigns lie one or two deep, and a link to a folder above would have no end.
+const DEEPEST: usize = 4;
+
+/// How many files in a folder and those below it are records by their names; as many as can be seen.
+fn records_below(folder: &Path, deep: usize) -> usize {
+    let Ok(within) = std::fs::read_dir(folder) else { return 0 };
+    let count = |path: &Path| match () {
+        () if is_passed_over(&file_name(path)) => 0,
+        () if path.is_dir() => deep.checked_sub(1).map_or(0, |deep| records_below(path, deep)),
+        () => usize::from(is_record_name(path)),
+    };
+    within.filter_map(Result::ok).map(|entry| count(&entry.path())).sum()
+}
+
+/// Hidden files, and the lock files that a spreadsheet leaves beside an open workbook.
+fn is_passed_over(name: &str) -> bool {
+    name.starts_with('.') || name.starts_with("~$")
+}
+
+/// The record files in a folder and its subfolders, in natural order; the rest is named.
+fn entries(
+    folder: &Path,
+    has_profile: bool,
+    notes: &mut Vec<Note>,
+) -> Result<(Vec<PathBuf>, Vec<PathBuf>), RecordError> {
+    let unreadable = |source| RecordError::Read { file: folder.to_owned(), source };
+    let mut entries = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        entries.push(entry.map_err(unreadable)?.path());
+    }
+    entries.sort_by(|a, b| natural_order(&file_name(a), &file_name(b)));
+    let (mut files, mut subfolders, mut ignored) = (Vec::new(), Vec::new(), Vec::new());
+    for entry in entries {
+        let name = file_name(&entry);
+        // What was read already is no stray either.
+        if is_passed_over(&name) || (has_profile && name == profile::FILE) {
+            continue;
+        }
+        if entry.is_dir() {
+            // One that holds records is told of by itself.
+            if records_below(&entry, DEEPEST) == 0 {
+                ignored.push(name);
+            } else {
+                subfolders.push(entry);
+            }
+        } else if is_record_name(&entry) {
+            files.push(entry);
+        } else {
+            ignored.push(name);
+        }
+    }
+    if !ignored.is_empty() {
+        notes.push(Note {
+            kind: "ignored",
+            text: Sentence::from(phrases::STRAY).with("folder", folder.display()).with_names(
+                "names",
+                ignored,
+                phrases::COMMA,
+            ),
+        });
+    }
+    Ok((files, subfolders))
+}
+
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Order in which people number files: digits compare as numbers, `test2` before `test10`.
+///
+/// Crate `natord` compares figures behind a leading zero as decimals, so it puts `t010` before `t9`.
+pub(super) fn natural_order(a: &str, b: &str) -> Ordering {
+    let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
+    loop {
+        match (left.peek().copied(), right.peek().copied()) {
+            (None, None) => return a.cmp(b),
+            (None, _) => return Ordering::Less,
+            (_, None) => return Ordering::Greater,
+            (Some(x), Some(y)) if x.is_ascii_digit() && y.is_ascii_digit() => {
+                let digits = |side: &mut std::iter::Peekable<std::str::Chars<'_>>| {
+                    let mut text = String::new();
+                    while let Some(c) = side.next_if(char::is_ascii_digit) {
+                        text.push(c);
+                    }
+                    text.trim_start_matches('0').to_string()
+                };
+                let (x, y) = (digits(&mut left), digits(&mut right));
+                let order = x.len().cmp(&y.len()).then_with(|| x.cmp(&y));
+                if order != Ordering::Equal {
+                    return order;
+                }
+            }
+            (Some(x), Some(y)) => {
+                let order = x.to_lowercase().cmp(y.to_lowercase()).then(x.cmp(&y));
+                if x.to_lowercase().ne(y.to_lowercase()) {
+                    return order;
+                }
+                left.next();
+                right.next();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn natural_order_compares_numbers_as_numbers() {
+        let mut names = ["t10", "t9", "T1", "t010a", "t", "s3", "t9.5", "t9.10"];
+        names.sort_by(|a, b| natural_order(a, b));
+        assert_eq!(names, ["s3", "t", "T1", "t9", "t9.5", "t9.10", "t10", "t010a"]);
+    }
+}

@@ -1,0 +1,219 @@
+//! The list of a laboratory that says of each test, or of each damper's folder, which gas pressure, clicks or serial
+//! number it has.
+//!
+//! `dashpot diagnose --group tests.csv:clicks`.
+
+use crate::columns::delimiter;
+use crate::data::record::Record;
+use crate::glob::matches as glob_matches;
+use crate::source::read_small_text;
+use ::csv::{ReaderBuilder, Trim};
+use std::path::{Path, PathBuf};
+
+/// Why a list is none.
+#[derive(Debug, thiserror::Error)]
+pub enum ListError {
+    /// Not to be opened.
+    #[error("--group: {file}")]
+    Unreadable {
+        /// Path.
+        file: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// No table.
+    #[error("{file}")]
+    Table {
+        /// Path.
+        file: PathBuf,
+        /// The reader's words, with the line.
+        source: ::csv::Error,
+    },
+    /// It has no such column.
+    #[error("{file}: there is no column {column:?} behind the first, which names the tests; the columns are {}", columns.join(", "))]
+    NoColumn {
+        /// Path.
+        file: PathBuf,
+        /// The column asked for.
+        column: String,
+        /// Those that there are.
+        columns: Vec<String>,
+    },
+    /// Nothing in it.
+    #[error("{file}: no line has a test in the first column and something under {column:?}")]
+    Empty {
+        /// Path.
+        file: PathBuf,
+        /// The column asked for.
+        column: String,
+    },
+    /// It names folders and something else.
+    #[error("{file}: line {line}: {of:?} is no folder, as others of the first column are")]
+    NoFolder {
+        /// Path.
+        file: PathBuf,
+        /// The line.
+        line: usize,
+        /// What stands there.
+        of: String,
+    },
+}
+
+/// A line of the list: what it is about, and the group.
+#[derive(Debug)]
+struct Entry {
+    line: usize,
+    of: String,
+    group: String,
+}
+
+/// A list with one of its columns.
+#[derive(Debug)]
+pub struct GroupList {
+    path: PathBuf,
+    column: String,
+    entries: Vec<Entry>,
+}
+
+/// The file and the column that the option names; `None` where it is no `FILE.csv:COLUMN`.
+pub fn named(by: &str) -> Option<(&Path, &str)> {
+    // A drive's letter has a colon too.
+    let (file, column) = by.rsplit_once(':')?;
+    let path = Path::new(file);
+    let is_list = path.extension().is_some_and(|e| ["csv", "txt"].iter().any(|ending| e.eq_ignore_ascii_case(ending)));
+    (is_list && !column.trim().is_empty()).then_some((path, column.trim()))
+}
+
+impl GroupList {
+    /// Reads a list: a heading, then a line a test. The first column names tests, their files or folders, with `*` for anything; columns are
+    /// separated by commas, semicolons or tabs.
+    ///
+    /// # Errors
+    /// A file that cannot be read, a column that it does not have, a line of another length, no line with a group.
+    pub fn read(path: &Path, column: &str) -> Result<GroupList, ListError> {
+        let unreadable = |source| ListError::Unreadable { file: path.to_owned(), source };
+        GroupList::of_text(&read_small_text(path).map_err(unreadable)?, path, column)
+    }
+
+    fn of_text(text: &str, path: &Path, column: &str) -> Result<GroupList, ListError> {
+        let file = || path.to_owned();
+        let table = |source| ListError::Table { file: file(), source };
+        let text = text.trim_start_matches('\u{feff}');
+        let separator = delimiter::detect(text.lines().next().unwrap_or_default());
+        let mut rows = ReaderBuilder::new().delimiter(separator).trim(Trim::All).from_reader(text.as_bytes());
+        let columns: Vec<String> = rows.headers().map_err(table)?.iter().map(str::to_owned).collect();
+        let Some(place) = columns.iter().skip(1).position(|c| c.eq_ignore_ascii_case(column)) else {
+            return Err(ListError::NoColumn { file: file(), column: column.to_owned(), columns });
+        };
+        let mut entries = Vec::new();
+        for row in rows.records() {
+            let row = row.map_err(table)?;
+            let line = row.position().map_or(0, ::csv::Position::line) as usize;
+            let cell = |k: usize| row.get(k).unwrap_or_default().to_owned();
+            entries.push(Entry { line, of: cell(0), group: cell(place + 1) });
+        }
+        entries.retain(|e| !e.of.is_empty());
+        if entries.iter().all(|e| e.group.is_empty()) {
+            return Err(ListError::Empty { file: file(), column: column.to_owned() });
+        }
+        Ok(GroupList { path: path.to_owned(), column: column.to_owned(), entries })
+    }
+
+    /// The folders that the list names, each with its group (empty where it has none); no folder where it names tests. Looked for beside the
+    /// list, in the data and as they stand.
+    ///
+    /// # Errors
+    /// A list that names folders and something else.
+    pub fn folders(&self, data: &[PathBuf]) -> Result<Vec<(PathBuf, &str)>, ListError> {
+        let beside = self.path.parent().unwrap_or(Path::new(""));
+        let within = || std::iter::once(beside).chain(data.iter().map(PathBuf::as_path)).chain([Path::new("")]);
+        let folder = |e: &Entry| within().map(|p| p.join(&e.of)).find(|p| p.is_dir());
+        let found: Vec<(PathBuf, &str)> =
+            self.entries.iter().filter_map(|e| Some((folder(e)?, e.group.as_str()))).collect();
+        if found.is_empty() || found.len() == self.entries.len() {
+            return Ok(found);
+        }
+        let other = self.entries.iter().find(|e| folder(e).is_none());
+        let (line, of) = other.map_or((0, String::new()), |e| (e.line, e.of.clone()));
+        Err(ListError::NoFolder { file: self.path.clone(), line, of })
+    }
+
+    /// The group of a record; the first line that names it counts.
+    pub fn group_of(&self, record: &Record) -> Option<&str> {
+        let entry = self.entries.iter().find(|e| e.names(record))?;
+        (!entry.group.is_empty()).then_some(entry.group.as_str())
+    }
+
+    /// Lines that name none of the records, in words.
+    pub fn without_test(&self, records: &[&Record]) -> Vec<String> {
+        let without = self.entries.iter().filter(|e| !records.iter().any(|r| e.names(r)));
+        without.map(|e| format!("{} (line {})", e.of, e.line)).collect()
+    }
+
+    /// What the option asked for, in words.
+    pub fn describe(&self) -> String {
+        format!("{}:{}", self.path.display(), self.column)
+    }
+}
+
+impl Entry {
+    /// Whether it is about this record: by the name of the test, or of its file.
+    fn names(&self, record: &Record) -> bool {
+        let of = self.of.replace('\\', "/");
+        let file = of.rsplit('/').next().unwrap_or(&of);
+        let stem = Path::new(file).file_stem().map_or(file, |s| s.to_str().unwrap_or(file));
+        [of.as_str(), file, stem].iter().any(|name| *name == record.name || glob_matches(name, &record.name))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn list(text: &str, column: &str) -> Result<GroupList, ListError> {
+        GroupList::of_text(text, Path::new("tests.csv"), column)
+    }
+
+    fn record(name: &str) -> Record {
+        Record { name: name.to_owned(), ..Record::default() }
+    }
+
+    #[test]
+    fn the_option_names_a_file_and_a_column() {
+        assert_eq!(named("tests.csv:clicks"), Some((Path::new("tests.csv"), "clicks")));
+        assert_eq!(named(r"C:\rig\Liste.CSV:Druck [bar]"), Some((Path::new(r"C:\rig\Liste.CSV"), "Druck [bar]")));
+        for other in ["folders", "*_c{}_*", "tests.csv:", "a:{}", "tests.csv"] {
+            assert_eq!(named(other), None, "{other}");
+        }
+    }
+
+    #[test]
+    fn a_test_is_named_by_itself_by_its_file_or_by_a_pattern() {
+        let list = list("\u{feff}Test;Serial;Clicks\na1;7;3\nrig/a2.csv;7;5\nb*;8;3\nc1;9;\n", "clicks").unwrap();
+        let group = |name: &str| list.group_of(&record(name)).map(str::to_owned);
+        assert_eq!(group("a1").as_deref(), Some("3"));
+        assert_eq!(group("a2").as_deref(), Some("5"));
+        assert_eq!(group("b17").as_deref(), Some("3"));
+        // Without an entry under the column, and without a line.
+        assert_eq!((group("c1"), group("d")), (None, None));
+        let (a, b) = (record("a1"), record("b1"));
+        assert_eq!(list.without_test(&[&a, &b]), ["rig/a2.csv (line 3)", "c1 (line 5)"]);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_list_is_said() {
+        let told = |text: &str, column: &str| {
+            let error = list(text, column).unwrap_err();
+            let cause = std::error::Error::source(&error).map_or_else(String::new, ToString::to_string);
+            format!("{error}: {cause}")
+        };
+        assert!(told("test,clicks\na,1\n", "pressure").contains("the columns are test, clicks"));
+        assert!(
+            told("test,clicks\na,1,2\n", "clicks").contains("line: 2"),
+            "{}",
+            told("test,clicks\na,1,2\n", "clicks")
+        );
+        assert!(told("test,clicks\na,\n", "clicks").contains("no line has a test"));
+        assert!(GroupList::read(Path::new("none.csv"), "a").is_err());
+    }
+}

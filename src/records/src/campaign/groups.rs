@@ -1,0 +1,275 @@
+//! The data of many dampers, or of one at many settings, in groups: `dashpot diagnose --group`.
+
+use super::group_list::{self, GroupList, ListError};
+use super::loading::Campaign;
+use super::rig_sign::agree_on_sign;
+use super::unusable::Unusable;
+use crate::data::record::{Note, Record};
+use crate::error::RecordError;
+use crate::glob::matches as glob_matches;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// The records of one damper or setting.
+#[derive(Debug)]
+pub struct Group {
+    /// Its name: that of the folder, what the pattern found in the names of its tests, or what the list has in its column.
+    pub name: String,
+    /// Its records.
+    pub records: Vec<Record>,
+}
+
+/// Data split into groups.
+#[derive(Default)]
+pub struct Split {
+    /// The groups.
+    pub groups: Vec<Group>,
+    /// Tests, or folders, that belong to none.
+    pub left_aside: Vec<String>,
+    /// Lines of a list that name none of the tests.
+    pub without_test: Vec<String>,
+    /// Files and tests that could not be used.
+    pub unusable: Vec<Unusable>,
+    /// Every file read.
+    pub files: Vec<PathBuf>,
+    /// What reading noticed of campaigns as a whole.
+    pub notes: Vec<Note>,
+}
+
+/// Why data are not split.
+#[derive(Debug, thiserror::Error)]
+pub enum GroupError {
+    /// None of the three ways.
+    #[error(
+        "--group takes the word folders, a pattern of the tests' names with {PLACE} once where the group stands and * for anything, such as \
+         '*_c{PLACE}_*', or a list with a column, such as tests.csv:clicks; it is {by:?}"
+    )]
+    NoWay {
+        /// What was given.
+        by: String,
+    },
+    /// Not to be looked into.
+    #[error("{folder}")]
+    Folder {
+        /// The path.
+        folder: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// No folder of a damper.
+    #[error("--group folders: there is no folder in {data}; put the records of each damper into one")]
+    NoFolders {
+        /// The data in words.
+        data: String,
+    },
+    /// A pattern that no test has.
+    #[error("--group {pattern:?} matches no test; the first is called {first:?}")]
+    NoMatch {
+        /// The pattern.
+        pattern: String,
+        /// Name of the first test.
+        first: String,
+    },
+    /// A list of other tests.
+    #[error("--group {list}: the list gives no test of the data a group; the first is called {first:?}")]
+    NotListed {
+        /// The list.
+        list: String,
+        /// Name of the first test.
+        first: String,
+    },
+    /// A list that is none.
+    #[error(transparent)]
+    List(#[from] ListError),
+    /// Records that cannot be read.
+    #[error(transparent)]
+    Read(#[from] RecordError),
+}
+
+/// Reads record files and folders as one campaign, all in the same way.
+pub type Read<'a> = dyn Fn(&[PathBuf]) -> Result<Campaign, RecordError> + 'a;
+
+/// What stands for the name of the group in a pattern.
+const PLACE: &str = "{}";
+
+/// Splits the data into groups.
+///
+/// The groups are the folders in it (`folders`), a part of the tests' names (a pattern with `{}`), or a column of a
+/// list (`FILE.csv:COLUMN`). `read` reads what is to be one campaign. All groups, and their `reference`, count one
+/// direction positive, as far as they are of one rig.
+///
+/// # Errors
+/// A pattern without `{}`, data without folders, a list without that column or without one of the tests, records that cannot be read.
+pub fn split(
+    data: &[PathBuf],
+    by: &str,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Split, GroupError> {
+    let mut split = match (by, group_list::named(by)) {
+        ("folders", _) => by_folders(data, read, reference)?,
+        (_, Some((path, column))) => by_list(data, &GroupList::read(path, column)?, read, reference)?,
+        _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
+        _ => return Err(GroupError::NoWay { by: by.to_owned() }),
+    };
+    // Pressures, clicks and serial numbers in the order of the number.
+    let number = |group: &Group| group.name.replace(',', ".").parse::<f64>().ok();
+    if split.groups.iter().all(|g| number(g).is_some()) {
+        split.groups.sort_by(|a, b| number(a).unwrap_or(0.0).total_cmp(&number(b).unwrap_or(0.0)));
+    }
+    Ok(split)
+}
+
+/// The folders in the data, in the order of their names.
+fn folders_in(data: &[PathBuf]) -> Result<Vec<PathBuf>, GroupError> {
+    let mut folders: Vec<PathBuf> = Vec::new();
+    for path in data {
+        let within = std::fs::read_dir(path).map_err(|source| GroupError::Folder { folder: path.clone(), source })?;
+        folders.extend(within.filter_map(|entry| entry.ok().map(|e| e.path())).filter(|p| p.is_dir()));
+    }
+    folders.sort();
+    Ok(folders)
+}
+
+impl Split {
+    /// Takes over what a campaign says beside its records, which it gives back.
+    fn without_records(&mut self, campaign: Campaign) -> Vec<Record> {
+        self.files.extend(campaign.files);
+        self.unusable.extend(campaign.unusable);
+        self.notes.extend(campaign.notes);
+        campaign.records
+    }
+
+    /// Puts records into their groups, those of none aside. Where there is no group at all the name of the first record is given back.
+    fn sort(
+        &mut self,
+        records: Vec<Record>,
+        group_of: impl Fn(&Record) -> Option<String>,
+        groups: &mut BTreeMap<String, Vec<Record>>,
+    ) -> Result<(), String> {
+        for record in records {
+            match group_of(&record) {
+                Some(name) => groups.entry(name).or_default().push(record),
+                None => self.left_aside.push(record.name),
+            }
+        }
+        if groups.is_empty() { Err(self.left_aside.first().cloned().unwrap_or_default()) } else { Ok(()) }
+    }
+}
+
+fn by_folders(data: &[PathBuf], read: &Read<'_>, reference: Option<&mut Campaign>) -> Result<Split, GroupError> {
+    let folders = folders_in(data)?;
+    if folders.is_empty() {
+        let data: Vec<String> = data.iter().map(|p| p.display().to_string()).collect();
+        return Err(GroupError::NoFolders { data: data.join(", ") });
+    }
+    let mut split = Split::default();
+    let campaigns = read_each(folders.iter(), read, reference)?;
+    for (folder, campaign) in folders.iter().zip(campaigns) {
+        let name = folder.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        let records = split.without_records(campaign);
+        split.groups.push(Group { name, records });
+    }
+    Ok(split)
+}
+
+/// Reads folders, each as one campaign, which then agree on the direction that they count positive.
+fn read_each<'a>(
+    folders: impl Iterator<Item = &'a PathBuf>,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Vec<Campaign>, RecordError> {
+    let mut campaigns =
+        folders.map(|folder| read(std::slice::from_ref(folder))).collect::<Result<Vec<Campaign>, RecordError>>()?;
+    agree_on_sign(&mut campaigns.iter_mut().chain(reference).collect::<Vec<_>>());
+    Ok(campaigns)
+}
+
+fn by_name(
+    data: &[PathBuf],
+    pattern: &str,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Split, GroupError> {
+    let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
+    let mut split = Split::default();
+    let mut campaign = read(data)?;
+    agree_on_sign(&mut std::iter::once(&mut campaign).chain(reference).collect::<Vec<_>>());
+    let records = split.without_records(campaign);
+    split
+        .sort(records, |record| found(pattern, &record.name).map(str::to_owned), &mut groups)
+        .map_err(|first| GroupError::NoMatch { pattern: pattern.to_owned(), first })?;
+    split.groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
+    Ok(split)
+}
+
+fn by_list(
+    data: &[PathBuf],
+    list: &GroupList,
+    read: &Read<'_>,
+    reference: Option<&mut Campaign>,
+) -> Result<Split, GroupError> {
+    let mut groups: BTreeMap<String, Vec<Record>> = BTreeMap::new();
+    let mut split = Split::default();
+    let folders = list.folders(data)?;
+    let (grouped, aside): (Vec<_>, Vec<_>) = folders.iter().partition(|(_, group)| !group.is_empty());
+    split.left_aside.extend(aside.iter().map(|(folder, _)| folder.display().to_string()));
+    let mut reference = reference;
+    let campaigns = if grouped.is_empty() {
+        Vec::new()
+    } else {
+        read_each(grouped.iter().map(|(folder, _)| folder), read, reference.take())?
+    };
+    for ((_, group), campaign) in grouped.iter().zip(campaigns) {
+        let records = split.without_records(campaign);
+        groups.entry((*group).to_owned()).or_default().extend(records);
+    }
+    if !folders.is_empty() {
+        // The list may lie elsewhere and name them by another way.
+        let place = |p: &Path| p.canonicalize().unwrap_or_else(|_| p.to_owned());
+        let listed: Vec<PathBuf> = folders.iter().map(|(folder, _)| place(folder)).collect();
+        let others = folders_in(data)?.into_iter().filter(|p| !listed.contains(&place(p)));
+        split.left_aside.extend(others.map(|p| p.display().to_string()));
+    } else {
+        let mut campaign = read(data)?;
+        agree_on_sign(&mut std::iter::once(&mut campaign).chain(reference).collect::<Vec<_>>());
+        let records = split.without_records(campaign);
+        split.without_test = list.without_test(&records.iter().collect::<Vec<_>>());
+        split
+            .sort(records, |record| list.group_of(record).map(str::to_owned), &mut groups)
+            .map_err(|first| GroupError::NotListed { list: list.describe(), first })?;
+    }
+    split.groups = groups.into_iter().map(|(name, records)| Group { name, records }).collect();
+    Ok(split)
+}
+
+/// The shortest part of a name that stands where the pattern has `{}`, the first of equals.
+fn found<'a>(pattern: &str, name: &'a str) -> Option<&'a str> {
+    let (before, after) = pattern.split_once(PLACE)?;
+    let places: Vec<usize> = name.char_indices().map(|(i, _)| i).chain([name.len()]).collect();
+    let spans = places.iter().enumerate().flat_map(|(k, a)| places[k + 1..].iter().map(move |b| (*a, *b)));
+    spans
+        .filter(|(a, b)| glob_matches(before, &name[..*a]) && glob_matches(after, &name[*b..]))
+        .min_by_key(|(a, b)| (b - a, *a))
+        .map(|(a, b)| &name[a..b])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_group_is_what_stands_at_its_place_in_the_name() {
+        for (pattern, name, group) in [
+            ("*_c{}_*", "a25mm_c12_v0131", Some("12")),
+            ("sn{}", "sn0041", Some("0041")),
+            ("{}bar*", "20bar_a05", Some("20")),
+            ("*_p{}", "a_p5_p7", Some("7")),
+            ("*_c{}_*", "a25mm_v0131", None),
+            ("sn{}", "sn", None),
+            ("größe{}_*", "größe3_ä", Some("3")),
+        ] {
+            assert_eq!(found(pattern, name), group, "{pattern} {name}");
+        }
+    }
+}

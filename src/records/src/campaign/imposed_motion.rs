@@ -1,0 +1,147 @@
+//! Reads a motion to be imposed on a model: the same files as records, but taken as they stand.
+
+use std::path::Path;
+
+use super::profile::{self, Profile};
+use super::record_file::read_file;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::options::{Options, Positive};
+use crate::quantities::channel::Channel;
+use crate::signal::consistency;
+
+/// A motion as its file gives it: SI, extension (rebound) positive, nothing cleaned.
+///
+/// All channels have the same length, at least two; time increases; at least one of displacement and velocity is there.
+#[derive(Debug, Clone, Default)]
+pub struct MotionRecord {
+    /// Time, s, strictly increasing.
+    pub time: Vec<f64>,
+    /// Displacement, m.
+    pub displacement: Option<Vec<f64>>,
+    /// Velocity, m/s.
+    pub velocity: Option<Vec<f64>>,
+    /// Side force, N.
+    pub side_force: Option<Vec<f64>>,
+    /// Damper temperature, °C.
+    pub temperature: Option<Vec<f64>>,
+}
+
+/// Reads a motion. Units, columns and channels to ignore are read from `options` as for records; signs are not: the
+/// file counts extension positive, unless a profile beside it says otherwise. A force column is left unread.
+///
+/// # Errors
+/// [`RecordError`] where the file cannot be read, lacks a value, holds several tests, its time does not increase, or its velocity
+/// is that of another motion than its displacement.
+pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, RecordError> {
+    if !file.exists() {
+        return Err(RecordError::NotFound { file: file.into() });
+    }
+    let profile = Profile::read(&profile::folder_of(file))?.map(|p| p.options().unwrap_or_default());
+    let mut options = profile.as_ref().map_or_else(|| options.clone(), |profile| options.over(profile));
+    options.ignore.insert(Channel::Force);
+    let mut tests = read_file(file, &options)?;
+    let Some(samples) = tests.pop() else {
+        return Err(RecordError::NoData { at: crate::Place::file(file) });
+    };
+    if let Some(other) = tests.first() {
+        return Err(RecordError::SeveralMotions { file: file.into(), first: other.name.clone(), second: samples.name });
+    }
+    check(&samples)?;
+    if let (Some(displacement), Some(velocity)) = (&samples.displacement, &samples.velocity)
+        && let Some(agreement) = consistency::compare(&samples.time, displacement, velocity)
+        && let Some(cause) = consistency::contradiction(&agreement)
+    {
+        return Err(RecordError::Contradiction { at: samples.at, cause });
+    }
+    let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
+    // A profile says how the files beside it count; without one they count extension positive.
+    if let Some(profile) = profile {
+        let turned = profile.flip_motion != (profile.positive == Some(Positive::Compression));
+        let sign = if turned { -1.0 } else { 1.0 };
+        displacement.iter_mut().flatten().for_each(|x| *x = sign * (*x - profile.displacement_zero_m));
+        velocity.iter_mut().flatten().for_each(|v| *v *= sign);
+    }
+    Ok(MotionRecord { time, displacement, velocity, side_force, temperature })
+}
+
+fn check(samples: &Samples) -> Result<(), RecordError> {
+    for channel in Channel::ALL {
+        let Some(values) = samples.channel(channel) else { continue };
+        if let Some(row) = values.iter().position(|v| !v.is_finite()) {
+            return Err(RecordError::MotionGap { at: samples.at.clone(), line: samples.lines[row], channel });
+        }
+    }
+    if samples.len() < 2 {
+        return Err(RecordError::ShortMotion { at: samples.at.clone() });
+    }
+    if let Some(row) = samples.time.windows(2).position(|t| t[1] <= t[0]) {
+        return Err(RecordError::MotionTime {
+            at: samples.at.clone(),
+            line: samples.lines[row + 1],
+            from: samples.time[row],
+            to: samples.time[row + 1],
+        });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Channel;
+    use crate::Unit;
+
+    fn read(text: &str, options: &Options) -> Result<MotionRecord, String> {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("road.csv");
+        std::fs::write(&file, text).unwrap();
+        read_motion(&file, options).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn a_motion_needs_no_force_and_is_not_touched() {
+        let motion = read("t_ms;x_mm;F\n0;0,5;1\n1;99;2\n2;0,5;3\n", &Options::default()).unwrap();
+        assert_eq!(motion.time, [0.0, 0.001, 0.002]);
+        // A jump that the cleaning of records would take for an outlier.
+        assert_eq!(motion.displacement.unwrap(), [0.0005, 0.099, 0.0005]);
+        assert!(motion.velocity.is_none());
+        let options = Options { units: [(Channel::Velocity, Unit::MillimetrePerSecond)].into(), ..Options::default() };
+        let motion = read("time [s],velocity\n0,5\n1,6\n", &options).unwrap();
+        assert_eq!(motion.velocity.unwrap(), [0.005, 0.006]);
+    }
+
+    #[test]
+    fn a_velocity_of_another_sign_or_unit_than_the_displacement_is_refused() {
+        let rows = |scale: f64| {
+            let row = |k: i32| {
+                let phase = 0.1 * f64::from(k);
+                format!("{},{},{}\n", 0.01 * f64::from(k), 0.01 * phase.sin(), scale * 0.1 * phase.cos())
+            };
+            (0..200).map(row).collect::<String>()
+        };
+        let message = |scale| read(&format!("time_s,x_m,v_m_s\n{}", rows(scale)), &Options::default()).unwrap_err();
+        assert!(message(-1.0).contains("opposite signs") && message(-1.0).contains("road.csv"), "{}", message(-1.0));
+        assert!(message(1000.0).contains("mm"), "{}", message(1000.0));
+        assert!(read(&format!("time_s,x_m,v_m_s\n{}", rows(1.0)), &Options::default()).is_ok());
+    }
+
+    #[test]
+    fn what_is_no_motion_is_refused_with_its_line() {
+        for (text, wanted) in [
+            ("time_s,x_m\n0,1\n1,nan\n2,1\n", "road.csv, line 3: displacement is missing or no number"),
+            ("time_s,x_m\n0,1\n,2\n2,1\n", "line 3: time is missing"),
+            ("time_s,x_m\n0,1\n1,1\n1,2\n", "line 4: time does not increase: 1 s comes after 1 s"),
+            ("time_s,x_m\n0,1\n2,1\n1,2\n", "line 4: time does not increase: 1 s comes after 2 s"),
+            ("time_s,x_m\n0,1\n", "has one row; a motion needs at least two"),
+            ("time_s,x_m\n", "no data rows"),
+            ("", "is empty (0 bytes)"),
+            ("a,b\n1,2\n", "no header line"),
+            ("time_s,force_N\n0,1\n1,1\n", "no column for displacement or velocity"),
+            ("test,time_s,x_m\na,0,1\na,1,1\nb,0,1\nb,1,1\n", "holds several tests, 'a' and 'b'"),
+        ] {
+            let message = read(text, &Options::default()).unwrap_err();
+            assert!(message.contains(wanted) && message.contains("road.csv"), "{text:?}: {message}");
+        }
+    }
+}

@@ -1,0 +1,553 @@
+//! Loads the records of a campaign: finds the files, reads and cleans them in parallel, settles the sign.
+
+use std::collections::{HashMap, HashSet};
+use std::path::PathBuf;
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::file_search::{Below, Found, file_name, find};
+use super::profile;
+use super::record_file::read_file;
+use super::unusable::{self, Sieve, Unusable};
+use super::{common_clock, date_agreement};
+use crate::checks::rig_frame::RigFrame;
+use crate::checks::sign::{self, SignFinding};
+use crate::checks::{file_units, force_levels, force_offset, plausibility, truncated_test, unit_magnitude};
+use crate::cleaning;
+use crate::data::complete_motion::Motion;
+use crate::data::record::{Note, Record};
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::options::Options;
+use crate::quantities::channel::Channel;
+use crate::settings::{assignment, unstated_settings};
+use crate::signal::delay::Delay;
+
+/// The records of a campaign, cleaned, in SI, rebound and tension positive.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Campaign {
+    /// One record per test, in natural order of the file names, then in the order within the file.
+    pub records: Vec<Record>,
+    /// Which direction the files count positive, and how sure that is.
+    pub sign: SignFinding,
+    /// How the rig counts its own position, and how far it has gone.
+    #[serde(skip)]
+    pub frame: RigFrame,
+    /// How late the force comes, where that stands out; nothing was moved for it.
+    pub delay: Option<Delay>,
+    /// What concerns the campaign as a whole.
+    pub notes: Vec<Note>,
+    /// Files and tests that could not be used, with the reason of each; the notes name the first of them too.
+    pub unusable: Vec<Unusable>,
+    /// Every file that was read, profiles too, in the order of reading.
+    #[serde(skip)]
+    pub files: Vec<PathBuf>,
+}
+
+impl Campaign {
+    /// Names what another campaign that this one is looked at beside had to leave out.
+    pub fn also_without(&mut self, others: Vec<Unusable>) {
+        self.notes.extend(unusable::notes(&others));
+        self.unusable.extend(others);
+    }
+}
+
+/// How far loading has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Steps done.
+    pub done: usize,
+    /// Steps in all; may grow while files turn out to hold several tests.
+    pub total: usize,
+}
+
+/// Loads files and folders as one campaign.
+///
+/// A folder stands for all record files directly in it, and with [`Options::subfolders`] for those in its subfolders too. What `campaign.toml` beside the records says holds where `options`
+/// say nothing. A file that is no record, and a test that has a fault of its own, are named and left out, unless
+/// [`Options::strict`]. `progress` is called from several threads, once per finished step. The result does not depend on
+/// the number of threads.
+///
+/// # Errors
+/// [`RecordError`] where the records need an answer of the user, or nothing usable is left.
+pub fn load(
+    paths: &[PathBuf],
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Campaign, RecordError> {
+    if let Some(&channel) = [Channel::Time, Channel::Force].iter().find(|c| options.ignore.contains(c)) {
+        return Err(RecordError::Indispensable { channel });
+    }
+    let mut notes = Vec::new();
+    let Found { files, folders, below, mut excluded } = find(paths, options, &mut notes)?;
+    let given = options;
+    let options = &whole(given, &folders)?;
+    let counter = Counter::new(files.len(), progress);
+    // Every file is read before the first error is picked, so that the error does not depend on the threads.
+    let read: Vec<Result<Vec<Samples>, RecordError>> = files
+        .par_iter()
+        .map(|file| {
+            let tests = read_file(&file.path, &file.options);
+            counter.step(tests.as_ref().map_or(0, Vec::len));
+            tests
+        })
+        .collect();
+    // Where the folder itself holds strays alone, the records are below it.
+    let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
+    if let (true, Some(below)) = (strays_alone, below.first()) {
+        return Err(below.to_error());
+    }
+    let mut sieve = Sieve::new(options.strict);
+    let mut tests: Vec<(&Options, Samples)> = Vec::new();
+    for (file, read) in files.iter().zip(read) {
+        let mut read = sieve.pass(read)?.unwrap_or_default();
+        read.iter_mut().for_each(|test| test.name.insert_str(0, &file.within));
+        let kept = read.into_iter().filter(|test| !excluded.takes(&file.options, &test.name));
+        tests.extend(kept.map(|test| (&*file.options, test)));
+    }
+    if let Some(pattern) = given.exclude.iter().find(|p| !excluded.patterns.contains(*p)) {
+        let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
+        return Err(RecordError::ExcludesNothing { pattern: pattern.clone(), first });
+    }
+    if tests.is_empty() && sieve.is_empty() {
+        return Err(RecordError::ExcludesAll { count: excluded.count });
+    }
+    date_agreement::settle(&mut tests, &mut notes);
+    notes.extend(below.iter().map(Below::note));
+    let sorted: Vec<(&Options, Result<Vec<Samples>, RecordError>)> =
+        tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();
+    let mut pieces = Vec::new();
+    for (options, sorted) in sorted {
+        pieces.extend(sieve.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
+    }
+    let readings = pieces
+        .iter()
+        .map(|(options, piece)| (piece.at.to_string(), file_units::Reading { units: piece.units.clone(), options }))
+        .collect();
+    let reach = pieces.iter().fold(cleaning::Reach::default(), |reach, (_, piece)| reach.with(piece));
+    let mended: Vec<Result<_, RecordError>> = pieces
+        .into_par_iter()
+        .map(|(options, test)| {
+            let mended = cleaning::mend(test, options, &reach);
+            counter.step(0);
+            mended
+        })
+        .collect();
+    let mut motions =
+        mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    sieve.reject_most(motions.len())?;
+    tell_splits(&motions, &mut notes);
+    let mut of_the_sign = Vec::new();
+    let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
+    let counted = sign.counted();
+    let finished: Vec<Result<Record, RecordError>> = motions
+        .into_par_iter()
+        .map(|motion| {
+            let mut record = cleaning::finish(motion)?;
+            record.counted = Some(counted);
+            record.apparent_delay_s = delay.map_or(0.0, |delay| delay.seconds);
+            plausibility::refuse_absurd(&record, options)?;
+            Ok(record)
+        })
+        .collect();
+    let mut records =
+        finished.into_iter().map(|r| sieve.pass(r)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    sieve.reject_most(records.len())?;
+    let unusable = sieve.report(&mut notes);
+    notes.append(&mut of_the_sign);
+    unique_names(&mut records);
+    assignment::assign_settings(&mut records, &options.settings, &mut notes);
+    common_clock::settle(&mut records, &mut notes);
+    unit_magnitude::refuse(&records, options)?;
+    file_units::refuse(&records, &readings)?;
+    plausibility::remark(&records, options, &mut notes)?;
+    let in_the_middle = force_levels::in_the_middle(&records);
+    force_offset::tell(&records, &in_the_middle, &mut notes);
+    unstated_settings::tell(&records, &in_the_middle, &mut notes);
+    truncated_test::tell(&records, &mut notes);
+    let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
+    let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
+    let frame = RigFrame::new(&records, &sign, options);
+    Ok(Campaign { records, sign, frame, delay, notes, unusable, files })
+}
+
+/// Notes of a test that concern its file, or what counts as a test.
+const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "settings"];
+
+/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
+///
+/// So it does what is wrong with a file.
+fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
+    let mut told: Vec<Note> = Vec::new();
+    for motion in motions {
+        for note in motion.notes.iter().filter(|n| OF_THE_FILE.contains(&n.kind)) {
+            let file = motion.at.file.display().to_string();
+            let text = Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone());
+            if told.iter().all(|n| n.text != text) {
+                told.push(Note { kind: note.kind, text });
+            }
+        }
+    }
+    notes.splice(0..0, told);
+}
+
+/// What holds for the campaign as a whole: the options, and the direction that profiles agree on.
+fn whole(options: &Options, folders: &[(PathBuf, Options)]) -> Result<Options, RecordError> {
+    let mut whole = options.clone();
+    if let [(_, only)] = folders {
+        whole = whole.over(only);
+    }
+    let mut said = folders.iter().filter_map(|(folder, of)| of.positive.map(|p| (folder, p)));
+    if let (None, Some((first, positive))) = (options.positive, said.next()) {
+        if let Some((second, _)) = said.find(|(_, other)| *other != positive) {
+            return Err(RecordError::ProfilesDisagree {
+                first: first.join(profile::FILE),
+                second: second.join(profile::FILE),
+            });
+        }
+        whole.positive = Some(positive);
+    }
+    whole.strict = options.strict;
+    Ok(whole)
+}
+
+/// Counts finished steps for the caller's progress display.
+struct Counter<'a> {
+    done: std::sync::atomic::AtomicUsize,
+    total: std::sync::atomic::AtomicUsize,
+    report: &'a (dyn Fn(Progress) + Sync),
+}
+
+impl<'a> Counter<'a> {
+    fn new(total: usize, report: &'a (dyn Fn(Progress) + Sync)) -> Self {
+        Counter { done: 0.into(), total: total.into(), report }
+    }
+
+    fn step(&self, new_steps: usize) {
+        use std::sync::atomic::Ordering::Relaxed;
+        let total = self.total.fetch_add(new_steps, Relaxed) + new_steps;
+        let done = self.done.fetch_add(1, Relaxed) + 1;
+        (self.report)(Progress { done, total });
+    }
+}
+
+/// Gives records of equal name (same test name in two files) a number, so that every name is one record.
+fn unique_names(records: &mut [Record]) {
+    let mut taken: HashSet<String> = HashSet::with_capacity(records.len());
+    // The number to try next, by name.
+    let mut next: HashMap<String, usize> = HashMap::new();
+    for record in records {
+        if taken.contains(&record.name) {
+            let number = next.entry(record.name.clone()).or_insert(2);
+            let name = loop {
+                let name = format!("{} ({number})", record.name);
+                *number += 1;
+                if !taken.contains(&name) {
+                    break name;
+                }
+            };
+            record.name = name;
+        }
+        taken.insert(record.name.clone());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    use super::*;
+    use crate::fixtures::SineTest;
+
+    fn quiet(_: Progress) {}
+
+    /// A folder with these files.
+    fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in files {
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+        folder
+    }
+
+    fn load_folder(folder: &tempfile::TempDir, options: &Options) -> Result<Campaign, RecordError> {
+        load(&[folder.path().to_path_buf()], options, &quiet)
+    }
+
+    fn sine(frequency: f64) -> String {
+        SineTest { frequency, seed: (1e3 * frequency) as u64, ..SineTest::default() }.csv()
+    }
+
+    #[test]
+    fn a_folder_is_a_campaign_in_natural_order() {
+        let folder = folder(&[
+            ("test10.csv", &sine(2.0)),
+            ("test2.csv", &sine(0.5)),
+            ("Test1.csv", &sine(0.02)),
+            (".hidden.csv", "rubbish"),
+            ("~$open.xlsx", "rubbish"),
+            ("README.md", "about"),
+            ("campaign.toml", ""),
+        ]);
+        let calls = AtomicUsize::new(0);
+        let progress = |p: Progress| {
+            assert!(p.done >= 1);
+            calls.fetch_add(1, Relaxed);
+        };
+        let campaign = load(&[folder.path().to_path_buf()], &Options::default(), &progress).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["Test1", "test2", "test10"]);
+        assert_eq!(calls.load(Relaxed), 6); // three files, three tests
+        assert_eq!(campaign.sign.positive, crate::Positive::Rebound);
+        let note = &campaign.notes[0];
+        assert!(
+            note.kind == "ignored" && note.text.to_string().contains("README.md, campaign.toml")
+                || note.text.to_string().contains("campaign.toml, README.md")
+        );
+        assert!(!note.text.to_string().contains("hidden"));
+        for (record, frequency) in campaign.records.iter().zip([0.02, 0.5, 2.0]) {
+            assert_eq!(record.cycles.len(), 5);
+            assert!((record.frequency / frequency - 1.0).abs() < 2e-3, "{}", record.frequency);
+            assert!((record.noise.force_rms / 4.0 - 1.0).abs() < 0.1);
+        }
+    }
+
+    #[test]
+    fn the_result_does_not_depend_on_the_number_of_threads() {
+        let files: Vec<(String, String)> = (1..8).map(|k| (format!("t{k}.csv"), sine(0.3 * f64::from(k)))).collect();
+        let files: Vec<(&str, &str)> = files.iter().map(|(a, b)| (a.as_str(), b.as_str())).collect();
+        let folder = folder(&files);
+        let with = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            format!("{:?}", pool.install(|| load_folder(&folder, &Options::default()).unwrap()))
+        };
+        assert!(with(1) == with(4));
+    }
+
+    #[test]
+    fn one_file_with_several_tests_gives_one_record_each() {
+        let mut text = String::from("Test No;Time [ms];Stroke [mm];Force [kN]\n");
+        for (name, frequency) in [("A7", 0.5), ("A8", 2.0)] {
+            let samples = SineTest { frequency, ..SineTest::default() }.samples();
+            let x = samples.displacement.as_ref().unwrap();
+            for ((t, x), f) in samples.time.iter().zip(x).zip(&samples.force) {
+                let row = format!("{name};{:.3};{:.6};{:.7}\n", 1e3 * t, 1e3 * x, 1e-3 * f);
+                text.push_str(&row.replace('.', ","));
+            }
+        }
+        let folder = folder(&[("all.csv", &text)]);
+        let campaign = load_folder(&folder, &Options::default()).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["A7", "A8"]);
+        assert!(campaign.records[1].source.ends_with("all.csv (test 'A8')"));
+        assert!((campaign.records[1].amplitude - 0.05).abs() < 2e-4);
+        let notes = &campaign.records[0].notes;
+        assert!(notes.iter().any(|n| n.kind == "converted") && notes.iter().any(|n| n.kind == "derived"));
+    }
+
+    #[test]
+    fn records_of_equal_name_are_told_apart() {
+        let (one, two) = (folder(&[("a.csv", &sine(1.0))]), folder(&[("a.csv", &sine(2.0))]));
+        let other_way = one.path().join("..").join(one.path().file_name().unwrap()).join("a.csv");
+        let paths = [one.path().join("a.csv"), two.path().to_path_buf(), one.path().join("a.csv"), other_way];
+        let campaign = load(&paths, &Options::default(), &quiet).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["a", "a (2)"]);
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_refused_with_the_file_named() {
+        let message =
+            |files: &[(&str, &str)]| load_folder(&folder(files), &Options::default()).unwrap_err().to_string();
+        assert!(message(&[("notes.pdf", "")]).contains("holds no record"));
+        assert!(message(&[("notes.txt", "")]).contains("notes.txt: is empty (0 bytes)"));
+        assert!(message(&[("a.csv", "alpha,beta\n1,2\n")]).contains("a.csv: no header line"));
+        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n")]).contains("a.csv: has a header but no data"));
+        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable samples"));
+        // The first bad file in order is named, whichever thread finds its fault first.
+        let files = [("a1.csv", sine(1.0)), ("a2.csv", "x\n".into()), ("a10.csv", "y\n".into())];
+        let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
+        let strict = Options { strict: true, ..Options::default() };
+        assert!(load_folder(&folder(&files), &strict).unwrap_err().to_string().contains("a2.csv"));
+        let folder = folder(&[("a.pdf", "")]);
+        let path = |name: &str| load(&[folder.path().join(name)], &Options::default(), &quiet).unwrap_err().to_string();
+        assert!(path("missing.csv").contains("missing.csv: there is no such file"));
+        assert!(path("a.pdf").contains("a.pdf: is no record"));
+        assert!(load(&[], &Options::default(), &quiet).unwrap_err().to_string().contains("no record given"));
+    }
+
+    #[test]
+    fn strays_are_named_and_left_out() {
+        let (good, stub) = (sine(1.0), "time_s,x_mm,force_N\n1,2,3\n");
+        let files = [
+            ("a.csv", good.as_str()),
+            ("b.csv", "alpha,beta\n1,2\n"),
+            ("c.csv", ""),
+            ("d.csv", stub),
+            ("e.xlsx", "no workbook"),
+            ("readme.txt", "about this folder\n"),
+        ];
+        let campaign = load_folder(&folder(&files), &Options::default()).unwrap();
+        assert_eq!(campaign.records.len(), 1);
+        let told: Vec<String> =
+            campaign.notes.iter().filter(|n| n.kind == "left_out").map(|n| n.text.to_string()).collect();
+        assert_eq!(told.len(), 5, "{told:?}");
+        for (name, why) in [
+            ("b.csv", "no header line"),
+            ("c.csv", "is empty"),
+            ("d.csv", "only 1 usable"),
+            ("e.xlsx", "workbook"),
+            ("readme.txt", "header"),
+        ] {
+            assert!(told.iter().any(|t| t.contains(name) && t.contains(why)), "{name}: {told:?}");
+        }
+        // A record that needs an answer is no stray.
+        let unit = good.replace("force_N", "force");
+        let files = [("a.csv", good.as_str()), ("b.csv", unit.as_str())];
+        assert!(
+            load_folder(&folder(&files), &Options::default()).unwrap_err().to_string().contains("'force' has no unit")
+        );
+    }
+
+    #[test]
+    fn records_in_subfolders_are_told_of_and_read_where_they_are_asked_for() {
+        let tests = |folder: &tempfile::TempDir| {
+            for (sub, name, frequency) in [("sine", "a", 1.0), ("sine", "b", 2.0), ("tri/slow", "a", 0.5)] {
+                fs::create_dir_all(folder.path().join(sub)).unwrap();
+                fs::write(folder.path().join(sub).join(format!("{name}.csv")), sine(frequency)).unwrap();
+            }
+            fs::create_dir_all(folder.path().join("pictures")).unwrap();
+            fs::write(folder.path().join("pictures/a.jpg"), "").unwrap();
+        };
+        let deep = Options { subfolders: true, ..Options::default() };
+        let names = |campaign: &Campaign| campaign.records.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
+        // Subfolders alone, and a table of results beside them that is no record.
+        for strays in
+            [&[][..], &[("results.csv", "v [m/s];pull [N];push [N]\n0.1;200;90\n"), ("notes.txt", "cold start\n")]]
+        {
+            let folder = folder(strays);
+            tests(&folder);
+            let message = load_folder(&folder, &Options::default()).unwrap_err().to_string();
+            assert!(message.contains("sine, tri") && message.contains("--subfolders"), "{message}");
+            let campaign = load_folder(&folder, &deep).unwrap();
+            assert_eq!(names(&campaign), ["sine/a", "sine/b", "tri/slow/a"]);
+            let left_out = |n: &&Note| n.kind == "left_out";
+            assert_eq!(campaign.notes.iter().filter(left_out).count(), strays.len(), "{:?}", campaign.notes);
+            assert!(campaign.notes.iter().any(|n| n.text.to_string().contains("pictures")));
+            // A pattern may name the subfolder too.
+            let without = Options { exclude: vec!["sine/*".into()], ..deep.clone() };
+            assert_eq!(names(&load_folder(&folder, &without).unwrap()), ["tri/slow/a"]);
+        }
+        // Beside records of the folder itself they are told of, and a profile may ask for them.
+        let folder = folder(&[("own.csv", &sine(3.0))]);
+        tests(&folder);
+        let campaign = load_folder(&folder, &Options::default()).unwrap();
+        assert_eq!(names(&campaign), ["own"]);
+        let told = campaign.notes.iter().find(|n| n.kind == "subfolders").unwrap().text.to_string();
+        assert!(told.contains("3 files") && told.contains("sine, tri") && !told.contains("pictures"), "{told}");
+        let profile = "format = \"dashpot campaign profile 1\"\nsubfolders = true\n";
+        fs::write(folder.path().join("campaign.toml"), profile).unwrap();
+        assert_eq!(
+            names(&load_folder(&folder, &Options::default()).unwrap()),
+            ["own", "sine/a", "sine/b", "tri/slow/a"]
+        );
+    }
+
+    #[test]
+    fn files_of_text_in_folders_are_records_whatever_their_ending() {
+        let texts: Vec<String> = [0.5, 1.0, 2.0, 3.0].iter().map(|f| sine(*f).replace(',', "\t")).collect();
+        let blanks = texts[3].replace('\t', "   ");
+        let files = [
+            ("a.txt", texts[0].as_str()),
+            ("b.asc", &texts[1]),
+            ("c.dat", &texts[2]),
+            ("d.tsv", &texts[3]),
+            ("e.txt", &blanks),
+        ];
+        assert_eq!(load_folder(&folder(&files), &Options::default()).unwrap().records.len(), 5);
+    }
+
+    #[test]
+    fn patterns_leave_files_and_tests_out() {
+        let (a, b) = (sine(1.0), sine(2.0));
+        let folder = folder(&[("warmup1.csv", &a), ("t1.csv", &b)]);
+        let with = |patterns: &[&str]| {
+            let exclude = patterns.iter().map(ToString::to_string).collect();
+            load_folder(&folder, &Options { exclude, ..Options::default() })
+        };
+        assert_eq!(with(&["warm*"]).unwrap().records.len(), 1);
+        assert_eq!(with(&["t1.csv"]).unwrap().records[0].name, "warmup1");
+        let message = with(&["none*"]).unwrap_err().to_string();
+        assert!(message.contains("none*") && message.contains("t1.csv"), "{message}");
+        assert!(with(&["*"]).unwrap_err().to_string().contains("leaves no record"));
+    }
+
+    #[test]
+    fn a_profile_beside_the_records_is_obeyed() {
+        let text = sine(1.0).replace("time_s,displacement_m,velocity_m_s,force_N", "A,B,C,D");
+        let profile = "format = \"dashpot campaign profile 1\"\nexclude = [\"warm*\"]\npositive = \"compression\"\n\
+                       columns = { time = \"A\", displacement = \"B\", velocity = \"C\", force = \"4\" }\n\
+                       units = { time = \"s\", displacement = \"m\", velocity = \"m/s\", force = \"N\" }\n";
+        let files = [("a.csv", text.as_str()), ("warmup.csv", text.as_str()), ("campaign.toml", profile)];
+        let folder = folder(&files);
+        for path in [folder.path().to_path_buf(), folder.path().join("a.csv")] {
+            let campaign = load(&[path], &Options::default(), &quiet).unwrap();
+            assert_eq!(campaign.records.len(), 1);
+            assert!(campaign.sign.is_stated && campaign.sign.positive == crate::Positive::Compression);
+            assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.to_string().contains("campaign.toml")));
+        }
+        // The command line wins.
+        let options = Options { positive: Some(crate::Positive::Rebound), ..Options::default() };
+        assert_eq!(load_folder(&folder, &options).unwrap().sign.positive, crate::Positive::Rebound);
+        // Two folders that contradict each other.
+        let other = tempfile::tempdir().unwrap();
+        fs::write(other.path().join("b.csv"), &text).unwrap();
+        fs::write(other.path().join("campaign.toml"), profile.replace("compression", "rebound")).unwrap();
+        let paths = [folder.path().to_path_buf(), other.path().to_path_buf()];
+        assert!(load(&paths, &Options::default(), &quiet).unwrap_err().to_string().contains("different directions"));
+    }
+
+    #[test]
+    fn a_profile_that_ignores_what_no_record_can_do_without_is_refused() {
+        let text = sine(1.0);
+        for channel in ["force", "time"] {
+            let profile = format!("format = \"dashpot campaign profile 1\"\nignore = [\"{channel}\"]\n");
+            let folder = folder(&[("a.csv", text.as_str()), ("campaign.toml", profile.as_str())]);
+            let message = load_folder(&folder, &Options::default()).unwrap_err().to_string();
+            assert!(message.contains("campaign.toml") && message.contains("cannot be left out"), "{message}");
+        }
+    }
+
+    #[test]
+    fn gaps_are_said_first() {
+        let mut text = String::from("time_s,displacement_m,force_N\n");
+        let samples = SineTest::default().samples();
+        for (i, ((t, x), f)) in
+            samples.time.iter().zip(samples.displacement.as_ref().unwrap()).zip(&samples.force).enumerate()
+        {
+            let t = if 2 * i > samples.time.len() { t + 5.0 } else { *t };
+            text += &format!("{t:.6},{x:.9},{f:.4}\n");
+        }
+        let campaign = load_folder(&folder(&[("a.csv", &text), ("z.pdf", "")]), &Options::default()).unwrap();
+        assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["a part 1", "a part 2"]);
+        assert!(
+            campaign.notes[0].kind == "gap" && campaign.notes[0].text.to_string().contains("a.csv: gaps in time: 5.0")
+        );
+    }
+
+    #[test]
+    fn compression_positive_files_end_rebound_positive() {
+        let mut text = String::from("time_s,displacement_m,force_N\n");
+        let samples = SineTest::default().samples();
+        for ((t, x), f) in samples.time.iter().zip(samples.displacement.as_ref().unwrap()).zip(&samples.force) {
+            text += &format!("{t:.6},{:.9},{:.4}\n", -x, -f);
+        }
+        let campaign = load_folder(&folder(&[("a.csv", &text)]), &Options::default()).unwrap();
+        let record = &campaign.records[0];
+        assert_eq!(campaign.sign.positive, crate::Positive::Compression);
+        // Cycles begin on the way into rebound.
+        assert!(record.velocity[record.cycles[1].start] > 0.3);
+        assert!((record.mean_displacement - 0.01).abs() < 2e-4);
+    }
+}

@@ -1,0 +1,281 @@
+//! What is known about the records of a folder, said once: `campaign.toml` beside them, which every verb obeys.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::dates::date_order::DateOrder;
+use crate::error::RecordError;
+use crate::options::{Options, Positive};
+use crate::quantities::channel::Channel;
+use crate::quantities::setting_value::SettingRules;
+use crate::source;
+
+/// Name of the file.
+pub const FILE: &str = "campaign.toml";
+/// Largest profile, bytes: it has a line for each thing that a user knows.
+const LARGEST: u64 = 1 << 20;
+/// Its first entry.
+pub const FORMAT: &str = "dashpot campaign profile 1";
+
+/// The profile as it stands in the file. What is not there is left to the records.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Profile {
+    /// [`FORMAT`].
+    pub format: String,
+    /// Direction counted positive in the files: rebound or compression.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub positive: Option<String>,
+    /// Channels whose sign is turned: force, motion.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub flip: Vec<String>,
+    /// Channels left unread.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub ignore: Vec<String>,
+    /// Files and tests left out; * stands for anything.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub exclude: Vec<String>,
+    /// Whether the records in the subfolders are tests of the same campaign.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub subfolders: bool,
+    /// How much later than the motion the force was recorded, s.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub delay_s: f64,
+    /// What the force channel shows without force, N.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub force_zero_n: f64,
+    /// What the displacement channel shows where displacement is to be zero, m.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub displacement_zero_m: f64,
+    /// Factor on the force.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub gain: f64,
+    /// Mass between load cell and damper that moves with the damper's end, kg.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rig_mass_kg: f64,
+    /// Samples per second of files that have no column of time, 1/s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sample_rate_hz: Option<f64>,
+    /// Which of day and month comes first in the dates of the files: day-first or month-first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dates: Option<String>,
+    /// Displacement at the first sample, m, where only velocity was recorded.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub initial_position_m: f64,
+    /// Name of what the damper was set to, such as current, clicks or pressure.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub setting: Option<String>,
+    /// Its unit, such as A.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub setting_unit: String,
+    /// Heading, or number from 1, of a channel's column.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub columns: BTreeMap<String, String>,
+    /// Factors on other channels than the force, by channel.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub gains: BTreeMap<String, f64>,
+    /// Unit of a channel.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub units: BTreeMap<String, String>,
+    /// Values of the setting by the names of tests; * stands for anything.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub settings: BTreeMap<String, f64>,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
+fn is_false(value: &bool) -> bool {
+    !value
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
+fn is_one(value: &f64) -> bool {
+    *value == 1.0
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+impl Profile {
+    /// The profile of a folder; none where there is no file, or its file describes how a campaign was measured.
+    ///
+    /// # Errors
+    /// Where the file cannot be read, or says something that is not understood.
+    pub fn read(folder: &Path) -> Result<Option<Profile>, RecordError> {
+        let file = folder.join(FILE);
+        let text = match source::text(&file, LARGEST) {
+            Ok(text) => text,
+            Err(RecordError::Read { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(error),
+        };
+        if text.trim().is_empty() {
+            return Ok(None);
+        }
+        let wrong = |cause: String| RecordError::Profile { file: file.clone(), cause };
+        let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
+        match table.get("format").and_then(toml::Value::as_str) {
+            Some(FORMAT) => {}
+            // The description that the virtual rig leaves says nothing about reading.
+            Some(other) if other.starts_with("dashpot rig campaign") => return Ok(None),
+            _ => return Err(wrong(format!("it lacks the line format = \"{FORMAT}\""))),
+        }
+        let profile: Profile = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
+        profile.options().map_err(wrong)?;
+        Ok(Some(profile))
+    }
+
+    /// The profile that makes these options.
+    pub fn from_options(options: &Options) -> Profile {
+        let named = |on: bool, name: &str| on.then(|| name.to_owned());
+        Profile {
+            format: FORMAT.to_owned(),
+            positive: options.positive.map(|p| p.name().to_owned()),
+            flip: [named(options.flip_force, "force"), named(options.flip_motion, "motion")]
+                .into_iter()
+                .flatten()
+                .collect(),
+            ignore: options.ignore.iter().map(Channel::to_string).collect(),
+            exclude: options.exclude.clone(),
+            subfolders: options.subfolders,
+            delay_s: options.delay_s,
+            force_zero_n: options.force_zero_n,
+            displacement_zero_m: options.displacement_zero_m,
+            gain: options.gain,
+            gains: options.gains.iter().map(|(c, gain)| (c.to_string(), *gain)).collect(),
+            rig_mass_kg: options.rig_mass_kg,
+            sample_rate_hz: options.sample_rate_hz,
+            dates: options.dates.map(|order| order.name().to_owned()),
+            initial_position_m: options.initial_position,
+            columns: options.columns.iter().map(|(c, h)| (c.to_string(), h.clone())).collect(),
+            units: options.units.iter().map(|(c, u)| (c.to_string(), u.to_string())).collect(),
+            setting: options.settings.name.clone(),
+            setting_unit: options.settings.unit.clone(),
+            settings: options.settings.values.clone(),
+        }
+    }
+
+    /// What the profile says, as options.
+    ///
+    /// # Errors
+    /// A sentence where a channel, unit or number is not understood.
+    pub fn options(&self) -> Result<Options, String> {
+        let mut options = Options {
+            positive: self.positive.as_deref().map(str::parse::<Positive>).transpose()?,
+            exclude: self.exclude.clone(),
+            subfolders: self.subfolders,
+            delay_s: self.delay_s,
+            force_zero_n: self.force_zero_n,
+            displacement_zero_m: self.displacement_zero_m,
+            gain: self.gain,
+            rig_mass_kg: self.rig_mass_kg,
+            sample_rate_hz: self.sample_rate_hz,
+            dates: self.dates.as_deref().map(str::parse::<DateOrder>).transpose()?,
+            initial_position: self.initial_position_m,
+            settings: SettingRules {
+                name: self.setting.clone(),
+                unit: self.setting_unit.clone(),
+                values: self.settings.clone(),
+            },
+            ..Options::default()
+        };
+        for text in &self.flip {
+            match text.as_str() {
+                "force" => options.flip_force = true,
+                "motion" => options.flip_motion = true,
+                _ => return Err(format!("flip takes force or motion, not {text:?}")),
+            }
+        }
+        for text in &self.ignore {
+            options.ignore.insert(text.parse()?);
+        }
+        for (channel, gain) in &self.gains {
+            let channel: Channel = channel.parse()?;
+            if channel == Channel::Force {
+                return Err("the gain of the force is the entry gain".to_owned());
+            }
+            options.gains.insert(channel, *gain);
+        }
+        for (channel, heading) in &self.columns {
+            options.columns.insert(channel.parse()?, heading.clone());
+        }
+        for (channel, unit) in &self.units {
+            options.units.insert(channel.parse()?, unit.parse()?);
+        }
+        options.check()?;
+        Ok(options)
+    }
+
+    /// The text of the file.
+    pub fn text(&self) -> String {
+        let rows = toml::to_string(self).unwrap_or_default();
+        format!("# What is known about the records in this folder; every verb of dashpot obeys it.\n{rows}")
+    }
+}
+
+/// The folder whose profile holds for a path.
+pub fn folder_of(path: &Path) -> PathBuf {
+    if path.is_dir() {
+        return path.to_owned();
+    }
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> Result<Option<Profile>, String> {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join(FILE), text).unwrap();
+        Profile::read(folder.path()).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn a_profile_reads_back_as_written() {
+        let mut options = Options { flip_force: true, gain: 2.0, delay_s: 0.01, ..Options::default() };
+        options.positive = Some(Positive::Compression);
+        options.dates = Some(DateOrder::DayFirst);
+        options.columns.insert(Channel::Time, "Zeit [s]".into());
+        options.gains.insert(Channel::Displacement, 1.02);
+        options.units.insert(Channel::Force, "kN".parse().unwrap());
+        options.ignore.insert(Channel::Velocity);
+        options.exclude = vec!["warm*".into()];
+        options.settings.name = Some("current".into());
+        options.settings.values.insert("*1.6A*".into(), 1.6);
+        let profile = Profile::from_options(&options);
+        let back = of(&profile.text()).unwrap().unwrap();
+        assert_eq!(back, profile);
+        assert_eq!(Profile::from_options(&back.options().unwrap()), profile);
+    }
+
+    #[test]
+    fn what_is_no_profile_is_told_from_a_wrong_one() {
+        assert_eq!(of("").unwrap(), None);
+        assert_eq!(of("format = \"dashpot rig campaign 1\"\nseed = 3\n").unwrap(), None);
+        for (text, wanted) in [
+            ("gain = 2\n", "lacks the line format"),
+            ("format = \"dashpot campaign profile 1\"\ngian = 2.0\n", "gian"),
+            ("format = \"dashpot campaign profile 1\"\ngain = -1.0\n", "gain"),
+            ("format = \"dashpot campaign profile 1\"\ndisplacement_zero_m = 1e308\n", "at most 10 m"),
+            ("format = \"dashpot campaign profile 1\"\ngains = { displacement = 1e9 }\n", "gain of displacement"),
+            ("format = \"dashpot campaign profile 1\"\ngains = { time = 1.1 }\n", "takes no gain"),
+            ("format = \"dashpot campaign profile 1\"\nunits = { force = \"parsec\" }\n", "parsec"),
+            ("format = \"dashpot campaign profile 1\"\ncolumns = { pressure = \"p\" }\n", "pressure"),
+            ("format = \"dashpot campaign profile 1\"\npositive = \"up\"\n", "up"),
+            ("format = \"dashpot campaign profile 1\"\ndates = \"iso\"\n", "iso"),
+            ("format = \"dashpot campaign profile 1\"\n[settings]\n\"a*\" = 1.0\n", "setting = \"current\""),
+            ("format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"a*\" = inf\n", "a*"),
+            ("format = [\n", "campaign.toml"),
+        ] {
+            let message = of(text).unwrap_err();
+            assert!(message.contains(wanted) && message.contains("campaign.toml"), "{text}: {message}");
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! The choice of the reader for a record file.
+
+use std::path::Path;
+
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::file_extensions::{extension, is_record_name};
+use crate::formats::{csv, mat, mdf, rpc, tdms, unsupported, xlsx};
+use crate::options::Options;
+use crate::peaks::table;
+use crate::source::Source;
+
+/// The tests of one file, read by its extension.
+pub(super) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = extension(file);
+    if !is_record_name(file) {
+        return Err(RecordError::UnknownType { file: file.into() });
+    }
+    let source = Source::read(file)?;
+    let archives = ["xlsx", "xlsm", "mat"].contains(&ending.as_str());
+    if !archives && let Some((is, instead)) = unsupported::known(&source.bytes) {
+        return Err(RecordError::NotRead { file: file.into(), is, instead });
+    }
+    let read = match ending.as_str() {
+        // Many loggers call their measurement files so, and many rigs their texts.
+        "dat" if mdf::is_one(&source.bytes) => mdf::read(source, &name, options),
+        "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(source, &name, options),
+        "xlsx" | "xlsm" => xlsx::read(source, &name, options),
+        "mat" => mat::read(source, &name, options),
+        "mf4" | "mdf" => mdf::read(source, &name, options),
+        "tdms" => tdms::read(source, &name, options),
+        "rsp" | "drv" | "tim" => rpc::read(source, &name, options),
+        _ => Err(RecordError::UnknownType { file: file.into() }),
+    };
+    match read {
+        Err(RecordError::Header { .. } | RecordError::MissingColumn { missing: "time", .. })
+            if ["csv", "txt", "tsv", "asc", "dat", "xlsx", "xlsm"].contains(&ending.as_str())
+                && table::is_one(file) =>
+        {
+            Err(RecordError::IsPeakTable { file: file.into() })
+        }
+        read => read,
+    }
+}

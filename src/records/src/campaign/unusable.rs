@@ -1,0 +1,254 @@
+//! What a campaign does without: files that are no records, and tests that have a fault of their own.
+//!
+//! One spoilt test of fifty is no reason to refuse the other forty-nine, but it must not vanish either: it is named with
+//! its reason wherever the campaign is told of. What concerns all tests (a column, a unit, a sign) stays a refusal, for
+//! there the user has the answer.
+
+use serde::{Deserialize, Serialize};
+
+use crate::data::record::Note;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+
+/// A file or test that was left out.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Unusable {
+    /// Why, in a sentence that names the file, and the test within it.
+    pub why: Sentence,
+    /// Whether it is a test, with a fault of its own; else the file is no record at all.
+    pub is_test: bool,
+}
+
+impl Unusable {
+    /// The first of several in words, and how many more there are; nothing where there are none.
+    pub fn first_of(several: &[Unusable]) -> Option<Sentence> {
+        let (first, others) = several.split_first()?;
+        Some(match others.len() {
+            0 => first.why.clone(),
+            more => {
+                Sentence::from(phrases::FIRST_AND_MORE).with_sentence("first", first.why.clone()).with("count", more)
+            }
+        })
+    }
+}
+
+/// How far the fault of a file or test reaches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reach {
+    /// The file is no record.
+    NoRecord,
+    /// A fault of this test, which says nothing of others.
+    Test,
+    /// A fault of this test where others are free of it; where most have it, a wrong column, unit or sign is likelier.
+    TestUnlessMost,
+    /// A question to the user.
+    Campaign,
+}
+
+impl RecordError {
+    /// How far this fault reaches.
+    pub(crate) fn reach(&self) -> Reach {
+        use RecordError as E;
+        match self {
+            E::UnknownType { .. }
+            | E::NotRead { .. }
+            | E::EmptyFile { .. }
+            | E::NotRegular { .. }
+            | E::IsPeakTable { .. }
+            | E::TooLarge { .. }
+            | E::TooCostly { .. }
+            | E::TooManyColumns { .. }
+            | E::Workbook { .. }
+            | E::Rpc { .. }
+            | E::Binary { .. }
+            | E::Mat { .. }
+            | E::Header { .. }
+            | E::NoData { .. } => Reach::NoRecord,
+            E::TooFew { .. }
+            | E::Missing { .. }
+            | E::TimeBackwards { .. }
+            | E::Frozen { .. }
+            | E::Clipped { .. }
+            | E::NoMotion { .. }
+            | E::ConstantForce { .. } => Reach::Test,
+            // A file without the columns that the others have is another table or a garbled one.
+            E::MissingColumn { .. }
+            | E::NoSuchColumn { .. }
+            | E::Cell { .. }
+            | E::Fields { .. }
+            | E::ConstantTime { .. }
+            | E::Contradiction { .. } => Reach::TestUnlessMost,
+            // Among them figures that no damper has, and swapped headings: of a unit or column that is wrong in all tests a few
+            // strong ones alone may tell.
+            _ => Reach::Campaign,
+        }
+    }
+}
+
+/// Lets through what can be used.
+pub(crate) struct Sieve {
+    strict: bool,
+    faults: Vec<RecordError>,
+}
+
+impl Sieve {
+    /// A strict one lets errors stay errors.
+    pub fn new(strict: bool) -> Sieve {
+        Sieve { strict, faults: Vec::new() }
+    }
+
+    /// Nothing where a campaign can do without; what it cannot do without stays an error.
+    pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
+        match read {
+            Ok(value) => Ok(Some(value)),
+            Err(error) if error.reach() != Reach::Campaign && !self.strict => {
+                self.faults.push(error);
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Whether everything went through.
+    pub fn is_empty(&self) -> bool {
+        self.faults.is_empty()
+    }
+
+    /// Returns the first fault if nothing usable remains, or if at least as many tests have a systematic fault as
+    /// remain.
+    ///
+    /// A wrong column, unit or sign would give all of them such a fault.
+    pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
+        let doubtful = |error: &RecordError| error.reach() == Reach::TestUnlessMost;
+        let first = if usable == 0 {
+            // A test with a fault tells more than a stray file beside it.
+            let of_test = self.faults.iter().position(|e| e.reach() != Reach::NoRecord);
+            of_test.or((!self.faults.is_empty()).then_some(0))
+        } else if self.faults.iter().filter(|e| doubtful(e)).count() >= usable {
+            self.faults.iter().position(doubtful)
+        } else {
+            None
+        };
+        first.map_or(Ok(()), |k| Err(self.faults.remove(k)))
+    }
+
+    /// Names everything that was left out; the first ones as notes too.
+    pub fn report(self, noted: &mut Vec<Note>) -> Vec<Unusable> {
+        let unusable: Vec<Unusable> = self.faults.iter().map(in_words).collect();
+        noted.extend(notes(&unusable));
+        unusable
+    }
+}
+
+/// A note for each of the first, and one for the others.
+pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
+    /// Notes that name one each: more of them would hide the other notes; all stand in `unusable`.
+    const NAMED: usize = 20;
+    let note = |text| Note { kind: "left_out", text };
+    let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();
+    let more = unusable.len().saturating_sub(NAMED);
+    if more > 0 {
+        notes.push(note(Sentence::from(phrases::MORE_LEFT_OUT).with("count", more)));
+    }
+    notes
+}
+
+/// What is said of one.
+fn in_words(error: &RecordError) -> Unusable {
+    let is_test = error.reach() != Reach::NoRecord;
+    let left_out = if is_test { phrases::LEFT_OUT } else { phrases::NO_RECORD };
+    Unusable { why: Sentence::from(left_out).with_sentence("fault", error.fault()), is_test }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Place;
+    use crate::quantities::channel::Channel;
+
+    fn short() -> RecordError {
+        RecordError::TooFew { at: Place::file("s.csv"), samples: 3, needed: 20 }
+    }
+
+    fn doubtful() -> RecordError {
+        RecordError::ConstantTime { at: Place::file("a.csv"), time: 7.0 }
+    }
+
+    fn absurd() -> RecordError {
+        RecordError::Absurd {
+            record: "a.csv".into(),
+            what: Sentence::as_it_is("a force of 900 kN"),
+            advice: phrases::SAY_N,
+        }
+    }
+
+    fn stray() -> RecordError {
+        RecordError::EmptyFile { file: "e.csv".into() }
+    }
+
+    fn sieve(faults: Vec<RecordError>) -> Sieve {
+        let mut sieve = Sieve::new(false);
+        for fault in faults {
+            assert!(sieve.pass::<()>(Err(fault)).unwrap().is_none());
+        }
+        sieve
+    }
+
+    #[test]
+    fn one_faulty_test_is_left_out_and_most_are_refused() {
+        let mut some = sieve(vec![stray(), short(), doubtful()]);
+        some.reject_most(2).unwrap();
+        let mut notes = Vec::new();
+        let unusable = some.report(&mut notes);
+        assert_eq!(unusable.iter().map(|u| u.is_test).collect::<Vec<_>>(), [false, true, true]);
+        assert!(
+            unusable[0].why.to_string().starts_with("left out, as it is no record: e.csv: is empty"),
+            "{unusable:?}"
+        );
+        assert!(unusable[1].why.to_string().starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
+        assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
+        // Of two tests without a clock and two sound ones, the column of the sound ones may be the wrong one.
+        let refused = sieve(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
+        assert!(refused.to_string().contains("a.csv"), "{refused}");
+        // A test that is too short is too short, however many there are.
+        sieve(vec![short(), short(), short()]).reject_most(1).unwrap();
+        // Where nothing is left, the fault of a test tells more than a stray file.
+        let refused = sieve(vec![stray(), short()]).reject_most(0).unwrap_err();
+        assert!(refused.to_string().contains("s.csv"), "{refused}");
+    }
+
+    #[test]
+    fn a_file_without_the_columns_of_the_others_is_left_out() {
+        let other_table = || RecordError::MissingColumn {
+            at: Place::file("peaks.csv"),
+            line: 1,
+            missing: "time",
+            example: Channel::Time,
+            found: "'speed', 'force'".into(),
+            near: None,
+            units: Vec::new(),
+        };
+        let mut one = sieve(vec![other_table()]);
+        one.reject_most(2).unwrap();
+        assert!(one.report(&mut Vec::new())[0].why.to_string().contains("peaks.csv, line 1: no column for time"));
+        assert!(sieve(vec![other_table(), other_table()]).reject_most(2).is_err());
+    }
+
+    #[test]
+    fn questions_to_the_user_and_strict_runs_stay_errors() {
+        for question in [RecordError::NoPaths, absurd()] {
+            assert!(Sieve::new(false).pass::<()>(Err(question)).is_err());
+        }
+        assert!(Sieve::new(true).pass::<()>(Err(short())).is_err());
+        assert_eq!(Sieve::new(true).pass(Ok(1)).unwrap(), Some(1));
+    }
+
+    #[test]
+    fn hundreds_are_told_in_a_few_lines_and_kept_in_full() {
+        let mut notes = Vec::new();
+        let unusable = sieve((0..300).map(|_| short()).collect()).report(&mut notes);
+        assert_eq!((unusable.len(), notes.len()), (300, 21));
+        assert!(notes[20].text.to_string().contains("280 more"), "{}", notes[20].text);
+    }
+}

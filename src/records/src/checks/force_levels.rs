@@ -1,0 +1,84 @@
+//! What a test shows at each velocity: the force against the motion, and the force between the two directions. By these the tests of one
+//! damper are compared with each other, whatever their strokes and frequencies.
+
+use crate::data::record::Record;
+use crate::numbers::median;
+use crate::tuning::force_levels::{FEWEST, LOWEST, MIDDLE, STEP};
+use std::collections::BTreeMap;
+
+/// Velocity of the level 0, m/s. Only the distance of levels counts.
+const FROM: f64 = 1e-3;
+
+/// What is seen at one velocity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Level {
+    /// Half the difference of the forces in rebound and in compression, N: what acts against the motion.
+    pub against: f64,
+    /// Half their sum, N: gas, springs, the zero of the channel, and by how much rebound is harder than compression.
+    pub between: f64,
+}
+
+/// The levels of a test, by the number of the velocity.
+pub(crate) type Levels = BTreeMap<i32, Level>;
+
+/// How many levels lie between a velocity and another that is so many times as high.
+pub(crate) fn apart(times: f64) -> f64 {
+    libm::log(times) / libm::log(STEP)
+}
+
+/// The velocity in the middle of a level, m/s.
+pub(crate) fn velocity(level: i32) -> f64 {
+    FROM * libm::pow(STEP, f64::from(level) + 0.5)
+}
+
+/// What a test shows at each velocity, from the samples at which `counts` holds.
+pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels {
+    let lowest = LOWEST * record.peak_velocity;
+    let mut forces: BTreeMap<i32, [Vec<f64>; 2]> = BTreeMap::new();
+    for (i, (v, force)) in record.velocity.iter().zip(&record.force).enumerate() {
+        let speed = v.abs();
+        if speed > 0.0 && speed >= lowest && speed <= record.peak_velocity && counts(i) {
+            // Within the range of an i32 for every positive double.
+            let level = apart(speed / FROM).floor() as i32;
+            forces.entry(level).or_default()[usize::from(*v < 0.0)].push(*force);
+        }
+    }
+    let seen = forces.into_iter().filter(|(_, [out, back])| out.len() >= FEWEST && back.len() >= FEWEST);
+    seen.map(|(level, [mut out, mut back])| {
+        let (out, back) = (median(&mut out), median(&mut back));
+        (level, Level { against: 0.5 * (out - back), between: 0.5 * (out + back) })
+    })
+    .collect()
+}
+
+/// Whether a test is in the middle of its stroke at a sample: at the ends stops and springs push.
+pub(crate) fn is_in_the_middle(record: &Record, i: usize) -> bool {
+    record.velocity[i].abs() >= MIDDLE * record.peak_velocity
+}
+
+/// The levels of each test in the middle of its strokes.
+pub(crate) fn in_the_middle(records: &[Record]) -> Vec<Levels> {
+    records.iter().map(|record| levels(record, |i| is_in_the_middle(record, i))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sine_shows_force_against_motion_and_between_at_its_velocities() {
+        let time: Vec<f64> = (0..4000).map(|i| 1e-3 * f64::from(i)).collect();
+        let velocity: Vec<f64> = time.iter().map(|t| 0.5 * libm::sin(6.0 * t)).collect();
+        let force = velocity.iter().map(|v| 1000.0 * v - 150.0 + if *v > 0.0 { 500.0 * v } else { 0.0 }).collect();
+        let record = Record { time, velocity, force, peak_velocity: 0.5, ..Record::default() };
+        let seen = levels(&record, |_| true);
+        assert!(seen.len() >= 8, "{seen:?}");
+        for (level, at) in &seen {
+            let v = super::velocity(*level);
+            assert!((at.against / (1250.0 * v) - 1.0).abs() < 0.15, "{v}: {at:?}");
+            assert!((at.between + 150.0 - 250.0 * v).abs() < 25.0, "{v}: {at:?}");
+        }
+        assert!(levels(&record, |i| i < 3).is_empty());
+        assert!((apart(STEP * STEP) - 2.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,190 @@
+//! Tests whose force between rebound and compression lies off that of the others at like velocities.
+//!
+//! Turned round in both motion and force, or with another zero of the load cell.
+//!
+//! Energy cannot tell of a test that is turned round in both: it still goes into the damper. But gas then pulls the rod in, and compression is as
+//! hard as rebound was. Both stand in the force between the directions. It is compared in the middle of the strokes, where
+//! the damper is fast: at the ends of a long one a stop may push the other way. Both flanks of a stroke are in it, so that hysteresis cancels.
+
+use super::force_levels::{Levels, is_in_the_middle, levels};
+use crate::data::record::{Note, Record};
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::median;
+use crate::quantities::load_cell;
+use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO, VELOCITIES};
+use std::collections::BTreeMap;
+
+/// Force between the directions of each test, N, by velocity.
+type Others = BTreeMap<i32, Vec<(usize, f64)>>;
+
+/// How a test lies to the others.
+struct Beside {
+    /// Its force between the directions less theirs, N: the median over its velocities, and the scatter about it.
+    offset: f64,
+    scatter: f64,
+    /// Number of velocities.
+    velocities: usize,
+    /// The smallest and the largest distance.
+    nearest: f64,
+    farthest: f64,
+    /// How much that may be, N.
+    allowed: f64,
+    /// Its own force, and theirs, at the velocity in the middle.
+    forces: (f64, f64),
+}
+
+/// Notes tests that lie off the others; `as_read` are their levels in the middle of the strokes.
+pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>) {
+    let towards_ends: Vec<Levels> =
+        records.iter().map(|record| levels(record, |i| !is_in_the_middle(record, i))).collect();
+    let (at, at_ends) = (by_velocity(as_read), by_velocity(&towards_ends));
+    let offset = load_cell::offset(records.iter().flat_map(|r| &r.force).fold(0.0, |most: f64, f| most.max(f.abs())));
+    let (mut turned, mut moved) = (Vec::new(), Vec::new());
+    for (i, record) in records.iter().enumerate() {
+        let Some(own) = beside(i, &as_read[i], 1.0, &at, offset) else { continue };
+        // At every one of its velocities: a triangle has few samples at all but one.
+        let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
+        if is_off && beside(i, &as_read[i], -1.0, &at, offset).is_some_and(|other| other.farthest <= other.allowed) {
+            turned.push((record, own));
+            continue;
+        }
+        // A zero that moved is the same at every velocity; what short strokes and places change of a damper is not.
+        let constant = |seen: &Beside| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
+        let at_the_ends = beside(i, &towards_ends[i], 1.0, &at_ends, offset).filter(constant);
+        let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
+        if own.offset.abs() > own.allowed && constant(&own) && same {
+            moved.push((record, own));
+        }
+    }
+    let few = FEW * records.len() as f64;
+    let names = |tests: &[(&Record, Beside)]| tests.iter().map(|(r, _)| r.name.clone()).collect::<Vec<_>>();
+    if let Some((first, own)) = turned.first()
+        && turned.len() as f64 <= few
+    {
+        let text = Sentence::from(phrases::TURNED_ROUND)
+            .with_names("tests", names(&turned), phrases::COMMA)
+            .with("test", &first.name)
+            .with("own", format!("{:+.0}", own.forces.0))
+            .with("usual", format!("{:+.0}", own.forces.1));
+        notes.push(Note { kind: "sign", text });
+    }
+    if !moved.is_empty() && moved.len() as f64 <= few {
+        let offsets = moved.iter().map(|(_, own)| own.offset);
+        let (low, high) = offsets.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| (l.min(o), h.max(o)));
+        let text = Sentence::from(phrases::ZERO_OFF)
+            .with_names("tests", names(&moved), phrases::COMMA)
+            .with("low", format!("{low:+.0}"))
+            .with("high", format!("{high:+.0}"));
+        notes.push(Note { kind: "zero", text });
+    }
+}
+
+/// The force between the directions of all tests, by velocity.
+fn by_velocity(seen: &[Levels]) -> Others {
+    let mut at = Others::new();
+    for (i, levels) in seen.iter().enumerate() {
+        levels.iter().for_each(|(k, level)| at.entry(*k).or_default().push((i, level.between)));
+    }
+    at
+}
+
+/// How a test lies to the others, were its forces in these directions; nothing where they share too few velocities.
+fn beside(own: usize, seen: &Levels, turn: f64, at: &Others, offset: f64) -> Option<Beside> {
+    let (mut off, mut allowed, mut forces) = (Vec::new(), Vec::new(), Vec::new());
+    for (k, level) in seen {
+        let mut others: Vec<f64> =
+            at.get(k).into_iter().flatten().filter(|(i, _)| *i != own).map(|(_, force)| *force).collect();
+        if others.len() < FEWEST {
+            continue;
+        }
+        let usual = median(&mut others);
+        let scatter = median(&mut others.iter().map(|o| (o - usual).abs()).collect::<Vec<_>>());
+        off.push(turn * level.between - usual);
+        allowed.push(offset + OF_SCATTER * scatter);
+        forces.push((turn * level.between, usual));
+    }
+    if off.is_empty() {
+        return None;
+    }
+    let offset = median(&mut off.clone());
+    Some(Beside {
+        offset,
+        velocities: off.len(),
+        scatter: median(&mut off.iter().map(|o| (o - offset).abs()).collect::<Vec<_>>()),
+        nearest: off.iter().fold(f64::INFINITY, |least, o| least.min(o.abs())),
+        farthest: off.iter().fold(0.0, |most, o| most.max(o.abs())),
+        allowed: median(&mut allowed),
+        forces: forces[forces.len() / 2],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::force_levels::in_the_middle;
+    use super::*;
+    use crate::fixtures::sine_record;
+
+    /// Sines of (amplitude, peak velocity) on a damper with gas, and a rebound stop from 45 mm on.
+    fn campaign(tests: &[(f64, f64)], gas: f64) -> Vec<Record> {
+        let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
+            sine_record(k, amplitude, speed, |x, v| {
+                let damping = if v > 0.0 { 1600.0 } else { 1000.0 };
+                let stop = 4e5 * (x - 0.045).max(0.0);
+                damping * v + 20.0 * libm::tanh(v / 0.002) - gas + 300.0 * x + stop + 2.0 * libm::sin(k as f64)
+            })
+        };
+        tests.iter().enumerate().map(test).collect()
+    }
+
+    const PLAN: [(f64, f64); 12] = [
+        (0.05, 0.05),
+        (0.05, 0.13),
+        (0.05, 0.26),
+        (0.05, 0.52),
+        (0.025, 0.13),
+        (0.025, 0.26),
+        (0.025, 0.52),
+        (0.01, 0.05),
+        (0.01, 0.13),
+        (0.01, 0.26),
+        (0.01, 0.52),
+        (0.005, 0.13),
+    ];
+
+    fn said(records: &[Record]) -> String {
+        let mut notes = Vec::new();
+        tell(records, &in_the_middle(records), &mut notes);
+        notes.iter().map(|n| format!("[{}] {}\n", n.kind, n.text)).collect()
+    }
+
+    #[test]
+    fn a_stop_at_the_end_of_long_strokes_is_no_turned_sign() {
+        for gas in [0.0, 200.0] {
+            assert_eq!(said(&campaign(&PLAN, gas)), "");
+        }
+        assert_eq!(said(&campaign(&PLAN[..3], 200.0)), "", "too few to tell");
+    }
+
+    #[test]
+    fn a_test_that_is_turned_round_and_a_zero_that_moved_are_told() {
+        for at in [1, 4, 8] {
+            let mut records = campaign(&PLAN, 200.0);
+            let turned = &mut records[at];
+            for values in [&mut turned.force, &mut turned.velocity, &mut turned.displacement] {
+                values.iter_mut().for_each(|v| *v = -*v);
+            }
+            let text = said(&records);
+            assert!(
+                text.starts_with("[sign] ") && text.contains(&format!("t{at}")) && !text.contains("[zero]"),
+                "{text}"
+            );
+        }
+        for at in [4, 8, 11] {
+            let mut records = campaign(&PLAN, 200.0);
+            records[at].force.iter_mut().for_each(|f| *f += 40.0);
+            let text = said(&records);
+            assert!(text.starts_with("[zero] ") && text.contains(&format!("t{at}")) && text.contains(" +"), "{text}");
+        }
+    }
+}

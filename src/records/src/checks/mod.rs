@@ -1,0 +1,10 @@
+//! Checks of cleaned records: signs, energy, units, magnitudes, and whether the tests of a campaign agree.
+
+pub(crate) mod file_units;
+pub(crate) mod force_levels;
+pub(crate) mod force_offset;
+pub(crate) mod plausibility;
+pub(crate) mod rig_frame;
+pub(crate) mod sign;
+pub(crate) mod truncated_test;
+pub(crate) mod unit_magnitude;

@@ -1,0 +1,48 @@
+//! Tests that are cut off in their first cycle: an export that broke off, or a rig that stopped.
+
+use crate::cleaning::turning_points;
+use crate::data::record::{Note, Record};
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range};
+use crate::tuning::truncated_test::{LAST, MOVING, OF_A_CYCLE, STROKE};
+
+/// Notes tests that hold less than a cycle and end while the damper moves.
+pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
+    for record in records.iter().filter(|r| r.cycles.is_empty()) {
+        let strokes = turning_points(&record.displacement, STROKE * range(&record.displacement)).len();
+        let from = record.velocity.len().saturating_sub(LAST);
+        let last = median(&mut record.velocity[from..].iter().map(|v| v.abs()).collect::<Vec<_>>());
+        if strokes < OF_A_CYCLE && last > MOVING * record.peak_velocity {
+            let text = Sentence::from(phrases::TORN)
+                .with("test", &record.source)
+                .with("velocity", format!("{last:.4}"))
+                .with("peak", format!("{:.4}", record.peak_velocity));
+            notes.push(Note { kind: "torn", text });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not() {
+        let told = |of: &dyn Fn(f64) -> (f64, f64)| {
+            let (displacement, velocity): (Vec<f64>, Vec<f64>) = (0..200).map(|i| of(0.005 * f64::from(i))).unzip();
+            let peak_velocity = velocity.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            let record = Record { displacement, velocity, peak_velocity, ..Record::default() };
+            let mut notes = Vec::new();
+            tell(&[record], &mut notes);
+            notes.len()
+        };
+        // A sine, torn after a bit more than half of a cycle, and one that ends at its turn.
+        assert_eq!(told(&|t| ((3.6 * t).sin(), 3.6 * (3.6 * t).cos())), 1);
+        assert_eq!(told(&|t| ((4.71 * t).sin(), 4.71 * (4.71 * t).cos())), 0);
+        // A way from rest to rest, and two cycles.
+        assert_eq!(told(&|t| (-(PI * t).cos(), PI * (PI * t).sin())), 0);
+        assert_eq!(told(&|t| ((12.5 * t).sin(), 12.5 * (12.5 * t).cos())), 0);
+    }
+}

@@ -1,0 +1,223 @@
+//! Units that are a thousandfold off: told by figures that no damper of any size and no rig shows together.
+
+use crate::data::record::Record;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, range, sample_time};
+use crate::options::Options;
+use crate::quantities::channel::Channel;
+use crate::quantities::unit::Unit;
+use crate::tuning::unit_magnitude::{
+    FASTEST, FOLLOWS, LONG, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
+};
+
+/// Refuses a campaign whose figures speak for a unit a thousandfold off; a unit given by the user is right.
+pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), RecordError> {
+    let Some(fastest) = records.iter().max_by(|a, b| a.peak_velocity.total_cmp(&b.peak_velocity)) else {
+        return Ok(());
+    };
+    let insisted = |channel| options.units.contains_key(&channel);
+    let half = |r: &Record| 0.5 * range(&r.force);
+    let strongest = records.iter().map(half).fold(0.0, f64::max);
+    let damping = half(fastest) / fastest.peak_velocity.max(1e-9);
+    let slip = |channel, written, likely, evidence| Err(RecordError::UnitSlip { channel, written, likely, evidence });
+    if !insisted(Channel::Time) {
+        let seconds = |r: &Record| r.time.last().copied().unwrap_or(0.0) - r.time.first().copied().unwrap_or(0.0);
+        if let Some(quick) = records.iter().find(|r| r.frequency > FASTEST && r.amplitude > 1e-4) {
+            let evidence = Sentence::from(phrases::TOO_QUICK)
+                .with("record", &quick.source)
+                .with("amplitude", format!("{:.2}", 1e3 * quick.amplitude))
+                .with("frequency", format!("{:.0}", quick.frequency))
+                .with("seconds", format!("{:.4}", seconds(quick)));
+            return slip(Channel::Time, Unit::Millisecond, Unit::Second, evidence);
+        }
+        let step = median(&mut records.iter().map(|r| sample_time(&r.time)).collect::<Vec<_>>());
+        let longest = records.iter().map(seconds).fold(0.0, f64::max);
+        if fastest.peak_velocity < SLOWEST && step > RARELY && longest > LONG && strongest > WEAK {
+            let evidence = Sentence::from(phrases::TOO_LONG)
+                .with("count", records.len())
+                .with("velocity", format!("{:.3}", 1e3 * fastest.peak_velocity))
+                .with("hours", format!("{:.1}", longest / 3600.0))
+                .with("step", format!("{step:.3}"));
+            return slip(Channel::Time, Unit::Second, Unit::Millisecond, evidence);
+        }
+    }
+    let longest = records.iter().map(|r| r.amplitude).fold(0.0, f64::max);
+    if !insisted(Channel::Displacement) && longest < SHORTEST && damping > STIFFEST && strongest > WEAK {
+        let evidence = Sentence::from(phrases::TOO_STIFF)
+            .with("amplitude", format!("{:.4}", 1e3 * longest))
+            .with("force", format!("{:.0}", half(fastest)))
+            .with("velocity", format!("{:.3}", 1e3 * fastest.peak_velocity))
+            .with("damping", format!("{damping:.1e}"));
+        return slip(Channel::Displacement, Unit::Millimetre, Unit::Metre, evidence);
+    }
+    let is_weak = strongest < WEAK && damping < WEAKEST && fastest.peak_velocity > MOVING;
+    // A dead load cell is weak too, but what it shows has nothing to do with the motion.
+    if !insisted(Channel::Force) && is_weak && follows(fastest) {
+        let evidence = Sentence::from(phrases::TOO_WEAK)
+            .with("count", records.len())
+            .with("strongest", format!("{strongest:.3}"))
+            .with("test", &fastest.name)
+            .with("force", format!("{:.3}", half(fastest)))
+            .with("velocity", format!("{:.3}", fastest.peak_velocity))
+            .with("damping", format!("{damping:.2}"));
+        return slip(Channel::Force, Unit::Newton, Unit::Kilonewton, evidence);
+    }
+    Ok(())
+}
+
+/// Whether the force of a record has to do with its motion.
+fn follows(record: &Record) -> bool {
+    let count = record.force.len().max(1) as f64;
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
+    let (force, velocity) = (mean(&record.force), mean(&record.velocity));
+    let (mut both, mut of_force, mut of_velocity) = (0.0, 0.0, 0.0);
+    for (f, v) in record.force.iter().zip(&record.velocity) {
+        both += (f - force) * (v - velocity);
+        of_force += (f - force).powi(2);
+        of_velocity += (v - velocity).powi(2);
+    }
+    both.abs() > FOLLOWS * (of_force * of_velocity).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A damper with a force at 1 m/s, and friction, tested at some amplitudes and peak speeds; units slip by factors.
+    fn campaign(force: f64, friction: f64, tests: &[(f64, f64)], slip: [f64; 3]) -> Vec<Record> {
+        tests
+            .iter()
+            .map(|&(amplitude, speed)| {
+                let omega = speed / amplitude;
+                let time: Vec<f64> =
+                    (0..1000).map(|i| f64::from(i) * 5.0 * std::f64::consts::TAU / omega / 1000.0).collect();
+                let v = |t: f64| speed * libm::cos(omega * t);
+                Record {
+                    name: "a".into(),
+                    source: "a.csv".into(),
+                    force: time
+                        .iter()
+                        .map(|t| slip[2] * (force * v(*t) + friction * libm::tanh(v(*t) / 0.001)))
+                        .collect(),
+                    velocity: time.iter().map(|t| slip[1] * v(*t) / slip[0]).collect(),
+                    amplitude: slip[1] * amplitude,
+                    peak_velocity: slip[1] * speed / slip[0],
+                    frequency: omega / std::f64::consts::TAU / slip[0],
+                    time: time.iter().map(|t| t * slip[0]).collect(),
+                    ..Record::default()
+                }
+            })
+            .collect()
+    }
+
+    const USUAL: [(f64, f64); 3] = [(0.05, 0.05), (0.05, 0.26), (0.05, 1.0)];
+
+    fn said(records: &[Record]) -> String {
+        refuse(records, &Options::default()).map_or_else(|e| e.to_string(), |()| String::new())
+    }
+
+    #[test]
+    fn real_dampers_of_all_sizes_pass() {
+        let plans: [&[(f64, f64)]; 5] = [
+            &USUAL,
+            &[(0.025, 0.1)],
+            &[(0.001, 0.05), (0.0002, 0.02)],
+            &[(0.03, 0.001), (0.03, 0.005)],
+            &[(0.012, 1.5)],
+        ];
+        for force in [20.0, 60.0, 200.0, 2000.0, 20e3] {
+            for plan in plans {
+                for friction in [0.02, 0.1] {
+                    // Friction of a small damper is a few newtons too; a slow test shows little else.
+                    let records = campaign(force, friction * force + 2.0, plan, [1.0; 3]);
+                    assert_eq!(said(&records), "", "{force} N, {plan:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn thousandfold_slips_are_refused_with_evidence_and_the_flag_to_insist() {
+        for force in [600.0, 2000.0, 6000.0] {
+            for (slip, wanted) in [
+                ([1.0, 1.0, 1e-3], "--unit force=kN, or --unit force=N to insist"),
+                ([1e3, 1.0, 1.0], "--unit time=ms, or --unit time=s to insist"),
+                ([1e-3, 1.0, 1.0], "--unit time=s, or --unit time=ms to insist"),
+                ([1.0, 1e-3, 1.0], "--unit displacement=m, or --unit displacement=mm to insist"),
+            ] {
+                let records = campaign(force, 0.05 * force, &USUAL, slip);
+                // Time read a thousandfold short is absurd at once where the speed is.
+                let message = said(&records);
+                assert!(message.contains(wanted), "{force} {slip:?}: {message}");
+            }
+        }
+        let mut options = Options::default();
+        options.units.insert(Channel::Force, Unit::Newton);
+        assert!(refuse(&campaign(2000.0, 50.0, &USUAL, [1.0, 1.0, 1e-3]), &options).is_ok());
+    }
+
+    /// A record with half the range of its force, N, its peak velocity, m/s, and its sampling.
+    struct Figures {
+        half: f64,
+        speed: f64,
+        amplitude: f64,
+        step: f64,
+        seconds: f64,
+        /// Correlation of force and velocity.
+        correlation: f64,
+    }
+
+    impl Figures {
+        fn is_rejected(&self) -> bool {
+            let count = (self.seconds / self.step).ceil() as u32;
+            let phase = |i: u32| std::f64::consts::TAU * f64::from(i) / 20.0;
+            let shift = libm::acos(self.correlation);
+            let record = Record {
+                time: (0..=count).map(|i| self.step * f64::from(i)).collect(),
+                velocity: (0..=count).map(|i| self.speed * libm::cos(phase(i))).collect(),
+                force: (0..=count).map(|i| self.half * libm::cos(phase(i) + shift)).collect(),
+                amplitude: self.amplitude,
+                peak_velocity: self.speed,
+                ..Record::default()
+            };
+            refuse(&[record], &Options::default()).is_err()
+        }
+    }
+
+    #[test]
+    fn units_are_doubted_only_where_all_figures_speak_for_it() {
+        let long =
+            |half, speed, step, seconds| Figures { half, speed, amplitude: 0.01, step, seconds, correlation: 1.0 };
+        assert!(long(20.0, 4.5e-3, 0.07, 5000.0).is_rejected());
+        for other in [
+            long(6.0, 4.5e-3, 0.07, 5000.0),
+            long(20.0, 8.5e-3, 0.07, 5000.0),
+            long(20.0, 4.5e-3, 0.036, 5000.0),
+            long(20.0, 4.5e-3, 0.07, 2600.0),
+        ] {
+            assert!(!other.is_rejected());
+        }
+        let stiff =
+            |half, speed, amplitude| Figures { half, speed, amplitude, step: 1e-3, seconds: 0.2, correlation: 1.0 };
+        assert!(stiff(40.0, 1e-4, 1.1e-4).is_rejected());
+        assert!(!stiff(40.0, 1e-4, 2.1e-4).is_rejected() && !stiff(22.0, 1e-4, 1.1e-4).is_rejected());
+        assert!(!stiff(6.0, 1e-5, 1.1e-4).is_rejected());
+        let weak =
+            |half, speed, correlation| Figures { half, speed, amplitude: 0.05, step: 1e-3, seconds: 0.2, correlation };
+        assert!(weak(0.5, 0.08, 1.0).is_rejected() && weak(6.0, 0.8, 1.0).is_rejected());
+        assert!(weak(0.1, 0.028, 1.0).is_rejected() && !weak(0.1, 0.014, 1.0).is_rejected());
+        assert!(!weak(11.0, 2.0, 1.0).is_rejected() && !weak(1.1, 0.08, 1.0).is_rejected());
+        assert!(weak(0.5, 0.08, 0.42).is_rejected() && !weak(0.5, 0.08, 0.21).is_rejected());
+    }
+
+    #[test]
+    fn a_frequency_that_no_rig_reaches_is_another_unit_of_time() {
+        let rejected = |frequency: f64| {
+            let record = Record { time: vec![0.0, 1.0], frequency, amplitude: 2e-4, ..Record::default() };
+            refuse(&[record], &Options::default()).is_err()
+        };
+        assert!(!rejected(110.0) && rejected(210.0));
+    }
+}

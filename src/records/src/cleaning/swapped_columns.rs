@@ -1,0 +1,230 @@
+//! Headings that stand over each other's columns: time over something that does not advance, displacement over force.
+
+use crate::data::complete_motion::Motion;
+use crate::data::cycle::Cycle;
+use crate::data::samples::Samples;
+use crate::error::RecordError;
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{median, quantile, range};
+use crate::options::Options;
+use crate::quantities::channel::Channel;
+use crate::tuning::swapped_columns::{FORWARD, HIGHEST, LONGEST, NO_SINE, PURER, ROUGHER};
+
+/// Refuses samples whose headings look swapped; a unit that the user gave for a channel says that it is right.
+pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
+    let insisted = |a: Channel, b: Channel| [a, b].iter().any(|c| options.units.contains_key(c));
+    let error = |a: Channel, b: Channel, evidence: Sentence| RecordError::Swapped {
+        at: samples.at.clone(),
+        first: samples.heading(a),
+        second: samples.heading(b),
+        of_first: a,
+        of_second: b,
+        evidence,
+    };
+    if samples.len() < 20 {
+        return Ok(());
+    }
+    if !insisted(Channel::Time, Channel::Time) && forward(&samples.time) < 0.7 {
+        for other in [Channel::Force, Channel::Displacement, Channel::Velocity] {
+            let advances = samples.channel(other).is_some_and(|v| range(v) > 0.0 && forward(v) > FORWARD);
+            if advances && !insisted(Channel::Time, other) {
+                let evidence = Sentence::from(phrases::TIME_STANDS)
+                    .with("percent", format!("{:.0}", 100.0 * (1.0 - forward(&samples.time))))
+                    .with_word("other", other.name());
+                return Err(error(Channel::Time, other, evidence));
+            }
+        }
+    }
+    let Some(x) = &samples.displacement else { return Ok(()) };
+    if insisted(Channel::Displacement, Channel::Force) {
+        return Ok(());
+    }
+    let spread = |values: &[f64]| {
+        let mut finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+        quantile(&mut finite, 0.98) - quantile(&mut finite, 0.02)
+    };
+    let (move_range, force_range) = (spread(x), spread(&samples.force));
+    if !(move_range > 0.0 && force_range > 0.0) {
+        return Ok(());
+    }
+    let spans = Sentence::from(phrases::SPANS)
+        .with("displacement", format!("{:.1}", 1e3 * move_range))
+        .with("force", format!("{force_range:.3}"));
+    let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
+    // A motion of metres under a force of newtons, and the smoother of the two is called force.
+    if move_range > LONGEST && force_range < 500.0 && rougher {
+        return Err(error(
+            Channel::Displacement,
+            Channel::Force,
+            Sentence::from(phrases::FORCE_SMOOTHER).with_sentence("spans", spans),
+        ));
+    }
+    // A damper takes energy out: the loop of force over displacement runs one way round. Swapped, it runs the other way;
+    // with both measured signs possible, only a smooth force under a rough displacement tells.
+    if let Some(v) = &samples.velocity {
+        let (by_x, by_f) = (follows(&samples.time, x, v), follows(&samples.time, &samples.force, v));
+        if by_f > 0.97 && by_x < 0.8 {
+            let evidence = Sentence::from(phrases::DERIVATIVE_OF_FORCE)
+                .with("with_force", format!("{by_f:.2}"))
+                .with("with_displacement", format!("{by_x:.2}"));
+            return Err(error(Channel::Displacement, Channel::Force, evidence));
+        }
+    } else if rougher && loop_area(x, &samples.force) < 0.0 {
+        let evidence = Sentence::from(phrases::DISPLACEMENT_ROUGHER)
+            .with("times", format!("{:.1}", roughness(x) / roughness(&samples.force)))
+            .with_sentence("spans", spans);
+        return Err(error(Channel::Displacement, Channel::Force, evidence));
+    }
+    Ok(())
+}
+
+/// How far a test of cycles is from a sine in displacement and in force: the overtones as a share of the ground wave.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Overtones {
+    pub displacement: f64,
+    pub force: f64,
+}
+
+impl Overtones {
+    /// Whether what is read as force is the motion, and the reverse.
+    pub fn exchanged(&self) -> bool {
+        self.displacement > NO_SINE && self.displacement > PURER * self.force
+    }
+
+    /// Over the whole cycles of a test; nothing where it has none or too few samples.
+    pub fn measure(motion: &Motion) -> Option<Overtones> {
+        let of = |values: &[f64]| {
+            let mut shares: Vec<f64> =
+                motion.cycles.iter().filter_map(|c| overtones(&motion.time, values, c)).collect();
+            (!shares.is_empty()).then(|| median(&mut shares))
+        };
+        Some(Overtones { displacement: of(&motion.displacement)?, force: of(&motion.force)? })
+    }
+}
+
+/// The overtones of one cycle as a share of its ground wave.
+fn overtones(time: &[f64], values: &[f64], cycle: &Cycle) -> Option<f64> {
+    let span = cycle.start..cycle.end;
+    if span.len() < 4 * HIGHEST {
+        return None;
+    }
+    let (time, values) = (&time[span.clone()], &values[span]);
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let turn = std::f64::consts::TAU / (cycle.end_time - cycle.start_time);
+    let wave = |k: usize| {
+        let (mut a, mut b) = (0.0, 0.0);
+        for (t, value) in time.iter().zip(values) {
+            let phase = turn * k as f64 * (t - cycle.start_time);
+            a += (value - mean) * libm::cos(phase);
+            b += (value - mean) * libm::sin(phase);
+        }
+        libm::hypot(a, b)
+    };
+    let ground = wave(1);
+    let over = (2..=HIGHEST).map(wave).fold(0.0, libm::hypot);
+    (ground > 0.0).then(|| over / ground)
+}
+
+/// Share of the steps that go forward.
+fn forward(values: &[f64]) -> f64 {
+    let steps = values.windows(2).filter(|w| w[1] > w[0]).count();
+    steps as f64 / (values.len() - 1).max(1) as f64
+}
+
+/// Root mean square of the third differences as a share of the range: steps, knees and noise.
+fn roughness(values: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> =
+        values.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).powi(2)).filter(|d| d.is_finite()).collect();
+    let spread = range(values);
+    // The few largest may be outliers.
+    let count = sizes.len();
+    sizes.sort_by(f64::total_cmp);
+    sizes.truncate(count - count / 200);
+    let mean = sizes.iter().sum::<f64>() / sizes.len().max(1) as f64;
+    if spread > 0.0 { (mean.sqrt() / spread).max(1e-12) } else { 1e-12 }
+}
+
+/// Area of the loop, positive where the damper takes energy out.
+fn loop_area(x: &[f64], force: &[f64]) -> f64 {
+    let pairs = x.windows(2).zip(force.windows(2));
+    pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
+}
+
+/// Correlation of the steps of one column with another taken as its speed.
+fn follows(time: &[f64], values: &[f64], speed: &[f64]) -> f64 {
+    let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
+    // Over several samples, so that noise does not hide the motion.
+    let reach = (time.len() / 400).clamp(1, 20);
+    for i in reach..time.len().saturating_sub(reach) {
+        let step = time[i + reach] - time[i - reach];
+        let (a, b) = ((values[i + reach] - values[i - reach]) / step, speed[i]);
+        if step > 0.0 && a.is_finite() && b.is_finite() {
+            ab += a * b;
+            aa += a * a;
+            bb += b * b;
+        }
+    }
+    if aa > 0.0 && bb > 0.0 { ab / (aa * bb).sqrt() } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::SineTest;
+
+    fn said(change: impl Fn(&mut Samples)) -> String {
+        let mut samples = SineTest::default().samples();
+        change(&mut samples);
+        refuse(&samples, &Options::default()).map_or_else(|e| e.to_string(), |()| String::new())
+    }
+
+    fn swap_with_force(samples: &mut Samples) {
+        let x = samples.displacement.as_mut().unwrap();
+        std::mem::swap(x, &mut samples.force);
+    }
+
+    #[test]
+    fn swapped_headings_are_told_with_the_evidence() {
+        assert_eq!(said(|_| ()), "");
+        assert_eq!(said(|s| s.velocity = None), "");
+        // A force or a motion counted the other way round is another matter.
+        assert_eq!(said(|s| s.force.iter_mut().for_each(|f| *f = -*f)), "");
+        assert_eq!(
+            said(|s| {
+                s.velocity = None;
+                s.force.iter_mut().for_each(|f| *f = -*f)
+            }),
+            ""
+        );
+        for without_velocity in [false, true] {
+            for scale in [1.0, 1e-3] {
+                let message = said(|s| {
+                    swap_with_force(s);
+                    // Columns under the other's heading are taken in the other's unit.
+                    s.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x *= scale);
+                    s.force.iter_mut().for_each(|f| *f *= 1e3);
+                    if without_velocity {
+                        s.velocity = None;
+                    }
+                });
+                assert!(message.contains("swapped") && message.contains("--column displacement="), "{scale} {message}");
+            }
+        }
+        let message = said(|s| {
+            let x = s.displacement.as_mut().unwrap();
+            std::mem::swap(x, &mut s.time);
+        });
+        assert!(message.contains("column read as time"), "{message}");
+    }
+
+    #[test]
+    fn a_unit_given_insists() {
+        let mut samples = SineTest::default().samples();
+        swap_with_force(&mut samples);
+        let mut options = Options::default();
+        assert!(refuse(&samples, &options).is_err());
+        options.units.insert(Channel::Displacement, "mm".parse().unwrap());
+        assert!(refuse(&samples, &options).is_ok());
+    }
+}

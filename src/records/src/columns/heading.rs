@@ -1,0 +1,857 @@
+//! How a column heading names a channel and its unit, in the languages and manners of test rigs.
+
+use crate::quantities::channel::Channel;
+use crate::quantities::unit::{Dimension, Unit, plain};
+use std::str::FromStr;
+
+/// Headings understood for a channel, without the unit and without accents, in lower case with blanks between the words.
+pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
+    match channel {
+        Channel::Time => &[
+            "time",
+            "t",
+            "timestamp",
+            "time stamp",
+            "elapsed time",
+            "test time",
+            "running time",
+            "total time",
+            "time of day",
+            "clock",
+            "wall clock",
+            "times",
+            "tout",
+            "date time",
+            "datetime",
+            "zeit",
+            "messzeit",
+            "laufzeit",
+            "testzeit",
+            "prufzeit",
+            "versuchszeit",
+            "zeit seit start",
+            "zeitstempel",
+            "uhrzeit",
+            "datum uhrzeit",
+            "temps",
+            "heure",
+            "horodatage",
+            "tempo",
+            "ora",
+            "tiempo",
+            "hora",
+            "时间",
+            "時間",
+            "采样时间",
+            "测试时间",
+            "试验时间",
+        ],
+        Channel::Displacement => &[
+            "displacement",
+            "disp",
+            "displ",
+            "position",
+            "pos",
+            "stroke",
+            "travel",
+            "deflection",
+            "extension",
+            "dist",
+            "distance",
+            "x",
+            "weg",
+            "hub",
+            "federweg",
+            "dampferweg",
+            "daempferweg",
+            "kolbenweg",
+            "zylinderweg",
+            "einfederweg",
+            "standardweg",
+            "standard travel",
+            "crosshead",
+            "traversenweg",
+            "auslenkung",
+            "verschiebung",
+            "wegsignal",
+            "deplacement",
+            "course",
+            "debattement",
+            "spostamento",
+            "corsa",
+            "posizione",
+            "desplazamiento",
+            "posicion",
+            "carrera",
+            "recorrido",
+            "位移",
+            "行程",
+            "位置",
+            "変位",
+        ],
+        Channel::Velocity => &[
+            "velocity",
+            "vel",
+            "speed",
+            "v",
+            "geschwindigkeit",
+            "kolbengeschwindigkeit",
+            "dampfergeschwindigkeit",
+            "daempfergeschwindigkeit",
+            "geschw",
+            "vitesse",
+            "velocita",
+            "velocidad",
+            "速度",
+        ],
+        Channel::Force => &[
+            "force",
+            "load",
+            "f",
+            "load cell",
+            "loadcell",
+            "forc",
+            "kraft",
+            "dampferkraft",
+            "daempferkraft",
+            "dampfkraft",
+            "axialkraft",
+            "kolbenkraft",
+            "kraftmessdose",
+            "standardkraft",
+            "standard force",
+            "effort",
+            "forza",
+            "carico",
+            "fuerza",
+            "carga",
+            "力",
+            "阻尼力",
+            "载荷",
+            "负荷",
+            "荷重",
+            "力值",
+            "试验力",
+            "轴向力",
+        ],
+        Channel::SideForce => &[
+            "side force",
+            "lateral force",
+            "side load",
+            "lateral load",
+            "force side",
+            "f side",
+            "transverse force",
+            "querkraft",
+            "seitenkraft",
+            "force laterale",
+            "effort lateral",
+            "forza laterale",
+            "carico laterale",
+            "fuerza lateral",
+            "carga lateral",
+            "侧向力",
+            "侧力",
+            "横向力",
+        ],
+        Channel::Temperature => &[
+            "temperature",
+            "temp",
+            "temperatur",
+            "oltemperatur",
+            "oeltemperatur",
+            "dampfertemperatur",
+            "temperatura",
+            "温度",
+            "油温",
+        ],
+        Channel::Current => &[
+            "current",
+            "coil current",
+            "valve current",
+            "strom",
+            "ventilstrom",
+            "spulenstrom",
+            "courant",
+            "corrente",
+            "corriente",
+            "电流",
+            "電流",
+        ],
+    }
+}
+/// What a column heading says.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Heading {
+    /// One of the channels; the unit if the heading carries one.
+    Channel(Channel, HeadingUnit),
+    /// The column that tells several tests in one file apart.
+    Test,
+    /// Sample time of a record without time vector (MAT scalars).
+    SampleTime(HeadingUnit),
+    /// Samples per second of a record without time vector.
+    SampleRate,
+    /// Nothing known here.
+    Unknown,
+}
+
+/// The unit part of a heading.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum HeadingUnit {
+    /// No unit in the heading.
+    Missing,
+    /// A unit is written there but not understood, or does not measure this quantity.
+    Unknown(String),
+    /// The unit.
+    Known(Unit),
+}
+
+/// What a column that holds the name of the test is called, alone or before one of [`OF_A_TEST`].
+const TESTS: [&str; 27] = [
+    "test",
+    "run",
+    "versuch",
+    "versuchs",
+    "prufung",
+    "pruflauf",
+    "messung",
+    "messlauf",
+    "testlauf",
+    "essai",
+    "prova",
+    "ensayo",
+    "prueba",
+    "testid",
+    "testno",
+    "testnr",
+    "versuchsnr",
+    "versuchsnummer",
+    "versuchsname",
+    "prufnummer",
+    "prufungsnummer",
+    "messungsnummer",
+    "testnummer",
+    "试验",
+    "试验编号",
+    "测试编号",
+    "试验名称",
+];
+/// What stands behind it.
+const OF_A_TEST: [&str; 15] = [
+    "id",
+    "no",
+    "nr",
+    "number",
+    "name",
+    "nummer",
+    "bezeichnung",
+    "n",
+    "num",
+    "numero",
+    "nom",
+    "nome",
+    "nombre",
+    "编号",
+    "名称",
+];
+
+/// Words in a heading that say nothing about the quantity.
+const FILLERS: [&str; 58] = [
+    "channel",
+    "ch",
+    "signal",
+    "measured",
+    "meas",
+    "actual",
+    "act",
+    "damper",
+    "actuator",
+    "lead",
+    "axial",
+    "rig",
+    "rod",
+    "piston",
+    "oil",
+    "body",
+    "shock",
+    "absorber",
+    "kanal",
+    "ist",
+    "istwert",
+    "gemessen",
+    "dampfer",
+    "daempfer",
+    "kolben",
+    "zylinder",
+    "in",
+    "de",
+    "du",
+    "la",
+    "del",
+    "della",
+    "dell",
+    "amortisseur",
+    "ammortizzatore",
+    "amortiguador",
+    "mesure",
+    "mesuree",
+    "misurata",
+    "misurato",
+    "medida",
+    "medido",
+    // What controllers of rigs call the measured value, and the axis that it is of.
+    "feedback",
+    "fbk",
+    "fb",
+    "response",
+    "reading",
+    "achse",
+    "axis",
+    "aktuator",
+    "station",
+    "primary",
+    "machine",
+    "maschine",
+    "main",
+    "filter",
+    "filtered",
+    "gefiltert",
+];
+/// Words that name a sensor or an input. A heading that needs them left out gives way to one that does not.
+const SENSORS: [&str; 15] = [
+    "lvdt",
+    "sensor",
+    "transducer",
+    "encoder",
+    "aufnehmer",
+    "wegaufnehmer",
+    "linear",
+    "digital",
+    "analog",
+    "input",
+    "ai",
+    "value",
+    "wert",
+    "messwert",
+    "messung",
+];
+
+/// Clocks that are called by what they count.
+const CLOCKS: [(&[&str], Unit); 3] = [
+    (&["seconds", "secs", "sekunden", "secondes", "segundos", "secondi"], Unit::Second),
+    (&["millis", "milliseconds", "millisekunden", "millisecondes"], Unit::Millisecond),
+    (&["micros", "microseconds", "mikrosekunden", "microsecondes"], Unit::Microsecond),
+];
+
+/// Words of headings that are understood where no other one names the quantity: beside `time`, Simulink writes a `tout` of its own.
+const STOPGAPS: [&str; 6] = ["times", "tout", "dist", "distance", "forc", "lead"];
+
+/// Whether a heading gives way to one that names the quantity by its usual name.
+pub(crate) fn is_stopgap(text: &str) -> bool {
+    if text.len() > LONGEST {
+        return false;
+    }
+    let is_one = |word: &String| {
+        STOPGAPS.contains(&word.as_str()) || CLOCKS.iter().any(|(names, _)| names.contains(&word.as_str()))
+    };
+    words(text).iter().any(is_one)
+}
+
+/// Longest heading that is understood, bytes: a longer text is none, and its words would be compared for minutes.
+const LONGEST: usize = 400;
+
+/// Words of a heading that name what was wanted of a quantity, or one figure of it, and not its course over time.
+const NO_COURSE: [&str; 30] = [
+    "command",
+    "cmd",
+    "setpoint",
+    "set",
+    "target",
+    "demand",
+    "desired",
+    "reference",
+    "ref",
+    "error",
+    "soll",
+    "sollwert",
+    "sollweg",
+    "sollkraft",
+    "regelabweichung",
+    "consigne",
+    "erreur",
+    "setvalue",
+    "peak",
+    "max",
+    "min",
+    "maximum",
+    "minimum",
+    "mean",
+    "average",
+    "amplitude",
+    "side",
+    "lateral",
+    "预设",
+    "设定",
+];
+
+/// The channel that the unit of a heading that is not understood speaks for: a force or a displacement.
+pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    let text = plain(text);
+    let (name, written) = bracketed(text.trim()).map_or((text.trim(), None), |(name, unit)| (name, Some(unit)));
+    let told = words(name);
+    let unit = written.or(below).and_then(|unit| unit.parse::<Unit>().ok())?;
+    if heading(&text) != Heading::Unknown || told.is_empty() || told.iter().any(|w| NO_COURSE.contains(&w.as_str())) {
+        return None;
+    }
+    match unit.dimension() {
+        Dimension::Force => Some(Channel::Force),
+        Dimension::Length => Some(Channel::Displacement),
+        _ => None,
+    }
+}
+
+/// Reads a column heading: `displacement_mm`, `Velocity [m/s]`, `Force (N)`, `F_N`, `Load, kN`, `Weg in mm`, `位移/mm`.
+pub(crate) fn heading(text: &str) -> Heading {
+    if text.len() > LONGEST {
+        return Heading::Unknown;
+    }
+    match strict(text) {
+        Heading::Unknown => loose(text),
+        found => found,
+    }
+}
+
+/// Whether the heading is understood without leaving sensor names and numbers out.
+pub(crate) fn is_plain(text: &str) -> bool {
+    text.len() <= LONGEST && strict(text) != Heading::Unknown
+}
+
+fn strict(text: &str) -> Heading {
+    let text = plain(text);
+    let text = text.trim();
+    if let Some((name, unit)) = bracketed(text) {
+        return classify(&words(name), HeadingUnitText::Bracketed(unit));
+    }
+    let words = words(text);
+    // The longest unit that fits wins: `Piston velocity in/s`, but `Messzeit in s`.
+    let mut other = None;
+    for (split, unit) in trailing_units(&words) {
+        match classify(&words[..split], HeadingUnitText::Trailing(unit)) {
+            Heading::Unknown => {}
+            found @ Heading::Channel(_, HeadingUnit::Unknown(_)) => {
+                other.get_or_insert(found);
+            }
+            found => return found,
+        }
+    }
+    other.unwrap_or_else(|| classify(&words, HeadingUnitText::None))
+}
+
+/// A heading with the name of a sensor, the number of an input, or what the acquisition calls it.
+///
+/// `Ch 1 Displacement (mm)`, `Displacement LVDT [mm]`, `Position(Linear:Digital Position) (mm)`. Only with a unit
+/// that fits.
+fn loose(text: &str) -> Heading {
+    let text = without_rate(&plain(text));
+    let (name, unit) = match bracketed(text.trim()) {
+        Some((name, unit)) => (name.to_owned(), unit.parse::<Unit>().ok()),
+        None => {
+            let all = words(&text);
+            let (split, unit) = trailing_unit(&all);
+            (all[..split].join(" "), unit)
+        }
+    };
+    let outer = name.split(['(', ':']).next().unwrap_or_default();
+    let outer = if words(outer).is_empty() { &name } else { outer };
+    let told: Vec<String> = words(outer)
+        .into_iter()
+        .filter(|word| !SENSORS.contains(&word.as_str()) && !word.chars().all(|c| c.is_ascii_digit()))
+        .collect();
+    match classify(&told, unit.map_or(HeadingUnitText::None, HeadingUnitText::Trailing)) {
+        // A letter and a number are too little to go by without a unit.
+        Heading::Channel(_, HeadingUnit::Missing) if told.concat().chars().count() == 1 => Heading::Unknown,
+        found @ Heading::Channel(_, HeadingUnit::Known(_) | HeadingUnit::Missing) => found,
+        Heading::Unknown => misspelt(&told, unit),
+        _ => Heading::Unknown,
+    }
+}
+
+/// A long name with one letter wrong: `Lead Actuator Displacment`. Not of a time, for `Restzeit` is no `Testzeit`.
+fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
+    /// Letters of a name from which on one that is wrong leaves no doubt.
+    const LONG: usize = 9;
+    let telling: Vec<&str> = told.iter().map(String::as_str).filter(|w| !FILLERS.contains(w)).collect();
+    let [name] = telling[..] else { return Heading::Unknown };
+    let length = name.chars().count();
+    // Few names have nearly its length, and only those are compared letter by letter: this is asked of every cell that may be a heading.
+    let near = |h: &&&str| h.chars().count() >= LONG && h.chars().count().abs_diff(length) <= 1;
+    let of = |channel: &Channel| headings(*channel).iter().filter(near).any(|h| distance(name, h) == 1);
+    match ([Channel::Displacement, Channel::Velocity, Channel::Force].into_iter().find(of), unit) {
+        (Some(channel), None) => Heading::Channel(channel, HeadingUnit::Missing),
+        (Some(channel), Some(unit)) if unit.dimension() == channel.dimension() => {
+            Heading::Channel(channel, HeadingUnit::Known(unit))
+        }
+        _ => Heading::Unknown,
+    }
+}
+
+/// The heading without the rate that some acquisitions write behind the name of their time channel: `Zeit 1 - Standardmessrate`.
+fn without_rate(text: &str) -> String {
+    const RATES: [&str; 6] = [
+        "standardmessrate",
+        "schnelle messrate",
+        "langsame messrate",
+        "default sample rate",
+        "fast sample rate",
+        "slow sample rate",
+    ];
+    let Some((name, remark)) = text.split_once(" - ") else { return text.to_owned() };
+    let lower = remark.to_lowercase();
+    match RATES.iter().find(|rate| lower.trim_start().starts_with(**rate)) {
+        // What stands behind it is the unit.
+        Some(rate) => format!("{} {}", name, &remark.trim_start()[rate.len()..]),
+        None => text.to_owned(),
+    }
+}
+
+/// Units written as trailing words (`velocity_m_s`, `force N`) and where they begin, the longest first.
+fn trailing_units(words: &[String]) -> Vec<(usize, Unit)> {
+    (1..=2.min(words.len().saturating_sub(1)))
+        .rev()
+        .map(|count| words.len() - count)
+        .filter_map(|split| Some((split, words[split..].join("/").parse::<Unit>().ok()?)))
+        // `Load cell A` is the first of several.
+        .filter(|(split, unit)| {
+            unit.dimension() != Dimension::Current
+                || headings(Channel::Current).contains(&words[..*split].join(" ").as_str())
+        })
+        .collect()
+}
+
+/// The longest of them.
+fn trailing_unit(words: &[String]) -> (usize, Option<Unit>) {
+    trailing_units(words).first().map_or((words.len(), None), |(split, unit)| (*split, Some(*unit)))
+}
+
+/// The heading without its unit, in words, to compare names given by the user with.
+pub(crate) fn without_unit(text: &str) -> String {
+    if text.len() > LONGEST {
+        return text.to_owned();
+    }
+    let text = plain(text);
+    match bracketed(text.trim()) {
+        Some((name, _)) => words(name).join(" "),
+        None => {
+            let all = words(&text);
+            all[..trailing_unit(&all).0].join(" ")
+        }
+    }
+}
+
+/// The heading nearest to a name that is not there, if any is near: a third of the letters may differ.
+pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted = without_unit(wanted);
+    let allowed = (wanted.chars().count() / 3).max(1);
+    headings
+        .into_iter()
+        .filter(|h| !h.trim().is_empty())
+        .map(|h| (distance(&wanted, &without_unit(h)), h))
+        .filter(|(distance, _)| *distance <= allowed)
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, h)| h)
+}
+
+/// The heading that looks most like one of a channel's, misspelt.
+pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a str> {
+    /// Headings of a file that are compared; hostile files have millions.
+    const COMPARED: usize = 200;
+    let known = headings(channel).iter().filter(|h| h.chars().count() >= 3);
+    known.filter_map(|h| nearest(h, found.iter().copied().take(COMPARED))).next()
+}
+
+/// Letters to change, add, leave out or exchange with their neighbour to get from one text to the other (Damerau 1964). Long
+/// texts count as far.
+fn distance(a: &str, b: &str) -> usize {
+    /// Headings are shorter; this bounds the work on hostile files.
+    const LONG: usize = 64;
+    let is_long = |text: &str| text.chars().nth(LONG).is_some();
+    if is_long(a) || is_long(b) { usize::MAX } else { strsim::osa_distance(a, b) }
+}
+
+enum HeadingUnitText<'a> {
+    None,
+    Bracketed(&'a str),
+    Trailing(Unit),
+}
+
+fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
+    let all = words.join(" ");
+    if let [test, of_it @ ..] = words
+        && TESTS.contains(&test.as_str())
+        && of_it.len() <= 1
+        && of_it.iter().all(|word| OF_A_TEST.contains(&word.as_str()))
+    {
+        return Heading::Test;
+    }
+    if ["sample rate", "sampling rate", "sampling frequency", "sample frequency", "fs", "abtastrate"]
+        .contains(&all.as_str())
+        && !matches!(&unit, HeadingUnitText::Trailing(u) if u.dimension() == Dimension::Force)
+        && !matches!(&unit, HeadingUnitText::Bracketed(u) if u.parse::<Unit>().is_ok_and(|u| u.dimension() == Dimension::Force))
+    {
+        return Heading::SampleRate;
+    }
+    let telling: Vec<&str> = words.iter().map(String::as_str).filter(|w| !FILLERS.contains(w)).collect();
+    let name = telling.join(" ");
+    let unit = match unit {
+        HeadingUnitText::None => None,
+        HeadingUnitText::Bracketed("") => None,
+        HeadingUnitText::Bracketed(text) => Some(text.parse::<Unit>().map_err(|_| text.to_string())),
+        HeadingUnitText::Trailing(unit) => Some(Ok(unit)),
+    };
+    if ["dt", "ts", "sample time", "sampling time", "sample interval"].contains(&name.as_str()) {
+        return match unit {
+            None => Heading::SampleTime(HeadingUnit::Missing),
+            Some(Ok(u)) if u.dimension() == Dimension::Time => Heading::SampleTime(HeadingUnit::Known(u)),
+            Some(_) => Heading::Unknown,
+        };
+    }
+    // `fs` is the sampling frequency in most files, and the side force where its unit says so.
+    match &unit {
+        Some(Ok(u)) if name == "fs" && u.dimension() == Dimension::Force => {
+            return Heading::Channel(Channel::SideForce, HeadingUnit::Known(*u));
+        }
+        _ => {}
+    }
+    // `T [degC]`: the letter is time's, but the unit says what it is.
+    match &unit {
+        Some(Ok(u)) if name == "t" && u.dimension() == Dimension::Temperature => {
+            return Heading::Channel(Channel::Temperature, HeadingUnit::Known(*u));
+        }
+        _ => {}
+    }
+    // A clock called by what it counts, as small boards write it.
+    if unit.is_none()
+        && let Some((_, unit)) = CLOCKS.iter().find(|(names, _)| names.contains(&name.as_str()))
+    {
+        return Heading::Channel(Channel::Time, HeadingUnit::Known(*unit));
+    }
+    let Some(channel) = Channel::ALL.into_iter().find(|c| headings(*c).contains(&name.as_str())) else {
+        return Heading::Unknown;
+    };
+    match unit {
+        None => Heading::Channel(channel, HeadingUnit::Missing),
+        Some(Ok(u)) if u.dimension() == channel.dimension() => Heading::Channel(channel, HeadingUnit::Known(u)),
+        // A single letter with a foreign unit is another quantity (`f [Hz]`, `v [V]`), not a damper channel.
+        Some(_) if name.len() == 1 => Heading::Unknown,
+        Some(Ok(u)) => Heading::Channel(channel, HeadingUnit::Unknown(u.name().to_string())),
+        Some(Err(text)) => Heading::Channel(channel, HeadingUnit::Unknown(text)),
+    }
+}
+
+/// Splits `name [unit]` or `name (unit)`.
+fn bracketed(text: &str) -> Option<(&str, &str)> {
+    for (open, close) in [('[', ']'), ('(', ')'), ('{', '}')] {
+        if let Some(start) = text.rfind(open)
+            && let Some(length) = text[start..].find(close)
+        {
+            return Some((&text[..start], text[start + open.len_utf8()..start + length].trim()));
+        }
+    }
+    None
+}
+
+/// Words of a heading in lower case.
+pub(crate) fn words(text: &str) -> Vec<String> {
+    plain(text).split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).map(str::to_lowercase).collect()
+}
+
+/// What headings and units are understood, for error messages.
+pub(crate) fn vocabulary() -> String {
+    let some = |c: Channel| headings(c).iter().take(6).copied().collect::<Vec<_>>().join(", ");
+    let units = |c: Channel| c.units_understood();
+    let channels = Channel::ALL.map(|c| format!("{} ({}) in {}", c.name(), some(c), units(c))).join("; ");
+    format!("{channels}; the names also in German, French, Italian, Spanish and Chinese")
+}
+
+impl FromStr for Channel {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let words = words(text).join(" ");
+        Channel::ALL
+            .into_iter()
+            .find(|c| c.name().replace('_', " ") == words || headings(*c).contains(&words.as_str()))
+            .ok_or_else(|| {
+                format!("'{text}' is no channel; the channels are {}", Channel::ALL.map(Channel::name).join(", "))
+            })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> (Channel, Unit) {
+        match heading(text) {
+            Heading::Channel(c, HeadingUnit::Known(u)) => (c, u),
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn headings_of_common_exports_are_understood() {
+        assert_eq!(read("time_s"), (Channel::Time, Unit::Second));
+        assert_eq!(read("displacement_mm"), (Channel::Displacement, Unit::Millimetre));
+        assert_eq!(read("velocity_m_s"), (Channel::Velocity, Unit::MetrePerSecond));
+        assert_eq!(read("Velocity [m/s]"), (Channel::Velocity, Unit::MetrePerSecond));
+        assert_eq!(read("Force (N)"), (Channel::Force, Unit::Newton));
+        assert_eq!(read("F_kN"), (Channel::Force, Unit::Kilonewton));
+        assert_eq!(read("Damper Force, daN"), (Channel::Force, Unit::Decanewton));
+        assert_eq!(read("Piston velocity in/s"), (Channel::Velocity, Unit::InchPerSecond));
+        assert_eq!(read("Lateral Force [lbf]"), (Channel::SideForce, Unit::PoundForce));
+        assert_eq!(read("T [°C]"), (Channel::Temperature, Unit::Celsius));
+        assert_eq!(read("t [ms]"), (Channel::Time, Unit::Millisecond));
+        assert_eq!(read("x (µm)"), (Channel::Displacement, Unit::Micrometre));
+        assert_eq!(read("speed_mm_s"), (Channel::Velocity, Unit::MillimetrePerSecond));
+    }
+
+    #[test]
+    fn other_quantities_are_left_alone() {
+        for text in
+            ["f [Hz]", "v [V]", "Force setpoint [N]", "displacement command mm", "Cycle", "acceleration", "s", ""]
+        {
+            assert_eq!(heading(text), Heading::Unknown, "{text}");
+        }
+        assert_eq!(heading("Test No"), Heading::Test);
+        assert_eq!(heading("test_id"), Heading::Test);
+        for named in ["Run", "Prüfung Nr.", "Versuch", "Messung", "Prüflauf", "Versuchs-Nr.", "Essai", "试验编号"]
+        {
+            assert_eq!(heading(named), Heading::Test, "{named}");
+        }
+    }
+
+    #[test]
+    fn a_unit_of_the_wrong_kind_is_reported_as_unknown() {
+        assert_eq!(heading("Force [mm]"), Heading::Channel(Channel::Force, HeadingUnit::Unknown("mm".into())));
+        assert_eq!(heading("Force [tons]"), Heading::Channel(Channel::Force, HeadingUnit::Unknown("tons".into())));
+        assert_eq!(heading("Force"), Heading::Channel(Channel::Force, HeadingUnit::Missing));
+    }
+
+    #[test]
+    fn headings_as_rigs_write_them_in_six_languages() {
+        use Channel::*;
+        use Unit::*;
+        for (text, channel, unit) in [
+            ("Zeit [s]", Time, Second),
+            ("Messzeit in s", Time, Second),
+            ("Weg [mm]", Displacement, Millimetre),
+            ("Dämpferweg_mm", Displacement, Millimetre),
+            ("Kraft (kN)", Force, Kilonewton),
+            ("Dämpferkraft [N]", Force, Newton),
+            ("Daempferkraft [N]", Force, Newton),
+            ("Kolbengeschwindigkeit [mm/s]", Velocity, MillimetrePerSecond),
+            ("Querkraft [N]", SideForce, Newton),
+            ("Öltemperatur [°C]", Temperature, Celsius),
+            ("Temps (s)", Time, Second),
+            ("Déplacement (mm)", Displacement, Millimetre),
+            ("Effort [daN]", Force, Decanewton),
+            ("Vitesse (m/s)", Velocity, MetrePerSecond),
+            ("Température (°C)", Temperature, Celsius),
+            ("Tempo [s]", Time, Second),
+            ("Spostamento [mm]", Displacement, Millimetre),
+            ("Corsa mm", Displacement, Millimetre),
+            ("Forza [N]", Force, Newton),
+            ("Velocità [m/s]", Velocity, MetrePerSecond),
+            ("Tiempo [s]", Time, Second),
+            ("Desplazamiento (mm)", Displacement, Millimetre),
+            ("Posición [mm]", Displacement, Millimetre),
+            ("Fuerza [kN]", Force, Kilonewton),
+            ("Velocidad [m/s]", Velocity, MetrePerSecond),
+            ("时间(s)", Time, Second),
+            ("时间（秒）", Time, Second),
+            ("位移/mm", Displacement, Millimetre),
+            ("速度/(m/s)", Velocity, MetrePerSecond),
+            ("阻尼力（kN）", Force, Kilonewton),
+            ("力 [N]", Force, Newton),
+            ("温度(℃)", Temperature, Celsius),
+            ("Position(Linear:Digital Position) (mm)", Displacement, Millimetre),
+            ("Load(Linear:Load) (kN)", Force, Kilonewton),
+            ("Ch 1 Displacement (mm)", Displacement, Millimetre),
+            ("Ch 2 Force (kN)", Force, Kilonewton),
+            ("Displacement LVDT [mm]", Displacement, Millimetre),
+            ("Load Cell 1 [kN]", Force, Kilonewton),
+            ("Running Time Sec", Time, Second),
+            ("Zeit  1 - Standardmessrate [s]", Time, Second),
+            ("Time  1 - default sample rate [s]", Time, Second),
+            ("Standardweg [mm]", Displacement, Millimetre),
+            ("Standardkraft [N]", Force, Newton),
+            ("Achse-2 Weg [mm]", Displacement, Millimetre),
+            ("Achse-2 Kraft Filter [N]", Force, Newton),
+            ("Axial Displacement Feedback (mm)", Displacement, Millimetre),
+            ("Load (kip)", Force, KilopoundForce),
+            ("Weg/AI 1 (mm)", Displacement, Millimetre),
+            ("Force(Kg)", Force, KilogramForce),
+            ("fs [N]", SideForce, Newton),
+            ("Millis", Time, Millisecond),
+            ("times(s)", Time, Second),
+            ("Tout [s]", Time, Second),
+            ("dist [mm]", Displacement, Millimetre),
+            ("forc (N)", Force, Newton),
+            ("Lead Actuator Force [kN]", Force, Kilonewton),
+            ("Lead Actuator Displacment (mm)", Displacement, Millimetre),
+        ] {
+            assert_eq!(read(text), (channel, unit), "{text}");
+        }
+        for text in [
+            "Displacement - Command (mm)",
+            "Sollweg [mm]",
+            "Kraft Sollwert [N]",
+            "Load 2 setpoint [kN]",
+            "F 1 [Hz]",
+            "x2",
+            "1",
+            "Consigne effort [N]",
+        ] {
+            assert_eq!(heading(text), Heading::Unknown, "{text}");
+        }
+        for text in ["fs", "Fs [Hz]", "Sampling frequency [Hz]"] {
+            assert_eq!(heading(text), Heading::SampleRate, "{text}");
+        }
+        assert!(is_plain("Force [N]") && !is_plain("Force 2 [N]"));
+    }
+
+    #[test]
+    fn a_unit_speaks_for_a_heading_that_is_not_understood() {
+        for (text, below, wanted) in [
+            ("friction force (kip)", None, Some(Channel::Force)),
+            ("Fh [kN]", None, Some(Channel::Force)),
+            ("Linear_Pot (scaled)", None, None),
+            ("Linear Pot", Some("mm"), Some(Channel::Displacement)),
+            ("u [mm]", None, Some(Channel::Displacement)),
+            ("Force setpoint [N]", None, None),
+            ("displacement command (mm)", None, None),
+            // Understood as what it is.
+            ("Lateral Force [N]", None, None),
+            ("Force [N]", None, None),
+            ("[N]", None, None),
+            ("Fh", None, None),
+        ] {
+            assert_eq!(by_unit(text, below), wanted, "{text}");
+        }
+        assert_eq!(heading("Restzeit"), Heading::Unknown);
+        assert_eq!(heading("Ausfederweg [mm]"), Heading::Unknown);
+    }
+
+    #[test]
+    fn the_nearest_heading_is_proposed() {
+        let found = ["Zeit [s]", "Wegg [mm]", "Kratf [N]"];
+        assert_eq!(nearest("zeit", found), Some("Zeit [s]"));
+        assert_eq!(nearest_to(Channel::Force, &found), Some("Kratf [N]"));
+        assert_eq!(nearest_to(Channel::Displacement, &found), Some("Wegg [mm]"));
+        assert_eq!(nearest("pressure", found), None);
+        assert_eq!((distance("kitten", "sitting"), distance("", "abc")), (3, 3));
+    }
+}

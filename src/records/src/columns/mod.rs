@@ -1,0 +1,7 @@
+//! Tables: the column headings, their channels and units, and the rows below them. Every file format ends here.
+
+pub(crate) mod crank;
+pub mod delimiter;
+pub(crate) mod heading;
+pub(crate) mod non_data_lines;
+pub(crate) mod table;

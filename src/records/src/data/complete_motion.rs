@@ -1,0 +1,44 @@
+//! A test whose samples are sound and whose motion is complete.
+
+use super::cycle::Cycle;
+use super::measurement_error::MeasurementError;
+use super::record::Note;
+use super::test_metadata::TestMetadata;
+use crate::error::Place;
+use crate::quantities::setting_value::Setting;
+
+/// A test whose samples are sound and whose motion is complete, still in the file's signs and untrimmed.
+#[derive(Debug, Clone)]
+pub(crate) struct Motion {
+    pub at: Place,
+    pub name: String,
+    pub time: Vec<f64>,
+    pub begins: Option<f64>,
+    /// See [`Samples::about`].
+    pub about: TestMetadata,
+    pub displacement: Vec<f64>,
+    pub velocity: Vec<f64>,
+    pub force: Vec<f64>,
+    pub side_force: Option<Vec<f64>>,
+    pub temperature: Option<Vec<f64>>,
+    pub setting: Option<Setting>,
+    pub cycles: Vec<Cycle>,
+    /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
+    pub stated_error: MeasurementError,
+    pub notes: Vec<Note>,
+}
+
+impl Motion {
+    /// Sample range of the steady part: from the first whole cycle to the last, or everything.
+    pub fn steady(&self) -> std::ops::Range<usize> {
+        steady(&self.cycles, self.time.len())
+    }
+}
+
+/// Sample range from the first whole cycle to the last, or everything.
+pub(crate) fn steady(cycles: &[Cycle], samples: usize) -> std::ops::Range<usize> {
+    match (cycles.first(), cycles.last()) {
+        (Some(first), Some(last)) => first.start..last.end,
+        _ => 0..samples,
+    }
+}

@@ -1,0 +1,134 @@
+//! The samples of one test as they came from the file: SI, but with the file's signs and flaws.
+
+use std::ops::Range;
+
+use super::record::Note;
+use super::test_metadata::TestMetadata;
+use crate::dates::file_dates::Dates;
+use crate::error::Place;
+use crate::messages::sentence::Sentence;
+use crate::quantities::channel::Channel;
+use crate::quantities::unit::Unit;
+
+/// One test before cleaning. All channels have the length of `time`; missing values are NaN.
+#[derive(Debug, Clone)]
+pub(crate) struct Samples {
+    /// File, and sheet or test within it.
+    pub at: Place,
+    /// Name of the test.
+    pub name: String,
+    /// Line (row, element) of every sample in its file, from 1.
+    pub lines: Vec<usize>,
+    pub time: Vec<f64>,
+    /// Date and time of its time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
+    pub begins: Option<f64>,
+    /// What tells the order of day and month in that date.
+    pub dates: Dates,
+    /// What the file says of it beside its figures.
+    pub about: TestMetadata,
+    pub force: Vec<f64>,
+    pub displacement: Option<Vec<f64>>,
+    pub velocity: Option<Vec<f64>>,
+    pub side_force: Option<Vec<f64>>,
+    pub temperature: Option<Vec<f64>>,
+    /// Current of an adjustable damper's valve, A.
+    pub current: Option<Vec<f64>>,
+    /// Headings of the channels that are there, as the file writes them.
+    pub headings: Vec<(Channel, String)>,
+    /// The units that the channels were read in.
+    pub units: Vec<(Channel, Unit)>,
+    pub notes: Vec<Note>,
+}
+
+impl Samples {
+    pub fn len(&self) -> usize {
+        self.time.len()
+    }
+
+    /// With the date and time of its first sample, where its own times do not say it.
+    pub fn beginning(mut self, first: Option<f64>, dates: Dates) -> Samples {
+        if self.begins.is_none() {
+            let zero = self.time.iter().find(|t| t.is_finite());
+            self.begins = first.zip(zero).map(|(first, zero)| first - zero);
+            self.dates = dates;
+        }
+        self
+    }
+
+    pub fn note(&mut self, kind: &'static str, text: Sentence) {
+        self.notes.push(Note { kind, text });
+    }
+
+    /// What the file calls a channel.
+    pub fn heading(&self, channel: Channel) -> String {
+        let found = self.headings.iter().find(|(c, _)| *c == channel);
+        found.map_or_else(|| channel.to_string(), |(_, heading)| heading.clone())
+    }
+
+    /// A channel's values, where the record has it.
+    pub fn channel(&self, channel: Channel) -> Option<&[f64]> {
+        match channel {
+            Channel::Time => Some(&self.time),
+            Channel::Force => Some(&self.force),
+            Channel::Displacement => self.displacement.as_deref(),
+            Channel::Velocity => self.velocity.as_deref(),
+            Channel::SideForce => self.side_force.as_deref(),
+            Channel::Temperature => self.temperature.as_deref(),
+            Channel::Current => self.current.as_deref(),
+        }
+    }
+
+    /// The values of a channel, mutable.
+    pub fn channel_mut(&mut self, channel: Channel) -> Option<&mut Vec<f64>> {
+        match channel {
+            Channel::Time => Some(&mut self.time),
+            Channel::Force => Some(&mut self.force),
+            Channel::Displacement => self.displacement.as_mut(),
+            Channel::Velocity => self.velocity.as_mut(),
+            Channel::SideForce => self.side_force.as_mut(),
+            Channel::Temperature => self.temperature.as_mut(),
+            Channel::Current => self.current.as_mut(),
+        }
+    }
+
+    /// Keeps the samples whose index is listed, in that order, in every channel.
+    pub fn select(&mut self, indices: &[usize]) {
+        self.lines = indices.iter().map(|&i| self.lines[i]).collect();
+        for channel in Channel::ALL {
+            if let Some(values) = self.channel_mut(channel) {
+                *values = indices.iter().map(|&i| values[i]).collect();
+            }
+        }
+    }
+
+    /// The samples of a range as a record of its own, with all that is known of this one.
+    pub fn piece(&self, span: Range<usize>) -> Samples {
+        let cut = |values: &[f64]| values[span.clone()].to_vec();
+        Samples {
+            at: self.at.clone(),
+            name: self.name.clone(),
+            lines: self.lines[span.clone()].to_vec(),
+            time: cut(&self.time),
+            begins: self.begins,
+            dates: self.dates.clone(),
+            about: self.about.clone(),
+            force: cut(&self.force),
+            displacement: self.displacement.as_deref().map(cut),
+            velocity: self.velocity.as_deref().map(cut),
+            side_force: self.side_force.as_deref().map(cut),
+            temperature: self.temperature.as_deref().map(cut),
+            current: self.current.as_deref().map(cut),
+            headings: self.headings.clone(),
+            units: self.units.clone(),
+            notes: self.notes.clone(),
+        }
+    }
+
+    /// Keeps the samples for which `keep` holds.
+    pub fn retain(&mut self, keep: impl Fn(usize) -> bool) {
+        let indices: Vec<usize> = (0..self.len()).filter(|&i| keep(i)).collect();
+        if indices.len() < self.len() {
+            self.select(&indices);
+        }
+    }
+}

@@ -1,0 +1,288 @@
+//! Date and time of day as files write them, in a column of times or above the table, and how reports write them.
+
+use super::date_order::DateOrder;
+
+/// Seconds of a day.
+pub(crate) const DAY: f64 = 86_400.0;
+/// The first instant of 1980, s since 1970: what clocks start from that were never set.
+pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
+
+/// When a test began, from the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one).
+///
+/// Seconds since 1970 by the rig's own clock. A line with both counts before a date and a time in lines of their own.
+/// Nothing without a date.
+pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Began<'a>> {
+    let (mut date, mut time) = (None, None);
+    let both = |(day, word): (f64, &'a str), time: f64| Began { at: day + time, date: Some(word) };
+    for line in lines {
+        match date_and_time(line) {
+            (Some(date), Some(time)) => return Some(both(date, time)),
+            (d, t) => (date, time) = (date.or(d), time.or(t)),
+        }
+    }
+    Some(both(date?, time?))
+}
+
+/// When a test began, s since 1970, and the date as it is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Began<'a> {
+    pub at: f64,
+    pub date: Option<&'a str>,
+}
+
+/// The words of a line, a date and a time of day with a `T` between them as two.
+pub(crate) fn words(line: &str) -> impl Iterator<Item = &str> {
+    let is_between = |c: char| c.is_whitespace() || ",;\"'()[]=".contains(c);
+    line.split(is_between).flat_map(|word| word.split('T')).filter(|word| !word.is_empty())
+}
+
+/// The first date and the first time of day in a line, s.
+fn date_and_time(line: &str) -> (Option<(f64, &str)>, Option<f64>) {
+    let mut words = words(line).peekable();
+    let (mut date, mut time) = (None, None);
+    while let Some(word) = words.next() {
+        if !word.starts_with(|c: char| c.is_ascii_digit()) {
+            continue;
+        }
+        if let Some(number) = day(word) {
+            date = date.or(Some((number * DAY, word)));
+        } else if word.matches(':').count() == 2 {
+            let half = words.next_if(|next| ["AM", "PM"].iter().any(|half| next.eq_ignore_ascii_case(half)));
+            time = time.or(seconds(&format!("{word} {}", half.unwrap_or_default())));
+        }
+    }
+    (date, time)
+}
+
+/// A time since 1970 as reports write it, to the second: `2026-11-25 10:03:22`; below a day, which is of an unknown day, without the date.
+pub fn written(seconds: f64) -> String {
+    let whole = seconds.floor();
+    let (days, of_day) = ((whole / DAY).floor(), whole.rem_euclid(DAY));
+    let (hour, minute, second) = ((of_day / 3600.0).floor(), (of_day / 60.0).floor() % 60.0, of_day % 60.0);
+    let time = format!("{hour:02}:{minute:02}:{second:02}");
+    if days == 0.0 {
+        return time;
+    }
+    let (year, month, day) = civil(days);
+    format!("{year:04}-{month:02}-{day:02} {time}")
+}
+
+/// Year, month and day of the number of a day (Hinnant, as in `number_of_day`).
+fn civil(days: f64) -> (f64, f64, f64) {
+    let days = days + 719_468.0;
+    let era = (days / 146_097.0).floor();
+    let of_era = days - era * 146_097.0;
+    let year_of_era =
+        ((of_era - (of_era / 1460.0).floor() + (of_era / 36_524.0).floor() - (of_era / 146_096.0).floor()) / 365.0)
+            .floor();
+    let of_year = of_era - (365.0 * year_of_era + (year_of_era / 4.0).floor() - (year_of_era / 100.0).floor());
+    let from_march = ((5.0 * of_year + 2.0) / 153.0).floor();
+    let day = of_year - ((153.0 * from_march + 2.0) / 5.0).floor() + 1.0;
+    let month = if from_march < 10.0 { from_march + 3.0 } else { from_march - 9.0 };
+    (year_of_era + era * 400.0 + f64::from(u8::from(month <= 2.0)), month, day)
+}
+
+/// A time since 1970 with day and month of its date exchanged; nothing where that is no date, or there is none.
+pub(crate) fn swapped(seconds: f64) -> Option<f64> {
+    if !(seconds >= DAY && seconds.is_finite()) {
+        return None;
+    }
+    let days = (seconds / DAY).floor();
+    let (year, month, day) = civil(days);
+    Some(number_of_day(year, day, month)? * DAY + (seconds - days * DAY))
+}
+
+/// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`:
+/// with a date seconds since 1970, else since midnight. Nothing where the text is no such time.
+pub fn seconds(text: &str) -> Option<f64> {
+    /// Longest time, bytes, with a date and the name of a day.
+    const LONGEST: usize = 100;
+    if text.len() > LONGEST {
+        return None;
+    }
+    let text = text.trim().trim_end_matches('Z');
+    let (text, half) = match text.get(text.len().saturating_sub(2)..).map(str::to_ascii_uppercase).as_deref() {
+        Some("AM") => (text[..text.len() - 2].trim_end(), Some(0.0)),
+        Some("PM") => (text[..text.len() - 2].trim_end(), Some(12.0)),
+        _ => (text, None),
+    };
+    let (date, time) = match text.rsplit_once([' ', 'T']) {
+        Some((date, time)) => (Some(date.trim()), time),
+        None => (None, text),
+    };
+    // Minutes and seconds, as a spreadsheet shows the time of a run: the decimals tell them from hours and minutes.
+    if let (None, None, Some((minutes, seconds))) = (date, half, time.split_once(':'))
+        && seconds.contains(['.', ','])
+        && !seconds.contains(':')
+        && seconds.starts_with(|c: char| c.is_ascii_digit())
+    {
+        let seconds = seconds.replace(',', ".").parse::<f64>().ok().filter(|s| *s < 60.0)?;
+        return Some(whole(minutes)? * 60.0 + seconds);
+    }
+    let mut parts = time.split(':');
+    let mut hours: f64 = whole(parts.next()?)?;
+    let minutes = whole(parts.next()?)?;
+    let seconds = match parts.next() {
+        Some(text) if text.starts_with(|c: char| c.is_ascii_digit()) => text.replace(',', ".").parse::<f64>().ok()?,
+        Some(_) => return None,
+        // `12:34` alone may be minutes and seconds as well; with a date it is a time of day.
+        None if date.is_some() => 0.0,
+        None => return None,
+    };
+    if parts.next().is_some() || minutes >= 60.0 || !(0.0..61.0).contains(&seconds) {
+        return None;
+    }
+    if let Some(half) = half {
+        hours = hours % 12.0 + half;
+    }
+    let days = match date {
+        Some(date) => day(date)?,
+        None => 0.0,
+    };
+    Some(days * DAY + hours * 3600.0 + minutes * 60.0 + seconds)
+}
+
+fn whole(text: &str) -> Option<f64> {
+    (!text.is_empty() && text.len() <= 4 && text.bytes().all(|b| b.is_ascii_digit())).then(|| text.parse().ok())?
+}
+
+/// A date, and what it may mean.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Date {
+    /// Its number, days since 1970.
+    pub number: f64,
+    /// Which of day and month was taken as first, where the writing leaves it open and they differ.
+    pub order: Option<DateOrder>,
+    /// Its number by the other order, where that is a date too.
+    pub other: Option<f64>,
+}
+
+/// Number of a day, as [`date`] takes it.
+fn day(text: &str) -> Option<f64> {
+    date(text).map(|date| date.number)
+}
+
+/// Reads a date from year, month and day in the orders that the separators tell. Between strokes the month is taken as first where it can
+/// be, as in America, between hyphens the day; which of them is right [`crate::campaign::date_agreement`] settles.
+pub(crate) fn date(text: &str) -> Option<Date> {
+    let separator = text.chars().find(|c| !c.is_ascii_digit()).filter(|c| "-./".contains(*c))?;
+    let parts: Vec<f64> = text.split(separator).map(whole).collect::<Option<_>>()?;
+    let &[a, b, c] = parts.as_slice() else { return None };
+    if a > 31.0 {
+        return Some(Date { number: number_of_day(a, b, c)?, order: None, other: None });
+    }
+    let (day_first, month_first) = (number_of_day(c, b, a), number_of_day(c, a, b));
+    let (number, order, other) = match (separator, day_first, month_first) {
+        ('.', Some(number), _) => return Some(Date { number, order: None, other: None }),
+        ('/', other, Some(number)) => (number, DateOrder::MonthFirst, other),
+        ('/' | '-', Some(number), other) => (number, DateOrder::DayFirst, other),
+        ('-', None, Some(number)) => (number, DateOrder::MonthFirst, None),
+        _ => return None,
+    };
+    Some(Date { number, order: Some(order).filter(|_| a != b), other: other.filter(|_| a != b) })
+}
+
+/// Number of the day of a civil date (Hinnant, chrono-compatible low-level date algorithms, 2013).
+fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
+    if !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
+        return None;
+    }
+    let year = year - f64::from(u8::from(month <= 2.0));
+    let era = (year / 400.0).floor();
+    let of_era = year - 400.0 * era;
+    let of_year = ((153.0 * (month + if month > 2.0 { -3.0 } else { 9.0 }) + 2.0) / 5.0).floor() + day - 1.0;
+    let days = era * 146_097.0 + of_era * 365.0 + (of_era / 4.0).floor() - (of_era / 100.0).floor() + of_year;
+    Some(days - 719_468.0)
+}
+
+/// Times of day as seconds from the first one on, which is returned; a step back by most of a day is midnight.
+pub(crate) fn from_first(times: &mut [f64]) -> Option<f64> {
+    let &first = times.iter().find(|t| t.is_finite())?;
+    let (mut before, mut midnights) = (first, 0.0);
+    for time in times {
+        if !time.is_finite() {
+            continue;
+        }
+        if *time - before < -0.5 * DAY {
+            midnights += DAY;
+        }
+        before = *time;
+        *time += midnights - first;
+    }
+    Some(first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_of_day_are_read_with_and_without_dates() {
+        assert_eq!(seconds("12:34:56.5"), Some(45_296.5));
+        assert_eq!(seconds("12:34:56,5"), Some(45_296.5));
+        assert_eq!(seconds("34:56.5"), Some(2096.5));
+        assert_eq!(seconds("0:06,25"), Some(6.25));
+        assert_eq!(seconds("1:05:09 PM"), Some(47_109.0));
+        assert_eq!(seconds("12:00:00 AM"), Some(0.0));
+        let first = seconds("2024-02-28 23:59:59").unwrap();
+        for (text, later) in [
+            ("2024-02-29T00:00:00Z", 1.0),
+            ("29.02.2024 00:00:00", 1.0),
+            ("2/29/2024 12:00:00 AM", 1.0),
+            ("2024/03/01 00:00:00.25", 86_401.25),
+        ] {
+            assert!((seconds(text).unwrap() - first - later).abs() < 1e-6, "{text}");
+        }
+        for text in [
+            "",
+            "12:34",
+            "1.5",
+            "a:b:c",
+            "12:75:00",
+            "12:75.5",
+            "12:.5",
+            "12:34:56:78",
+            "32.13.2024 00:00:00",
+            "12:34:-5",
+            "time",
+        ] {
+            assert_eq!(seconds(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_time_since_1970_is_written_and_read_back() {
+        assert_eq!(seconds("1970-01-01 00:00:00"), Some(0.0));
+        assert_eq!(written(36_001.5), "10:00:01");
+        assert_eq!(seconds("2001-09-09T01:46:40Z"), Some(1e9));
+        for text in ["2024-02-29 23:59:59", "2000-03-01 00:00:00", "1999-12-31 12:00:01", "2026-11-25 10:03:22"] {
+            assert_eq!(written(seconds(text).unwrap()), text);
+        }
+    }
+
+    #[test]
+    fn when_a_test_began_is_found_above_its_table() {
+        let at = |text: &str| begins(text.lines()).map(|began| written(began.at));
+        let wanted = Some("2026-11-25 10:03:22".to_owned());
+        for text in [
+            "Operator\tmh\nDate\t25.11.2026\nTime\t10:03:22\nRate\t1000",
+            "Data Acquisition: Timed\tTime: 3.2451172 Sec\t11/25/2026 10:03:22 AM",
+            "# run 7, 2026-11-25T10:03:22",
+            "Datum;25.11.2026\nUhrzeit;10:03:22,5",
+            "Created 1.1.2020\nStart: 25.11.2026 10:03:22\nEnd: 25.11.2026 10:09:01",
+        ] {
+            assert_eq!(at(text), wanted, "{text}");
+        }
+        for text in ["", "Time: 10:03:22", "Date: 25.11.2026", "1.2.3\t12:75:00", "Part no. 4-11-2026x\t10:03:22"] {
+            assert_eq!(at(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn midnight_is_no_step_back() {
+        let mut times = vec![86_399.0, 86_399.5, 0.0, 0.5, f64::NAN, 1.0];
+        from_first(&mut times);
+        assert_eq!(times[..4], [0.0, 0.5, 1.0, 1.5]);
+        assert_eq!(times[5], 2.0);
+    }
+}

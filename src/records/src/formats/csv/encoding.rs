@@ -1,0 +1,36 @@
+//! The character encoding of a text file.
+
+use std::borrow::Cow;
+
+/// The text of a short table as spreadsheets save it, without the mark that may stand before it.
+pub fn text(bytes: &[u8]) -> String {
+    decode(bytes).0.trim_start_matches('\u{feff}').to_owned()
+}
+
+/// Decodes a file in UTF-8 or UTF-16 with byte order mark, else in the code page of western Windows, which is a
+/// guess.
+///
+/// Old exports use it for µ and °, and so do spreadsheets that save no UTF-8. Where the page has no character it is
+/// Latin-1.
+pub(super) fn decode(bytes: &[u8]) -> (Cow<'_, str>, bool) {
+    let (text, guessed) = characters(bytes);
+    // Old Macintosh programs end lines by a carriage return alone.
+    let returns_alone = text.contains('\r') && !text.contains('\n');
+    (if returns_alone { text.replace('\r', "\n").into() } else { text }, guessed)
+}
+
+fn characters(bytes: &[u8]) -> (Cow<'_, str>, bool) {
+    let utf16 = |from: fn([u8; 2]) -> u16| -> String {
+        let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|b| from([b[0], b[1]])).collect();
+        String::from_utf16_lossy(&units)
+    };
+    match bytes {
+        [0xFF, 0xFE, ..] => return (utf16(u16::from_le_bytes).into(), false),
+        [0xFE, 0xFF, ..] => return (utf16(u16::from_be_bytes).into(), false),
+        _ => {}
+    }
+    match std::str::from_utf8(bytes) {
+        Ok(text) => (text.into(), false),
+        Err(_) => (encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0, true),
+    }
+}

@@ -1,0 +1,133 @@
+//! Finds the line with the column headings of a text, and with it the delimiter.
+
+use super::lines::{is_comment, is_figure, uncommented};
+use crate::columns::delimiter::{self, split};
+use crate::columns::heading::{Heading, heading};
+use crate::columns::table::{HEADER_WITHIN, column_number, is_header, is_units_row, number, numbered};
+use crate::dates::clock;
+use crate::options::Options;
+
+/// Where the table of a text begins.
+pub(super) struct Start {
+    /// Line of the header, or of the first row where there is none; from 0.
+    pub index: usize,
+    /// Where that line begins in the text.
+    pub offset: usize,
+    pub delimiter: u8,
+    pub header: Vec<String>,
+    /// Whether that line is the header.
+    pub headed: bool,
+    /// Whether it stands behind a comment mark, as numerical programs write it.
+    pub commented: bool,
+}
+
+impl Start {
+    pub fn headed(index: usize, offset: usize, delimiter: u8, header: Vec<String>) -> Start {
+        Start { index, offset, delimiter, header, headed: true, commented: false }
+    }
+}
+
+/// Finds the header, and with it the delimiter: the one under which it is a header. Where the user names columns by number
+/// it may be missing: then the first row of numbers begins the table.
+pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
+    let mut offset = 0;
+    let mut first_line = None;
+    let mut numbers: Option<Start> = None;
+    let by_number = options.columns.values().any(|wanted| column_number(wanted).is_some());
+    let mut above: Vec<String> = Vec::new();
+    let mut commented: Option<Start> = None;
+    for (index, line) in text.split_inclusive('\n').enumerate().take(HEADER_WITHIN) {
+        if !is_comment(line) {
+            first_line.get_or_insert_with(|| line.to_owned());
+            let trimmed = line.trim_end();
+            for delimiter in delimiter::ALL {
+                let header = split(trimmed, delimiter);
+                // A row of numbers is no header, even where a column that the user names by its number has a number's name there.
+                let row = header.len() > 1
+                    && header.iter().any(|c| !c.trim().is_empty())
+                    && header.iter().all(|c| number(c, delimiter != b',').is_some() || clock::seconds(c).is_some());
+                if !row && is_header(&header, options) {
+                    return (Some(Start::headed(index, offset, delimiter, header)), first_line);
+                }
+                if by_number && row && numbers.is_none() {
+                    let names = numbered(header.len());
+                    let header = if above.len() == names.len() { std::mem::take(&mut above) } else { names };
+                    numbers = Some(Start { headed: false, ..Start::headed(index, offset, delimiter, header) });
+                }
+            }
+            above = split(trimmed, delimiter::detect(trimmed));
+        } else {
+            // The last comment that names the columns: above it may stand what an earlier table had.
+            let found = delimiter::ALL.into_iter().find_map(|delimiter| {
+                let header = split(uncommented(line), delimiter);
+                let found = Start { commented: true, ..Start::headed(index, offset, delimiter, header) };
+                is_header(&found.header, options).then_some(found)
+            });
+            commented = found.or(commented);
+        }
+        offset += line.len();
+    }
+    (numbers.or(commented), first_line)
+}
+
+/// Replaces blanks between columns by tabs: two and more, or any. Figures stand closer than names.
+pub(super) fn with_tabs(text: &str, any: bool) -> String {
+    let mut out = String::with_capacity(text.len());
+    for line in text.lines() {
+        let any = any || line.split_whitespace().all(|cell| is_figure(cell, true));
+        let mut blanks = 0;
+        for c in line.trim().chars() {
+            if c == ' ' {
+                blanks += 1;
+                continue;
+            }
+            if blanks > usize::from(!any) {
+                out.push('\t');
+            } else if blanks == 1 {
+                out.push(' ');
+            }
+            blanks = 0;
+            out.push(c);
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// Parts names that a single blank separates, as in the plain files of MTS stations.
+///
+/// There are as many as units below them, and so that most of them are known.
+pub(super) fn part_names(found: &mut Start, text: &str) {
+    /// Columns of such a file.
+    const MOST: usize = 32;
+    let below = text[found.offset..].lines().skip(1).find(|line| !is_comment(line)).unwrap_or_default();
+    let units: Vec<&str> = below.split_whitespace().collect();
+    let words: Vec<&str> = found.header.iter().flat_map(|cell| cell.split_whitespace()).collect();
+    let columns = units.len();
+    if !is_units_row(&units) || columns == found.header.len() || columns > MOST || words.len() > 4 * MOST {
+        return;
+    }
+    // The best way to part the first words into so many names: how many are known, and where the last name begins.
+    let mut best: Vec<Vec<Option<(usize, usize)>>> = vec![vec![None; words.len() + 1]; columns + 1];
+    best[0][0] = Some((0, 0));
+    for column in 1..=columns {
+        for end in column..=words.len() {
+            for begin in column - 1..end {
+                let Some((known, _)) = best[column - 1][begin] else { continue };
+                let is_known = matches!(heading(&words[begin..end].join(" ")), Heading::Channel(..));
+                let now = (known + usize::from(is_known), begin);
+                if best[column][end].is_none_or(|(most, _)| now.0 > most) {
+                    best[column][end] = Some(now);
+                }
+            }
+        }
+    }
+    let (mut names, mut end) = (Vec::new(), words.len());
+    for column in (1..=columns).rev() {
+        let Some((_, begin)) = best[column][end] else { return };
+        names.push(words[begin..end].join(" "));
+        end = begin;
+    }
+    names.reverse();
+    found.header = names;
+}

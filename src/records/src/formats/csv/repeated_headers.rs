@@ -1,0 +1,94 @@
+//! Headers that an acquisition repeats between its rows.
+
+use super::lines::is_comment;
+use crate::columns::table::number;
+use crate::dates::clock;
+
+/// Headers that an acquisition writes again before every block of rows, as MTS stations do.
+pub(super) struct Blocks {
+    /// Lines, from 0 and in order, of the text between a block of rows and the next.
+    ///
+    /// From the first line that is no row to the last line before the next row.
+    headers: Vec<std::ops::Range<usize>>,
+    next: usize,
+    /// Whether the row to come is the first below a header.
+    fresh: bool,
+    last_time: Option<f64>,
+}
+
+pub(super) enum Block {
+    Data,
+    Header,
+}
+
+impl Blocks {
+    pub fn new(text: &str, header: &str, delimiter: u8) -> Blocks {
+        let mut headers: Vec<std::ops::Range<usize>> = Vec::new();
+        let header_again = || text.lines().filter(|line| line.trim_end() == header).nth(1).is_some();
+        if !header.trim().is_empty() && header_again() {
+            // From every repetition of the header up to the row before and down to the row after.
+            let is_row = |line: &str| {
+                let cells = split_plain(line, delimiter);
+                cells.clone().next().is_some_and(|c| !c.trim().is_empty())
+                    && cells.clone().count() > 1
+                    && cells.filter(|c| !c.trim().is_empty()).all(|c| {
+                        number(c.trim().trim_matches('"'), delimiter != b',').is_some() || clock::seconds(c).is_some()
+                    })
+            };
+            let mut seen = false;
+            let mut between: Option<usize> = None;
+            let mut repeated = false;
+            // The reader counts empty lines to the record behind them.
+            let mut empty: Option<usize> = None;
+            for (index, line) in text.lines().enumerate() {
+                let is_header = line.trim_end() == header;
+                if is_header && !seen {
+                    seen = true;
+                    between = None;
+                    continue;
+                }
+                if !seen {
+                    continue;
+                }
+                if is_comment(line) {
+                    empty.get_or_insert(index);
+                    continue;
+                }
+                let begins = empty.take().unwrap_or(index);
+                if is_row(line) {
+                    if let (Some(from), true) = (between.take(), repeated) {
+                        headers.push(from..begins);
+                    }
+                    repeated = false;
+                } else {
+                    between.get_or_insert(begins);
+                    repeated |= is_header;
+                }
+            }
+        }
+        Blocks { headers, next: 0, fresh: false, last_time: None }
+    }
+
+    pub fn classify(&mut self, line: usize) -> Block {
+        while self.headers.get(self.next).is_some_and(|range| range.end <= line) {
+            self.next += 1;
+            self.fresh = true;
+        }
+        match self.headers.get(self.next) {
+            Some(range) if range.contains(&line) => Block::Header,
+            _ => Block::Data,
+        }
+    }
+
+    pub fn begins_anew(&mut self, time: Option<f64>) -> bool {
+        let anew = self.fresh && matches!((time, self.last_time), (Some(now), Some(before)) if now < before);
+        self.fresh = false;
+        self.last_time = time.filter(|t| t.is_finite()).or(self.last_time);
+        anew
+    }
+}
+
+/// Cells of a line without regard to quotes: enough to tell rows from text.
+fn split_plain(line: &str, delimiter: u8) -> std::str::Split<'_, char> {
+    line.split(delimiter as char)
+}

@@ -1,0 +1,10 @@
+//! File formats, one module each. A reader turns a file into samples.
+
+pub(crate) mod csv;
+pub(crate) mod lvm;
+pub(crate) mod mat;
+pub(crate) mod mdf;
+pub(crate) mod rpc;
+pub(crate) mod tdms;
+pub(crate) mod unsupported;
+pub(crate) mod xlsx;

@@ -1,0 +1,151 @@
+//! The archive that a workbook is: how far its parts unpack, and what each reading of them costs.
+
+use std::io::{Cursor, Error, Read, Result, Seek, SeekFrom};
+
+use crate::source::{Budget, Exhausted};
+
+/// Largest part of a workbook when unpacked, bytes, whatever the size of the file.
+///
+/// The strings need several times their size in memory, so they get less.
+const LARGEST_PART: u64 = 256 << 20;
+const LARGEST_STRINGS: u64 = 48 << 20;
+/// Larger workbooks may unpack to this many times their size; sheets of numbers do to less than twelve.
+const UNPACKED: u64 = 20;
+/// Longest tag with the text behind it, bytes: a cell holds at most 32,767 letters.
+const LONGEST: u64 = 1 << 20;
+/// Memory of a style beside its texts, bytes: each names a font, a fill and borders.
+const STYLE: u64 = 512;
+/// Work per unpacked byte of XML, in steps of the budget.
+const PARSED: u64 = 6;
+
+/// Unpacks every part once, into nothing, and refuses what would not fit into memory. Sizes that the archive states are not
+/// believed. The reader that comes back charges every later reading.
+pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result<Metered<'a>, String> {
+    let size = bytes.len() as u64;
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
+    let mut left = LARGEST_PART.max(UNPACKED * size);
+    let mut parts = Vec::new();
+    for index in 0..archive.len() {
+        let mut part = archive.by_index(index).map_err(|e| e.to_string())?;
+        let name = part.name().map_err(|e| e.to_string())?.to_ascii_lowercase();
+        let (start, packed) = (part.data_start().unwrap_or(0), part.compressed_size());
+        let strings = name.ends_with("sharedstrings.xml");
+        let mut scan = Scan::default();
+        if strings {
+            // A count that the text cannot hold would be reserved in memory at once.
+            let mut start = Vec::new();
+            (&mut part).take(4096).read_to_end(&mut start).map_err(|e| e.to_string())?;
+            scan.take(&start);
+            let start = String::from_utf8_lossy(&start).into_owned();
+            let count = start
+                .split_once("uniqueCount")
+                .and_then(|(_, rest)| rest.split(['"', '\'']).nth(1)?.trim().parse::<u64>().ok());
+            if count.is_some_and(|count| count > LARGEST_STRINGS / 8) {
+                return Err(format!("it announces {} strings, more than it can hold", count.unwrap_or(0)));
+            }
+        }
+        let limit = if strings { left.min(LARGEST_STRINGS.max(size)) } else { left };
+        let is_xml = [".xml", ".rels"].iter().any(|ending| name.ends_with(ending));
+        let mut piece = [0; 1 << 14];
+        loop {
+            let read = part.read(&mut piece).map_err(|e| e.to_string())?;
+            if read == 0 {
+                break;
+            }
+            scan.take(&piece[..read]);
+            if scan.bytes > limit {
+                return Err(format!("its part {name} unpacks to more than {} MiB", limit >> 20));
+            }
+            if is_xml && scan.longest > LONGEST {
+                return Err(format!(
+                    "its part {name} holds a text of more than {} MiB, which no cell can",
+                    LONGEST >> 20
+                ));
+            }
+        }
+        left -= scan.bytes;
+        parts.push(Part { start, end: start.saturating_add(packed), ratio: scan.bytes.div_ceil(packed.max(1)) });
+        if strings {
+            budget.hold(scan.tags * 12 + scan.bytes)?;
+        }
+        if name.ends_with("styles.xml") {
+            // Every style copies what it names.
+            budget.hold(scan.tags.saturating_mul(scan.longest + STYLE))?;
+        }
+    }
+    budget.work(size + (LARGEST_PART.max(UNPACKED * size) - left))?;
+    parts.sort_by_key(|part| part.start);
+    if parts.windows(2).any(|pair| pair[0].end > pair[1].start) {
+        return Err("its parts overlap".into());
+    }
+    Ok(Metered { bytes: Cursor::new(bytes), parts, budget: budget.clone() })
+}
+
+/// What a part looks like: its size, its tags, and the longest tag with the text behind it, all in bytes.
+#[derive(Default)]
+struct Scan {
+    bytes: u64,
+    tags: u64,
+    longest: u64,
+    current: u64,
+}
+
+impl Scan {
+    fn take(&mut self, piece: &[u8]) {
+        self.bytes += piece.len() as u64;
+        let mut rest = piece;
+        while let Some(at) = rest.iter().position(|b| *b == b'<') {
+            self.longest = self.longest.max(self.current + at as u64);
+            self.tags += 1;
+            self.current = 1;
+            rest = &rest[at + 1..];
+        }
+        self.current += rest.len() as u64;
+        self.longest = self.longest.max(self.current);
+    }
+}
+
+/// A part of the archive: where its bytes begin and end, and how many each of them unpacks to.
+struct Part {
+    start: u64,
+    end: u64,
+    ratio: u64,
+}
+
+/// The bytes of an archive, each reading charged by what it unpacks to: many sheets may be one part.
+pub(crate) struct Metered<'a> {
+    bytes: Cursor<&'a [u8]>,
+    /// In the order of their places.
+    parts: Vec<Part>,
+    budget: Budget,
+}
+
+impl Read for Metered<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize> {
+        let from = self.bytes.position();
+        let read = self.bytes.read(buffer)? as u64;
+        let first = self.parts.partition_point(|part| part.end <= from);
+        let ratio = self.parts[first..].iter().take_while(|part| part.start < from + read).map(|part| part.ratio).max();
+        self.budget.work(PARSED * ratio.unwrap_or(1).max(1) * read).map_err(|_| Error::other(Exhausted::CAUSE))?;
+        Ok(read as usize)
+    }
+}
+
+impl Seek for Metered<'_> {
+    fn seek(&mut self, to: SeekFrom) -> Result<u64> {
+        self.bytes.seek(to)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tags_and_the_longest_are_counted_across_pieces() {
+        let mut scan = Scan::default();
+        scan.take(b"<a>xyz<b/");
+        scan.take(b">12345<c>");
+        assert_eq!((scan.bytes, scan.tags, scan.longest), (18, 3, 9));
+    }
+}

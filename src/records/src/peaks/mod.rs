@@ -1,0 +1,5 @@
+//! Tables of peak force over peak velocity.
+
+mod clicks;
+pub(crate) mod columns;
+pub(crate) mod table;

@@ -1,0 +1,7 @@
+//! Channels, units, and the quantities of a rig.
+
+pub(crate) mod channel;
+pub mod load_cell;
+pub(crate) mod reading_unit;
+pub(crate) mod setting_value;
+pub(crate) mod unit;

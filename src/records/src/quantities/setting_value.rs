@@ -1,0 +1,175 @@
+//! What an adjustable damper was set to in a test: the current of its valve, or the clicks of its adjuster. A channel tells it, or the name
+//! of the test.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::glob;
+use crate::numbers::quantile;
+
+/// A setting of an adjustable damper.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Setting {
+    /// What is set, such as `current`, `clicks`, `voltage` or `pressure`.
+    pub name: String,
+    /// Its unit, such as `A`; empty for clicks.
+    pub unit: String,
+    /// Its value in that unit.
+    pub value: f64,
+}
+
+/// How far a channel may vary within a test and still be one setting.
+///
+/// As a share of its value, and in A, for noise of the sensor and the ripple of the current supply.
+const STEADY: (f64, f64) = (0.1, 0.05);
+/// Share of samples on either side that may be spikes or the switching on.
+const SPIKES: f64 = 0.05;
+/// Values that differ by less than this are one setting, A or clicks: supplies are set to hundredths.
+pub(crate) const SAME: f64 = 0.02;
+
+/// Units in names of tests: how they are written, the setting, its unit, and the factor to that.
+const UNITS: [(&[&str], &str, &str, f64); 8] = [
+    (&["A", "Amp", "amp", "amps"], "current", "A", 1.0),
+    (&["mA"], "current", "A", 1e-3),
+    (&["V", "Volt", "volt", "volts"], "voltage", "V", 1.0),
+    (&["mV"], "voltage", "V", 1e-3),
+    (&["clk", "clks", "click", "clicks", "klick", "klicks", "Klick", "Klicks"], "clicks", "", 1.0),
+    (&["psi", "PSI"], "pressure", "psi", 1.0),
+    (&["bar", "Bar"], "pressure", "bar", 1.0),
+    (&["kPa"], "pressure", "kPa", 1.0),
+];
+/// Names that messages know in every language.
+pub(crate) const NAMES: [&str; 4] = ["current", "clicks", "voltage", "pressure"];
+
+impl Setting {
+    /// The setting that a channel of current, A, shows; the lowest and highest value where it is not steady.
+    pub(crate) fn of_current(current: &[f64]) -> Result<Option<Setting>, (f64, f64)> {
+        let mut values: Vec<f64> = current.iter().copied().filter(|v| v.is_finite()).collect();
+        if values.is_empty() {
+            return Ok(None);
+        }
+        let (low, high) = (quantile(&mut values, SPIKES), quantile(&mut values, 1.0 - SPIKES));
+        let middle = quantile(&mut values, 0.5);
+        if high - low > STEADY.1.max(STEADY.0 * middle.abs()) {
+            return Err((low, high));
+        }
+        // Written as a supply is set, not with the noise of the sensor.
+        let value = (middle / SAME).round() * SAME;
+        Ok(Some(Setting { name: "current".into(), unit: "A".into(), value: (value * 1e4).round() / 1e4 }))
+    }
+
+    /// The setting that a part of a test's name states, as in `1.6A`, `800mA`, `12clicks`, `c12`, `150psi`. With it, whether the part cannot
+    /// be a number of the test.
+    fn of_part(part: &str) -> Option<(Setting, bool)> {
+        let part = part.trim_start_matches(['I', 'i', '=']).replace(',', ".");
+        if let Some(count) = part.strip_prefix(['c', 'C']).filter(|count| count.chars().all(|c| c.is_ascii_digit())) {
+            let value: f64 = count.parse().ok()?;
+            return Some((Setting { name: "clicks".into(), unit: String::new(), value }, false));
+        }
+        let digits = part.find(|c: char| !c.is_ascii_digit() && c != '.' && c != '-')?;
+        let (number, unit) = part.split_at(digits);
+        let value: f64 = number.parse().ok()?;
+        let (_, name, unit, factor) = UNITS.iter().find(|(words, ..)| words.contains(&unit))?;
+        // A letter behind a whole number may number the tests.
+        let is_sure = part.len() > digits + 1 || value.fract() != 0.0;
+        Some((Setting { name: (*name).into(), unit: (*unit).into(), value: value * factor }, is_sure))
+    }
+
+    /// The setting in a name, and whether it cannot number the tests; nothing where its parts state several.
+    pub(crate) fn of_name(name: &str) -> Option<(Setting, bool)> {
+        let parts = name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}');
+        let mut found = parts.filter_map(Setting::of_part);
+        let first = found.next()?;
+        // A folder and the files in it may say the same.
+        found.all(|(other, _)| first.0.is_same(&other)).then_some(first)
+    }
+
+    pub(crate) fn is_same(&self, other: &Setting) -> bool {
+        self.name == other.name && is_same_setting(self.value, other.value)
+    }
+}
+
+/// Whether two values of a setting are one: supplies are set to hundredths.
+pub fn is_same_setting(a: f64, b: f64) -> bool {
+    (a - b).abs() < SAME
+}
+
+/// Rules of the user for the setting of each test.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SettingRules {
+    /// Name of the setting.
+    pub name: Option<String>,
+    /// Its unit.
+    pub unit: String,
+    /// Its values by the names of tests; `*` stands for anything.
+    pub values: BTreeMap<String, f64>,
+}
+
+impl SettingRules {
+    /// These, and those of a profile where these say nothing.
+    pub(crate) fn over(&self, profile: &SettingRules) -> SettingRules {
+        if self.name.is_some() { self.clone() } else { profile.clone() }
+    }
+
+    /// # Errors
+    /// What is wrong, in a sentence.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        if self.name.is_none() && !self.values.is_empty() {
+            return Err("settings are given, but not of what: add setting = \"current\", or another name".to_owned());
+        }
+        match self.values.iter().find(|(_, value)| !value.is_finite()) {
+            Some((pattern, value)) => {
+                Err(format!("settings: {value} of {pattern:?} is no number that a damper is set to"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The setting of a test, by the longest pattern that takes its name.
+    pub(crate) fn setting_of(&self, name: &str) -> Option<Setting> {
+        let taking = self.values.iter().filter(|(pattern, _)| glob::matches(pattern, name));
+        let (_, value) = taking.max_by_key(|(pattern, _)| pattern.chars().count())?;
+        Some(Setting { name: self.name.clone()?, unit: self.unit.clone(), value: *value })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_found_in_names() {
+        let of = |name: &str| Setting::of_name(name).map(|(s, _)| (s.name, s.unit, s.value));
+        let current = |value| Some(("current".to_owned(), "A".to_owned(), value));
+        assert_eq!(of("SH_25mm_0.3Hz_1.6A"), current(1.6));
+        assert_eq!(of("SH_25mm_I0,4A"), current(0.4));
+        assert_eq!(of("sine 800mA 2Hz"), current(0.8));
+        assert_eq!(of("a25_12clicks"), Some(("clicks".to_owned(), String::new(), 12.0)));
+        assert_eq!(of("a25_c12"), Some(("clicks".to_owned(), String::new(), 12.0)));
+        assert_eq!(of("0.871V_ensaio3"), Some(("voltage".to_owned(), "V".to_owned(), 0.871)));
+        assert_eq!(of("gas 150psi 2Hz"), Some(("pressure".to_owned(), "psi".to_owned(), 150.0)));
+        assert_eq!(of("0.5A/10mm2Hz_0.5A"), current(0.5));
+        for none in ["a25mm_v0131mm_s", "test_A", "1.6A_0.4A", "part2", "0.3Hz", "12B"] {
+            assert_eq!(of(none), None, "{none}");
+        }
+    }
+
+    #[test]
+    fn the_longest_pattern_says_the_setting() {
+        let values = [("*", 0.0), ("*hard*", 1.6)].map(|(pattern, value)| (pattern.to_owned(), value));
+        let given = SettingRules { name: Some("current".into()), unit: "A".into(), values: values.into() };
+        let of = |name: &str| given.setting_of(name).map(|s| s.value);
+        assert_eq!((of("a_hard"), of("a_soft")), (Some(1.6), Some(0.0)));
+        assert_eq!(SettingRules::default().setting_of("a"), None);
+    }
+
+    #[test]
+    fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
+        let noisy: Vec<f64> = (0..1000).map(|k| 0.8 + 0.01 * libm::sin(f64::from(k))).collect();
+        assert_eq!(Setting::of_current(&noisy).unwrap().map(|s| s.value), Some(0.8));
+        let swept: Vec<f64> = (0..1000).map(|k| 1e-3 * f64::from(k)).collect();
+        assert!(Setting::of_current(&swept).is_err());
+        assert_eq!(Setting::of_current(&[f64::NAN]), Ok(None));
+    }
+}

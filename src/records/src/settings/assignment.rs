@@ -1,0 +1,83 @@
+//! Tests of several settings of an adjustable damper. One model holds one setting, so they are not fitted as one damper without a word.
+
+use std::collections::BTreeMap;
+
+use super::unstated_settings::together;
+use crate::data::record::{Note, Record};
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::quantities::setting_value::{NAMES, SAME, Setting, SettingRules};
+
+/// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
+/// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
+/// of more than a letter.
+pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
+    for record in records.iter_mut() {
+        if let Some(setting) = rules.setting_of(&record.name) {
+            record.setting = Some(setting);
+        }
+    }
+    if records.iter().all(|record| record.setting.is_none()) {
+        let named: Option<Vec<(Setting, bool)>> = records.iter().map(|record| Setting::of_name(&record.name)).collect();
+        let names_tests = |all: &[(Setting, bool)]| {
+            let unsure = all.iter().all(|(_, is_sure)| !is_sure);
+            unsure && all.iter().enumerate().all(|(i, (a, _))| all[..i].iter().all(|(b, _)| !a.is_same(b)))
+        };
+        if let Some(named) = named.filter(|all| !all.is_empty() && !names_tests(all)) {
+            records.iter_mut().zip(named).for_each(|(record, (setting, _))| record.setting = Some(setting));
+        }
+    }
+    tell(records, notes);
+}
+
+/// Warns where the tests of a campaign have several settings.
+fn tell(records: &[Record], notes: &mut Vec<Note>) {
+    let mut settings: BTreeMap<(String, i64), (Setting, Vec<usize>)> = BTreeMap::new();
+    for (k, record) in records.iter().enumerate() {
+        let Some(setting) = &record.setting else { continue };
+        let key = (setting.name.clone(), (setting.value / SAME).round() as i64);
+        settings.entry(key).or_insert_with(|| (setting.clone(), Vec::new())).1.push(k);
+    }
+    let Some((first, _)) = settings.values().next().filter(|_| settings.len() > 1) else { return };
+    let names: Vec<&str> = records.iter().map(|record| record.name.as_str()).collect();
+    let listed = settings.values().map(|(setting, tests)| {
+        Sentence::from(phrases::SETTING_AT)
+            .with("value", format!("{} {}", setting.value, setting.unit).trim_end())
+            .with_sentence("names", together(&names, tests))
+    });
+    let text = Sentence::from(phrases::SEVERAL_SETTINGS).with("count", settings.len()).with("option", &first.name);
+    let text = match NAMES.contains(&first.name.as_str()) {
+        true => text.with_word("name", &first.name),
+        // A name that the user gave is the same in every language.
+        false => text.with("name", &first.name),
+    };
+    let text = text.with_list("settings", listed.collect(), phrases::SEMICOLON);
+    notes.push(Note { kind: "settings", text });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(name: &str) -> Record {
+        Record { name: name.into(), ..Record::default() }
+    }
+
+    #[test]
+    fn tests_of_several_settings_are_told_and_numbered_tests_are_not() {
+        let settled = |names: &[&str]| {
+            let mut records: Vec<Record> = names.iter().map(|name| record(name)).collect();
+            let mut notes = Vec::new();
+            assign_settings(&mut records, &SettingRules::default(), &mut notes);
+            (records, notes)
+        };
+        let (records, notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);
+        assert_eq!(records[2].setting.as_ref().map(|s| s.value), Some(1.6));
+        let told = notes[0].text.to_string();
+        assert!(notes[0].kind == "settings" && told.contains("2 settings of current"), "{told}");
+        assert!(told.contains("0 A: all of '*0A' (2)") || told.contains("0 A: all of '*_0A' (2)"), "{told}");
+        for names in [&["t_1A", "t_2A", "t_3A"][..], &["a_0.4A", "b_0.4A"], &["a_0.4A", "b"]] {
+            assert!(settled(names).1.is_empty(), "{names:?}");
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Holds displacement and velocity against each other where both were recorded.
+
+use nalgebra::{Matrix4, Vector4};
+
+use super::derivative::integrate;
+use crate::messages::phrases;
+use crate::messages::sentence::{Sentence, Template};
+use crate::tuning::consistency::{LAG_OF_PHASE, LAG_OF_SAMPLE, SAME_MOTION};
+
+/// How velocity and displacement agree.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Agreement {
+    /// Velocity channel over derivative of displacement; 1 where they agree.
+    pub gain: f64,
+    /// Time by which the velocity channel lags behind the displacement, s.
+    pub lag: f64,
+    /// Share of the displacement's variance that the integrated velocity explains, 0..1.
+    pub explained: f64,
+}
+
+/// Fits x = a·∫v + b·v + c + d·t: gain is 1/a, lag is b/a, and the line takes up offset and integration drift.
+///
+/// Integrating the velocity rather than differentiating the displacement leaves noise out.
+pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> Option<Agreement> {
+    let n = time.len();
+    if n < 8 {
+        return None;
+    }
+    let integral = integrate(time, velocity, 0.0);
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / n as f64;
+    let spread = |values: &[f64], mean: f64| (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n as f64).sqrt();
+    let scaled = |values: &[f64]| {
+        let centre = mean(values);
+        let width = spread(values, centre);
+        (centre, width)
+    };
+    let ((ci, wi), (cv, wv), (ct, wt), (cx, wx)) =
+        (scaled(&integral), scaled(velocity), scaled(time), scaled(displacement));
+    if [wi, wv, wt, wx].contains(&0.0) {
+        return None;
+    }
+    let (mut normal, mut right, mut total, mut plain) = (Matrix4::zeros(), Vector4::zeros(), 0.0, 0.0);
+    for i in 0..n {
+        let t = (time[i] - ct) / wt;
+        let row = Vector4::new((integral[i] - ci) / wi, (velocity[i] - cv) / wv, 1.0, t);
+        let x = (displacement[i] - cx) / wx;
+        normal += row * row.transpose();
+        right += row * x;
+        total += x * x;
+        plain += x * t;
+    }
+    let solution = normal.lu().solve(&right)?;
+    // What a straight line alone explains is no agreement.
+    let line = plain * plain / n as f64;
+    let explained = (solution.dot(&right) - line) / (total - line);
+    let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);
+    Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
+}
+
+/// Whether a velocity is that of the displacement at another time, as that of a filter is. `period` is that of the cycles, where there are any.
+pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
+    let Agreement { gain, lag, explained } = *agreement;
+    let phase = period.map_or(f64::INFINITY, |period| std::f64::consts::TAU * lag.abs() / period);
+    explained > SAME_MOTION && (0.75..1.33).contains(&gain) && lag.abs() > LAG_OF_SAMPLE * step && phase > LAG_OF_PHASE
+}
+
+/// The likely cause where the two contradict each other grossly.
+pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
+    let Agreement { gain, explained, .. } = *agreement;
+    let by = |cause: Template, figure: &'static str, value: String| {
+        Sentence::from(cause).with(figure, value).with_sentence("advice", phrases::READ_ONE_ONLY)
+    };
+    if explained < 0.5 {
+        return Some(by(phrases::OTHER_MOTION, "percent", format!("{:.0}", 100.0 * explained.max(0.0))));
+    }
+    if gain < 0.0 {
+        return Some(by(phrases::OPPOSITE_SIGNS, "gain", format!("{gain:.3}")));
+    }
+    let slips = [
+        (1000.0, phrases::MM_NOT_M),
+        (100.0, phrases::CM_NOT_M),
+        (10.0, phrases::MM_NOT_CM),
+        (25.4, phrases::INCH_NOT_MM),
+        (39.370_078_740_157_48, phrases::INCH_NOT_M),
+    ];
+    for (factor, cause) in slips {
+        for slip in [factor, 1.0 / factor] {
+            if (gain / slip - 1.0).abs() < 0.06 {
+                return Some(by(phrases::UNIT_SLIP, "gain", format!("{gain:.4}")).with_sentence("slip", cause));
+            }
+        }
+    }
+    if !(0.75..1.33).contains(&gain) {
+        return Some(by(phrases::OTHER_SCALE, "gain", format!("{gain:.3}")));
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::SineTest;
+
+    fn channels() -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+        let samples = SineTest { per_cycle: 500, ..SineTest::default() }.samples();
+        (samples.time, samples.displacement.unwrap(), samples.velocity.unwrap())
+    }
+
+    #[test]
+    fn gain_and_lag_are_found() {
+        let (time, x, v) = channels();
+        let agreement = compare(&time, &x, &v).unwrap();
+        assert!((agreement.gain - 1.0).abs() < 1e-3 && agreement.lag.abs() < 1e-5, "{agreement:?}");
+        assert!(contradiction(&agreement).is_none());
+        assert!(!is_late(&agreement, 0.002, Some(1.0)));
+        // Velocity 3 % too large, with offset, four samples (8 ms) late.
+        let late: Vec<f64> = (0..v.len()).map(|i| 1.03 * v[i.saturating_sub(4)] + 0.002).collect();
+        let agreement = compare(&time, &x, &late).unwrap();
+        assert!((agreement.gain - 1.03).abs() < 3e-3 && (agreement.lag - 0.008).abs() < 2e-4, "{agreement:?}");
+        assert!(is_late(&agreement, 0.002, Some(1.0)) && !is_late(&agreement, 0.002, Some(100.0)));
+    }
+
+    #[test]
+    fn gross_contradictions_are_named() {
+        let (time, x, v) = channels();
+        let cause = |factor: f64| {
+            let other: Vec<f64> = v.iter().map(|v| factor * v).collect();
+            contradiction(&compare(&time, &x, &other).unwrap()).unwrap_or_default().to_string()
+        };
+        assert!(cause(-1.0).contains("opposite signs"));
+        assert!(cause(1000.0).contains("mm where the header says m"));
+        assert!(cause(0.001).contains("unit slip"));
+        assert!(cause(1.0 / 25.4).contains("inches"));
+        assert!(cause(2.0).contains("calibration"));
+        assert!(cause(1.1).is_empty());
+        let unrelated: Vec<f64> = time.iter().map(|t| libm::sin(7.3 * t)).collect();
+        assert!(contradiction(&compare(&time, &x, &unrelated).unwrap()).unwrap().to_string().contains("do not belong"));
+        assert!(compare(&time, &x, &vec![0.0; x.len()]).is_none());
+    }
+
+    #[test]
+    fn a_lag_within_conversion_or_noise_is_none() {
+        let is_late = |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0 }, step, Some(1.0));
+        // Fractions of a sample; phases, rad.
+        assert!(!is_late(0.2 * 0.1, 0.1) && is_late(0.3 * 0.1, 0.1));
+        let tau = std::f64::consts::TAU;
+        assert!(!is_late(0.015 / tau, 1e-4) && is_late(0.025 / tau, 1e-4));
+    }
+}

@@ -1,0 +1,282 @@
+//! How late the force channel comes: the delay under which one curve over velocity explains the force of all tests best.
+//!
+//! A charge amplifier, a filter or a second converter delays the force against the motion; the thing shows as a loop that
+//! grows with frequency and, beyond a quarter of a cycle, as a damper that feeds energy. The delay is only estimated and
+//! told here; nothing is moved unless the user says so.
+
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+use crate::data::complete_motion::Motion;
+use crate::tuning::delay::{BETTER, CLEARLY, LONGEST, NODES, SAMPLES, SHORTEST_REPORTED, STEP, TELLING, UNCLEAR};
+
+/// A delay of the force channel, as the records show it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Delay {
+    /// How much later the force comes than the motion, s, beside the delay that was given.
+    pub seconds: f64,
+    /// Share of the force's variance that no curve over velocity explains, with the records as they are.
+    pub unexplained_as_recorded: f64,
+    /// Unexplained part with the delay corrected.
+    pub unexplained: f64,
+}
+
+/// One test thinned out, its force scaled to unit variance.
+struct Thinned<'a> {
+    /// Its place among the tests of the campaign.
+    index: usize,
+    motion: &'a Motion,
+    /// Time and force of the samples looked at.
+    samples: Vec<(f64, f64)>,
+    /// Scale of the force of this test, N.
+    scale: f64,
+}
+
+/// What the tests look like when the force is taken to come some time late.
+struct Look {
+    unexplained: f64,
+    /// Normalised power of every test.
+    power: Vec<f64>,
+}
+
+impl Look {
+    fn dissipates(&self) -> bool {
+        self.power.iter().all(|p| *p > -UNCLEAR) && self.power.iter().any(|p| *p > UNCLEAR)
+    }
+}
+
+/// The answer to tests that feed energy.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Cause {
+    /// A delay explains it, and better than a turned sign.
+    Delay(Delay),
+    /// A delay would explain it, a turned sign as well.
+    Either(Delay),
+    /// No delay explains it.
+    Sign,
+}
+
+/// The delay that stands out where nothing else is wrong.
+pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
+    let delay = best(&thin(motions), &[])?;
+    (delay.seconds >= SHORTEST_REPORTED && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
+}
+
+/// Why these tests (`feeding`, by index) feed energy.
+pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
+    let tests = thin(motions);
+    // One that leaves as much as no curve at all is no explanation: then something else is wrong with these tests.
+    let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
+    match best(&tests, feeding) {
+        Some(turned) if delay.unexplained >= CLEARLY * turned.unexplained => {
+            if turned.unexplained < CLEARLY * delay.unexplained { Cause::Sign } else { Cause::Either(delay) }
+        }
+        _ => Cause::Delay(delay),
+    }
+}
+
+/// The delay that leaves least unexplained among those under which no test feeds energy, the signs of some tests turned.
+fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
+    if tests.is_empty() {
+        return None;
+    }
+    let count = (LONGEST / STEP).round() as usize;
+    let looks: Vec<Look> = (0..=count).map(|k| look(tests, turned, STEP * k as f64)).collect();
+    let least = (0..=count)
+        .filter(|&k| looks[k].dissipates())
+        .min_by(|&a, &b| looks[a].unexplained.total_cmp(&looks[b].unexplained))?;
+    let at = |k: usize| looks[k].unexplained;
+    let mut seconds = STEP * least as f64;
+    if (1..count).contains(&least) {
+        let (before, here, after) = (at(least - 1), at(least), at(least + 1));
+        let bend = before - 2.0 * here + after;
+        if bend > 0.0 {
+            seconds += (0.5 * STEP * (before - after) / bend).clamp(-0.5 * STEP, 0.5 * STEP);
+        }
+    }
+    Some(Delay { seconds, unexplained_as_recorded: at(0), unexplained: at(least) })
+}
+
+fn thin(motions: &[Motion]) -> Vec<Thinned<'_>> {
+    let telling = |motion: &Motion| match (motion.cycles.first(), motion.cycles.last()) {
+        (Some(first), Some(last)) => {
+            let period = (last.end_time - first.start_time) / motion.cycles.len() as f64;
+            LONGEST > TELLING * period
+        }
+        _ => true,
+    };
+    motions
+        .iter()
+        .enumerate()
+        .filter(|(_, motion)| telling(motion))
+        .map(|(index, motion)| {
+            let span = motion.steady();
+            // Every delay is judged on the same samples.
+            let begin = span.start.max(motion.time.partition_point(|t| *t < motion.time[0] + LONGEST));
+            let every = ((span.end.max(begin) - begin) / SAMPLES).max(1);
+            let samples: Vec<(f64, f64)> =
+                (begin..span.end).step_by(every).map(|i| (motion.time[i], motion.force[i])).collect();
+            let n = samples.len().max(1) as f64;
+            let mean = samples.iter().map(|s| s.1).sum::<f64>() / n;
+            let scale = (samples.iter().map(|s| (s.1 - mean).powi(2)).sum::<f64>() / n).sqrt();
+            Thinned { index, motion, samples, scale }
+        })
+        .filter(|test| test.samples.len() >= 10 && test.scale > 0.0)
+        .collect()
+}
+
+fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
+    let fastest = tests.iter().flat_map(|t| &t.motion.velocity).fold(0.0_f64, |m, v| m.max(v.abs()));
+    // Curve over velocity (an even number of nodes and the one at zero), and a spring.
+    let size = 2 * NODES.len() + 2;
+    let mut normal = DMatrix::<f64>::zeros(size, size);
+    let mut right = DVector::<f64>::zeros(size);
+    let (mut total, mut count) = (0.0, 0.0);
+    let mut power = Vec::with_capacity(tests.len());
+    for test in tests {
+        let sign = if turned.contains(&test.index) { -1.0 } else { 1.0 };
+        let (time, x, v) = (&test.motion.time, &test.motion.displacement, &test.motion.velocity);
+        let weight = 1.0 / (test.scale * test.scale);
+        let mut at = 0;
+        let n = test.samples.len() as f64;
+        let mean = test.samples.iter().map(|s| s.1).sum::<f64>() / n;
+        let (mut sums, mut springs) = ([0.0; 3], [0.0; 2]);
+        let centre = test.motion.displacement.iter().sum::<f64>() / test.motion.displacement.len() as f64;
+        let mut points = Vec::with_capacity(test.samples.len());
+        for &(t, force) in &test.samples {
+            let wanted = t - delay;
+            while at + 2 < time.len() && time[at + 1] <= wanted {
+                at += 1;
+            }
+            let share = ((wanted - time[at]) / (time[at + 1] - time[at])).clamp(0.0, 1.0);
+            let of = |values: &[f64]| values[at] + share * (values[at + 1] - values[at]);
+            let (x, v) = (of(x) - centre, of(v));
+            springs[0] += x * x;
+            springs[1] += x * (force - mean);
+            points.push((x, v, sign * force));
+        }
+        // As the signs are judged: over whole cycles springs give back what they take, elsewhere a line takes them out.
+        let stiffness = if test.motion.cycles.is_empty() && springs[0] > 0.0 { springs[1] / springs[0] } else { 0.0 };
+        for &(x, v, force) in &points {
+            let f = force - sign * (mean + stiffness * x);
+            for (sum, term) in sums.iter_mut().zip([f * v, f * f, v * v]) {
+                *sum += term;
+            }
+            let (node, share) = place(v / fastest);
+            let entries = [(node, 1.0 - share), (node + 1, share), (size - 1, x)];
+            for (i, a) in entries {
+                for (j, b) in entries {
+                    normal[(i, j)] += weight * a * b;
+                }
+                right[i] += weight * a * force;
+            }
+            total += weight * force * force;
+            count += 1.0;
+        }
+        power.push(if sums[1] > 0.0 && sums[2] > 0.0 { sums[0] / (sums[1] * sums[2]).sqrt() } else { 0.0 });
+    }
+    for i in 0..size {
+        // Nodes that no sample reaches stay at zero.
+        normal[(i, i)] += 1e-9 * (1.0 + normal[(i, i)]);
+    }
+    let explained = normal.cholesky().map_or(0.0, |c| c.solve(&right).dot(&right));
+    Look { unexplained: ((total - explained) / count).max(0.0), power }
+}
+
+/// The node below a velocity (as a share of the highest) and how far it is to the next, 0..1.
+fn place(share: f64) -> (usize, f64) {
+    let side = NODES.len();
+    let size = share.abs().min(1.0);
+    let k = NODES.iter().position(|node| size <= *node).unwrap_or(side - 1);
+    let low = if k == 0 { 0.0 } else { NODES[k - 1] };
+    let part = (size - low) / (NODES[k] - low);
+    if share >= 0.0 { (side + k, part) } else { (side - k - 1, 1.0 - part) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cleaning;
+    use crate::fixtures::SineTest;
+    use crate::options::Options;
+
+    /// Tests at these frequencies whose force is late by some seconds and multiplied.
+    fn tests(frequencies: &[f64], late: f64, factor: f64) -> Vec<Motion> {
+        frequencies
+            .iter()
+            .map(|&frequency| {
+                let test =
+                    SineTest { frequency, cycles: 8, amplitude: 0.1 / (1.0 + 4.0 * frequency), ..SineTest::default() };
+                let mut samples = test.samples();
+                let early = samples.force.clone();
+                let step = test.period() / test.per_cycle as f64;
+                for i in 0..samples.force.len() {
+                    let at = (i as f64 - late / step).max(0.0);
+                    let (k, share) = (at.floor() as usize, at.fract());
+                    let next = early[(k + 1).min(early.len() - 1)];
+                    samples.force[i] = factor * (early[k] + share * (next - early[k]));
+                }
+                cleaning::repair(samples, &Options::default()).unwrap()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn nodes_of_the_curve_join() {
+        for (share, wanted) in
+            [(0.0, (7, 0.0)), (1.0, (13, 1.0)), (-1.0, (0, 0.0)), (-0.0075, (6, 0.5)), (2.0, (13, 1.0))]
+        {
+            let (node, part) = place(share);
+            assert!((node as f64 + part - (wanted.0 as f64 + wanted.1)).abs() < 1e-12, "{share}: {node} {part}");
+        }
+    }
+
+    #[test]
+    fn delays_are_found_to_a_millisecond_and_their_absence_too() {
+        for late in [0.015, 0.0237, 0.045] {
+            let delay = find(&tests(&[0.2, 1.0, 3.0, 8.0], late, 1.0)).unwrap();
+            assert!((delay.seconds - late).abs() < 1e-3, "{late}: {delay:?}");
+            assert!(delay.unexplained < 0.1, "{delay:?}");
+        }
+        assert_eq!(find(&tests(&[0.2, 1.0, 3.0, 8.0], 0.0, 1.0)), None);
+    }
+
+    #[test]
+    fn a_turned_sign_is_told_from_a_delay() {
+        let frequencies = [1.0, 3.0, 10.0];
+        let feeding: Vec<usize> = vec![2];
+        match cause(&tests(&frequencies, 0.045, 1.0), &feeding) {
+            Cause::Delay(delay) => assert!((delay.seconds - 0.045).abs() < 1e-3, "{delay:?}"),
+            other => panic!("{other:?}"),
+        }
+        assert_eq!(cause(&tests(&frequencies, 0.0, -1.0), &[0, 1, 2]), Cause::Sign);
+        let mut one = tests(&frequencies, 0.0, 1.0);
+        one[2].force.iter_mut().for_each(|f| *f = -*f);
+        assert_eq!(cause(&one, &[2]), Cause::Sign);
+        // Half a cycle late and turned are the same at one frequency, once the run-up is cut off.
+        let test = SineTest { frequency: 10.0, amplitude: 0.002, cycles: 12, ..SineTest::default() };
+        let mut samples = test.samples();
+        samples.force.rotate_right(test.per_cycle / 2);
+        samples.select(&(600..2000).collect::<Vec<_>>());
+        let steady = cleaning::repair(samples, &Options::default()).unwrap();
+        let found = cause(&[steady], &[0]);
+        assert!(matches!(found, Cause::Either(_)), "{found:?}");
+    }
+
+    #[test]
+    fn slow_tests_tell_no_delay_and_long_ones_are_thinned_out() {
+        let counted = |frequency: f64| thin(&tests(&[frequency], 0.0, 1.0)).len();
+        assert_eq!((counted(0.5), counted(0.25)), (1, 0));
+        let test = SineTest { frequency: 1.0, cycles: 20, per_cycle: 400, ..SineTest::default() };
+        let long = [cleaning::repair(test.samples(), &Options::default()).unwrap()];
+        let count = thin(&long)[0].samples.len();
+        assert!((1500..=2000).contains(&count), "{count}");
+    }
+
+    #[test]
+    fn power_near_zero_is_neither_dissipation_nor_its_contrary() {
+        let dissipates = |power: &[f64]| Look { unexplained: 0.0, power: power.to_vec() }.dissipates();
+        assert!(dissipates(&[0.12]) && !dissipates(&[0.08]));
+        assert!(dissipates(&[0.5, -0.08]) && !dissipates(&[0.5, -0.12]));
+    }
+}

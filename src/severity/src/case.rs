@@ -1,0 +1,180 @@
+//! A case: what is hidden, at which severity, measured how, and which model is diagnosed.
+
+use crate::SeverityError;
+use crate::context;
+use crate::measured::{base_model, read, without_noise};
+use dashpot_core::Params;
+use dashpot_core::{element, number};
+use dashpot_identification::{FitOptions, fit, to_measurement_error};
+use dashpot_records::Record;
+use dashpot_records::measurement_correction::correct_record;
+use dashpot_rig::{CHECK_PREFIX, InjectedCampaign, InjectedCase, Matrix, Options, Plan, TestPoint, Truth};
+
+/// What is asked for.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Names with their severities; `name:form` asks for a form.
+    pub effects: Vec<(String, f64)>,
+    /// The tests.
+    pub plan: Plan,
+    /// Seed, noise, channels.
+    pub options: Options,
+    /// Whether the base model's FV curve runs straight between its points, whatever the damper's own does.
+    pub linear_curve: bool,
+    /// Whether the base model is the one that `fit` makes with all that it may use, as a user has it.
+    pub whole_fit: bool,
+}
+
+/// A case that has been measured and whose base model has been identified.
+pub struct Measured {
+    /// The records, noisy, as a user reads them.
+    pub records: Vec<Record>,
+    /// Force without noise at each record's samples, N.
+    pub clean: Vec<Record>,
+    /// Tests that no refit sees.
+    pub left_out: Vec<bool>,
+    /// The identified base model.
+    pub base: Params,
+    /// Measurement errors that the fit found, and that were corrected in the records as a verb does.
+    pub taken_out: Vec<&'static str>,
+    /// Strengths of what is hidden.
+    pub strengths: Vec<f64>,
+    /// What is hidden.
+    pub truth: Truth,
+    /// Effects whose removal from the simulator moves the force visibly; `None` for the own rig, whose dampers have only what is injected.
+    pub true_set: Option<Vec<String>>,
+}
+
+impl Case {
+    /// Nothing hidden, 2 % noise.
+    pub fn nothing(seed: u64) -> Case {
+        let options = Options { seed, noise_percent: 2.0, threads: Some(1), ..Options::default() };
+        Case { effects: Vec::new(), plan: Plan::Diagnosis, options, linear_curve: false, whole_fit: false }
+    }
+
+    /// One more effect hidden.
+    #[must_use]
+    pub fn hiding(mut self, effect: &str, severity: f64) -> Case {
+        self.effects.push((effect.to_owned(), severity));
+        self
+    }
+
+    fn hides_side_force(&self) -> bool {
+        self.effects.iter().any(|(name, _)| name.starts_with("side_force_friction"))
+    }
+
+    fn at(
+        &self,
+        strengths: &[f64],
+        more: &[TestPoint],
+        watch: &dyn Fn(usize, usize),
+    ) -> Result<InjectedCampaign, SeverityError> {
+        let effects = self.effects.iter().zip(strengths).map(|((name, _), s)| (name.clone(), *s)).collect();
+        let case = InjectedCase { effects, plan: self.plan, options: self.options.clone() };
+        let planned = self.plan.matrix(self.options.order.unwrap_or(self.options.seed));
+        if more.is_empty() {
+            return Ok(case.run_matrix(&planned, watch)?);
+        }
+        let matrix = Matrix::new(planned.points().iter().chain(more).cloned().collect())?;
+        Ok(case.run_matrix(&matrix, watch)?)
+    }
+
+    /// The strengths that make the severities, each effect by itself; together they are what they are.
+    ///
+    /// # Errors
+    /// What rig, reader or fit refuse; a severity that no strength reaches.
+    pub fn strengths(&self) -> Result<Vec<f64>, SeverityError> {
+        self.strengths_watched(&|_, _| ())
+    }
+
+    /// The strengths that make the severities; `watch` gets the tests measured, and their number, of every strength that is tried.
+    ///
+    /// # Errors
+    /// As [`Case::strengths`].
+    pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, SeverityError> {
+        let mut strengths = vec![0.0; self.effects.len()];
+        if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
+            return Ok(strengths);
+        }
+        let neutral = self.at(&strengths, &[], watch)?;
+        let ground =
+            context::SeverityContext::new(&neutral.campaign, self.options.noise_percent, !self.hides_side_force())?;
+        for (k, (name, wanted)) in self.effects.iter().enumerate() {
+            let mut alone = vec![0.0; self.effects.len()];
+            let found = ground.strength(name, *wanted, |strength| {
+                alone[k] = strength;
+                Ok(self.at(&alone, &[], watch)?.campaign)
+            });
+            strengths[k] = match found {
+                // A poor plan may not show the effect however strong it is: then it is as strong as it typically is.
+                Err(SeverityError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
+                other => other?,
+            };
+        }
+        Ok(strengths)
+    }
+
+    /// Finds the strengths, measures, and identifies the base model.
+    ///
+    /// # Errors
+    /// What rig, reader or fit refuse; a severity that no strength reaches.
+    pub fn measure(&self) -> Result<Measured, SeverityError> {
+        self.measure_at(self.strengths()?, &[])
+    }
+
+    /// Measures at known strengths, with tests beyond the plan, and identifies the base model.
+    ///
+    /// # Errors
+    /// What rig, reader or fit refuse.
+    pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, SeverityError> {
+        let hidden = self.at(&strengths, more, &|_, _| ())?;
+        let noisy = read(&hidden.campaign)?;
+        let clean = read(&without_noise(&hidden.campaign))?;
+        let held_out: Vec<bool> = noisy.iter().map(|r| r.name.starts_with(CHECK_PREFIX)).collect();
+        let seen: Vec<&Record> = noisy.iter().zip(&held_out).filter(|(_, out)| !**out).map(|(r, _)| r).collect();
+        let (mut base, measured) = model_of(&seen, self.whole_fit)?;
+        if self.hides_side_force() {
+            base.enable(element!("side_force_friction"), false);
+        }
+        if self.linear_curve {
+            let _ = base.set(number!("fv_interpolation"), 1.0);
+        }
+        let mut found = Measured {
+            records: noisy,
+            clean,
+            left_out: held_out,
+            base,
+            taken_out: Vec::new(),
+            strengths,
+            truth: hidden.truth,
+            true_set: None,
+        };
+        found.take_out(&measured);
+        Ok(found)
+    }
+}
+
+impl Measured {
+    /// Takes what the fit found the measurement to be off by out of the records, as the verbs do.
+    pub fn take_out(&mut self, measured: &[dashpot_identification::Measured]) {
+        let off = to_measurement_error(measured);
+        for record in self.records.iter_mut().chain(&mut self.clean) {
+            *record = correct_record(record, &off);
+        }
+        self.taken_out = measured.iter().filter_map(dashpot_identification::Measured::effect).collect();
+    }
+}
+
+/// The model that is diagnosed, with the measurement errors that its fit found.
+///
+/// It is what `fit` makes with all that it may use, as a user has it; or [`base_model`], for which the records stay as they are.
+pub fn model_of(
+    records: &[&Record],
+    whole_fit: bool,
+) -> Result<(Params, Vec<dashpot_identification::Measured>), SeverityError> {
+    if !whole_fit {
+        return Ok((base_model(records)?, Vec::new()));
+    }
+    let found = fit(records, &FitOptions::default(), |_| ())?;
+    Ok((found.params, found.measured))
+}

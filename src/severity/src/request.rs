@@ -1,0 +1,113 @@
+//! What somebody asks to hide in a neutral damper, and the strengths that make it: for the command and for Python.
+
+use crate::SeverityError;
+use crate::case::Case;
+use dashpot_rig::{NOTHING, Options, Plan, RigError};
+
+/// Names, `name:form` for one physical form, each with a number where one is given.
+pub type RequestedEffects = Vec<(String, Option<f64>)>;
+
+/// What the numbers are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Numbers {
+    /// Severities: what refitting the model cannot absorb, in units of the noise.
+    Severities,
+    /// Physical strengths, 1 being a typical strong case.
+    Strengths,
+}
+
+/// Strength of a typical strong case, which is meant where no number is given.
+const TYPICAL: f64 = 1.0;
+
+fn refused(problem: String) -> SeverityError {
+    RigError::Option { option: "hide", problem }.into()
+}
+
+/// Names with their strengths; none where `nothing` is asked for. Severities need a `plan` of the rig, by whose tests they are found: there is
+/// none where the tests are of somebody's own. `watch` is told the tests measured, and their number, of every strength that is tried.
+///
+/// # Errors
+/// `nothing` beside an effect, a number that is none, severities without plan or noise, a severity that no strength reaches, and what the rig
+/// refuses.
+pub fn strengths(
+    asked: RequestedEffects,
+    numbers: Numbers,
+    plan: Option<Plan>,
+    options: &Options,
+    watch: &dyn Fn(usize, usize),
+) -> Result<Vec<(String, f64)>, SeverityError> {
+    let is_nothing = |(name, number): &(String, Option<f64>)| name == NOTHING && number.is_none();
+    if asked.iter().any(is_nothing) {
+        if asked.len() > 1 {
+            return Err(refused(format!("'{NOTHING}' stands beside an effect; give one or the other")));
+        }
+        return Ok(Vec::new());
+    }
+    if numbers == Numbers::Strengths {
+        return Ok(asked.into_iter().map(|(name, number)| (name, number.unwrap_or(TYPICAL))).collect());
+    }
+    let severities: Vec<(String, f64)> = asked.iter().filter_map(|(n, s)| s.map(|s| (n.clone(), s))).collect();
+    let mut found = Vec::new();
+    if !severities.is_empty() {
+        if let Some((name, number)) = severities.iter().find(|(_, number)| !number.is_finite()) {
+            return Err(refused(format!("'{number}' is no severity of '{name}'; give a number")));
+        }
+        let Some(plan) = plan else { return Err(SeverityError::OwnTests) };
+        if options.noise_percent <= 0.0 {
+            return Err(SeverityError::NoNoise);
+        }
+        let options = Options { threads: Some(1), ..options.clone() };
+        let case = Case { effects: severities, plan, options, ..Case::nothing(0) };
+        found = case.strengths_watched(watch)?;
+    }
+    let mut found = found.into_iter();
+    let mut strength = |number: Option<f64>| number.and_then(|_| found.next()).unwrap_or(TYPICAL);
+    Ok(asked.into_iter().map(|(name, number)| (name, strength(number))).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(asked: &[(&str, Option<f64>)], numbers: Numbers, plan: Option<Plan>, noise_percent: f64) -> String {
+        let asked = asked.iter().map(|(name, number)| ((*name).to_owned(), *number)).collect();
+        let options = Options { noise_percent, ..Options::default() };
+        match strengths(asked, numbers, plan, &options, &|_, _| ()) {
+            Ok(found) => format!("{found:?}"),
+            Err(error) => error.to_string(),
+        }
+    }
+
+    #[test]
+    fn a_name_alone_is_a_typical_strong_case_whatever_the_numbers_are() {
+        for numbers in [Numbers::Severities, Numbers::Strengths] {
+            assert_eq!(told(&[("bushing", None)], numbers, None, 0.0), r#"[("bushing", 1.0)]"#);
+            assert_eq!(told(&[(NOTHING, None)], numbers, None, 0.0), "[]");
+            assert_eq!(told(&[], numbers, None, 0.0), "[]");
+        }
+        assert_eq!(told(&[("bushing", Some(0.25))], Numbers::Strengths, None, 0.0), r#"[("bushing", 0.25)]"#);
+    }
+
+    #[test]
+    fn what_makes_no_severity_is_refused_with_what_to_do() {
+        let asked = [("bushing", Some(2.0))];
+        let plan = Some(Plan::Diagnosis);
+        assert!(told(&asked, Numbers::Severities, None, 1.0).contains("give strengths (--strength)"));
+        assert!(told(&asked, Numbers::Severities, plan, 0.0).contains("in units of the noise"));
+        assert!(
+            told(&[("ghosts", Some(2.0))], Numbers::Severities, plan, 1.0).contains("gas_spring, stribeck_friction")
+        );
+        assert!(told(&[("bushing", Some(f64::NAN))], Numbers::Severities, plan, 1.0).contains("'NaN' is no severity"));
+        let beside = told(&[(NOTHING, None), ("bushing", None)], Numbers::Strengths, plan, 1.0);
+        assert!(beside.contains("give one or the other"), "{beside}");
+    }
+
+    #[test]
+    fn severities_become_strengths_at_their_own_places() {
+        let asked = [("force_offset", None), ("force_drift", Some(0.0)), ("channel_delay", None)];
+        assert_eq!(
+            told(&asked, Numbers::Severities, Some(Plan::Diagnosis), 1.0),
+            r#"[("force_offset", 1.0), ("force_drift", 0.0), ("channel_delay", 1.0)]"#
+        );
+    }
+}

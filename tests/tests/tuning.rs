@@ -1,0 +1,82 @@
+//! Numbers of judgement stand in one file a crate, `tuning.rs`. Each has a documentation that ends with the test that notices when it moves.
+
+use dashpot_test_support::rust_files;
+use dashpot_tests::library::root;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Crates with such a file, and how many of its numbers no test notices. The count may only go down.
+const UNNOTICED: &[(&str, usize)] = &[("records", 30)];
+
+/// A number with its documentation.
+struct Entry {
+    name: String,
+    /// Lines of the documentation, trimmed.
+    documentation: Vec<String>,
+}
+
+/// The constants of a file, those in its modules among them.
+fn entries(items: &[syn::Item], found: &mut Vec<Entry>) {
+    for item in items {
+        match item {
+            syn::Item::Mod(item) => entries(item.content.as_ref().map_or(&[], |(_, items)| items), found),
+            syn::Item::Const(item) => {
+                let line = |attribute: &syn::Attribute| match &attribute.meta {
+                    syn::Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                        syn::Expr::Lit(literal) => match &literal.lit {
+                            syn::Lit::Str(text) => Some(text.value().trim().to_owned()),
+                            _ => None,
+                        },
+                        _ => None,
+                    },
+                    _ => None,
+                };
+                let documentation = item.attrs.iter().filter_map(line).collect();
+                found.push(Entry { name: item.ident.to_string(), documentation });
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Names of all functions in the Rust files of a crate.
+fn functions(folder: &Path) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for file in rust_files(folder).unwrap() {
+        let text = std::fs::read_to_string(&file).unwrap();
+        for part in text.split("fn ").skip(1) {
+            found.insert(part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect());
+        }
+    }
+    found
+}
+
+#[test]
+fn every_number_has_a_reason_and_a_test_that_exists() {
+    let mut wrong = String::new();
+    for (part, allowed) in UNNOTICED {
+        let folder = root().join("src").join(part);
+        let text = std::fs::read_to_string(folder.join("src/tuning.rs")).unwrap();
+        let mut found = Vec::new();
+        entries(&syn::parse_file(&text).unwrap().items, &mut found);
+        assert!(!found.is_empty(), "{part} has no numbers");
+        let functions = functions(&folder);
+        let mut unnoticed = 0;
+        for Entry { name, documentation } in &found {
+            let (last, reason) = documentation.split_last().map_or(("", &[][..]), |(last, rest)| (last.as_str(), rest));
+            if reason.iter().all(String::is_empty) {
+                wrong += &format!("{part}: {name} has no reason\n");
+            }
+            match last.strip_prefix("Test: ") {
+                Some("none.") => unnoticed += 1,
+                Some(test) if functions.contains(test.trim_matches(['`', '.'])) => {}
+                Some(test) => wrong += &format!("{part}: {name} names {test}, which there is not\n"),
+                None => wrong += &format!("{part}: {name} names no test\n"),
+            }
+        }
+        if unnoticed != *allowed {
+            wrong += &format!("{part}: {unnoticed} numbers that no test notices, stated {allowed}\n");
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
