@@ -58,6 +58,10 @@ dashpot_records::phrases! {
     FAMILY_EACH: "each setting by itself";
     FAMILY_JOINT: "all settings together: what they share and what depends on them";
     FAMILY_LEFT_OUT: "each setting predicted by the others";
+    FAMILY_ACTUATOR: "response of the valve from tests whose setting changes";
+    CHANGING_SETTING: "tests whose setting changes";
+    NO_ACTUATOR: "the {count} tests whose {setting} changes show no actuator: the force follows the command within their samples and their noise";
+    ACTUATOR_OPEN: "the records do not determine {names}: the values are those that valves usually show";
     FAMILY_STORES: "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host";
     FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of the tests (800mA, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";

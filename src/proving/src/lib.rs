@@ -23,6 +23,7 @@ pub mod laboratory;
 pub mod measured;
 pub mod outcome;
 pub mod score;
+pub mod semi_active;
 pub mod severity;
 pub mod split;
 pub mod suite;

@@ -4,6 +4,7 @@ use super::about::About;
 use super::off::MeasurementError;
 use super::options::Positive;
 use super::sentence::Sentence;
+use super::setting_signal::SettingSignal;
 use super::setting_value::Setting;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
@@ -30,6 +31,9 @@ pub struct Record {
     /// What the damper was set to, where a channel or the name of the test says it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting: Option<Setting>,
+    /// The setting over time, where a channel shows it to change within the test; then it has no [`Record::setting`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub setting_signal: Option<SettingSignal>,
     /// The campaign's clock at the record's time zero, s: 0 where each record has a clock of its own or all run on one already.
     #[serde(default)]
     pub clock_s: f64,

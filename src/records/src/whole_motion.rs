@@ -5,6 +5,7 @@ use super::cycle::Cycle;
 use super::error::Place;
 use super::off::MeasurementError;
 use super::record::Note;
+use super::setting_signal::SettingSignal;
 use super::setting_value::Setting;
 
 /// A test whose samples are sound and whose motion is complete, still in the file's signs and untrimmed.
@@ -22,6 +23,8 @@ pub(crate) struct Motion {
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,
     pub setting: Option<Setting>,
+    /// See [`Record::setting_signal`](super::record::Record::setting_signal).
+    pub setting_signal: Option<SettingSignal>,
     pub cycles: Vec<Cycle>,
     /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
     pub stated_error: MeasurementError,

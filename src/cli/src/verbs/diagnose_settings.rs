@@ -237,12 +237,24 @@ fn split(
     let settings = settings_of(model, campaign, given)?;
     let of_good = good.map(|good| settings_of(model, good, given)).transpose()?;
     let mut distinct: Vec<f64> = Vec::new();
-    for setting in &settings {
+    for setting in settings.iter().flatten() {
         if !distinct.iter().any(|known| is_same_setting(*known, *setting)) {
             distinct.push(*setting);
         }
     }
     distinct.sort_by(f64::total_cmp);
+    let changing: Vec<&str> =
+        campaign.records.iter().zip(&settings).filter(|(_, s)| s.is_none()).map(|(r, _)| r.name.as_str()).collect();
+    if !changing.is_empty() {
+        dashpot_output::warn(&format!(
+            "note: the setting changes within {} tests, which are not diagnosed: {}",
+            changing.len(),
+            changing.join(", ")
+        ));
+    }
+    if distinct.is_empty() {
+        bail!("no test has a constant {}, and a damper is diagnosed at constant settings", model.axis.name());
+    }
     let (low, high) = model.axis.range();
     if let Some(beyond) = distinct.iter().find(|setting| **setting < low || **setting > high) {
         let unit = model.axis.unit();
@@ -256,7 +268,7 @@ fn split(
         false => Some(hold_out::select_hold_out(campaign, &args.hold_out, "look at")?),
     };
     let part = |setting: f64| -> anyhow::Result<Part> {
-        let is_own = |other: &f64| is_same_setting(*other, setting);
+        let is_own = |other: &Option<f64>| other.is_some_and(|other| is_same_setting(other, setting));
         let places: Vec<usize> = (0..settings.len()).filter(|k| is_own(&settings[*k])).collect();
         let records: Vec<Record> = places.iter().map(|k| campaign.records[*k].clone()).collect();
         let left_out = match &held_out {

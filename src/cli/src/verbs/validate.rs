@@ -265,6 +265,18 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
             errors.fv_only.error_percent
         );
     }
+    if let Some(changing) = &validation.changing {
+        let errors = &changing.summary.errors;
+        out += &format!(
+            "\n{:<34}{:>6}{:>10.2}{:>9.2}{:>12.2}{:>10.2}",
+            "changing",
+            changing.summary.tests,
+            errors.model.mean_error_n,
+            errors.model.error_percent,
+            errors.fv_only.mean_error_n,
+            errors.fv_only.error_percent
+        );
+    }
     out
 }
 

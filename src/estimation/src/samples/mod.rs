@@ -113,6 +113,7 @@ fn segment(
         name: record.name.clone(),
         dt,
         input,
+        setting: None,
         force,
         from,
         scale: allowed::typical(noise, top),

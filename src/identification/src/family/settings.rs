@@ -111,6 +111,11 @@ pub struct SettingRecords<'a> {
     pub records: Vec<&'a Record>,
 }
 
+/// Records with a constant setting, or with none, and those whose setting of a name changes within the test.
+pub fn split_changing<'a>(records: &[&'a Record], name: &str) -> (Vec<&'a Record>, Vec<&'a Record>) {
+    records.iter().partition(|record| record.setting_signal.as_ref().is_none_or(|signal| signal.name != name))
+}
+
 /// Sorts records by the setting of a name, lowest first.
 ///
 /// # Errors

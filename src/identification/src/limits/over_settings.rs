@@ -45,26 +45,29 @@ pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> 
     }
 }
 
-/// Compares limits with the records of a damper over a setting and with the forces of its model there. `settings` holds that of every record.
+/// Compares limits with the records of a damper over a setting and with the forces of its model there. `settings` holds that of every record,
+/// `None` where it changes within the record, which then belongs to no window.
 ///
 /// # Errors
 /// A limit without a setting where the records have several.
 pub fn judge_over_settings(
     limits: &[Limit],
-    (records, settings): (&[&Record], &[f64]),
+    (records, settings): (&[&Record], &[Option<f64>]),
     model: &[&[f64]],
 ) -> Result<Certificate, SettingLimitError> {
-    let is_one = settings.iter().all(|setting| is_same_setting(*setting, settings[0]));
+    let first = settings.iter().flatten().next().copied();
+    let is_one = settings.iter().flatten().all(|setting| first.is_some_and(|first| is_same_setting(*setting, first)));
     if let Some(without) = limits.iter().find(|limit| limit.setting.is_none() && !is_one) {
         return Err(SettingLimitError::Without { name: without.name.clone(), line: without.line });
     }
-    let at = |limit: &Limit| limit.setting.or(settings.first().copied());
+    let at = |limit: &Limit| limit.setting.or(first);
     let mut checked = Vec::new();
     let mut peaks = Vec::new();
     let mut judged: Vec<f64> = Vec::new();
     for limit in limits {
         let Some(setting) = at(limit) else { continue };
-        let own: Vec<usize> = (0..records.len()).filter(|k| is_same_setting(settings[*k], setting)).collect();
+        let own: Vec<usize> =
+            (0..records.len()).filter(|k| settings[*k].is_some_and(|own| is_same_setting(own, setting))).collect();
         let of: Vec<&Record> = own.iter().map(|k| records[*k]).collect();
         let forces: Vec<&[f64]> = own.iter().map(|k| model[*k]).collect();
         let found =
@@ -115,7 +118,7 @@ mod tests {
         let all = [test("soft", 1000.0), test("hard", 4000.0)];
         let records: Vec<&Record> = all.iter().collect();
         let forces: Vec<&[f64]> = all.iter().map(|record| record.force.as_slice()).collect();
-        judge_over_settings(&parse("l.csv".as_ref(), text).unwrap(), (&records, &[0.0, 1.6]), &forces)
+        judge_over_settings(&parse("l.csv".as_ref(), text).unwrap(), (&records, &[Some(0.0), Some(1.6)]), &forces)
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub mod matrix;
 mod of_test;
 
 pub use against::{Against, AgainstSummary, AgainstTest};
-pub use campaign::{SettingSummary, Summary, Validation, validate};
+pub use campaign::{ChangingSummary, SettingSummary, Summary, Validation, validate};
 pub use compared::{Compared, ValidationError};
 pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
 pub use hysteresis::{GapBin, Hysteresis, OfEach};

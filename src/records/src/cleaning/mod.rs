@@ -30,6 +30,7 @@ use super::phrases;
 use super::record::Record;
 use super::samples::Samples;
 use super::sentence::Sentence;
+use super::setting_signal::{SettingPattern, SettingSignal};
 use super::setting_value::Setting;
 use super::swapped;
 use super::taken_out::take_mass;
@@ -91,7 +92,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
     let (displacement, velocity, cycles) = complete(&mut samples, options)?;
-    let setting = set_to(&mut samples);
+    let (setting, setting_signal) = set_to(&mut samples);
     let mut motion = Motion {
         at: samples.at,
         name: samples.name,
@@ -104,6 +105,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         side_force: samples.side_force,
         temperature: samples.temperature,
         setting,
+        setting_signal,
         cycles,
         stated_error: MeasurementError::NONE,
         notes: samples.notes,
@@ -122,7 +124,8 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         for values in [&mut motion.time, &mut motion.displacement, &mut motion.velocity, &mut motion.force] {
             drop(values);
         }
-        for values in [&mut motion.side_force, &mut motion.temperature].into_iter().flatten() {
+        let signal = motion.setting_signal.as_mut().map(|signal| &mut signal.values);
+        for values in [motion.side_force.as_mut(), motion.temperature.as_mut(), signal].into_iter().flatten() {
             drop(values);
         }
         motion.cycles = cycles::find(&motion.time, &motion.displacement);
@@ -130,15 +133,22 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     Ok(motion)
 }
 
-/// What the damper was set to, by the channel of its current.
-fn set_to(samples: &mut Samples) -> Option<Setting> {
-    let current = samples.current.take()?;
-    Setting::of_current(&current).unwrap_or_else(|(low, high)| {
-        let text =
-            Sentence::from(phrases::CURRENT_VARIES).with("low", format!("{low:.2}")).with("high", format!("{high:.2}"));
-        samples.note("settings", text);
-        None
-    })
+/// What the damper was set to, by the channel of its current: a value, or a signal where it changes.
+fn set_to(samples: &mut Samples) -> (Option<Setting>, Option<SettingSignal>) {
+    let Some(current) = samples.current.take() else { return (None, None) };
+    match Setting::of_current(&current) {
+        Ok(setting) => (setting, None),
+        Err((low, high)) => {
+            let signal = SettingSignal::new("current", "A", &current);
+            let text = match signal.pattern {
+                SettingPattern::Steps => Sentence::from(phrases::CURRENT_STEPS).with("count", signal.steps().len()),
+                SettingPattern::Varying => phrases::CURRENT_VARIES.into(),
+            };
+            let text = text.with("low", format!("{low:.2}")).with("high", format!("{high:.2}"));
+            samples.note("settings", text);
+            (None, Some(signal))
+        }
+    }
 }
 
 fn enough(samples: &Samples) -> Result<(), RecordError> {
@@ -254,7 +264,11 @@ pub(crate) fn cycles_of(time: &[f64], displacement: &[f64]) -> Vec<std::ops::Ran
 
 /// Second half, rebound positive: rest and ramps cut off, whole cycles found, figures of the test taken.
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
-    motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    // Cycles of a test whose setting changes are not alike: it is kept whole, as a road is.
+    motion.cycles = match motion.setting_signal {
+        Some(_) => Vec::new(),
+        None => cycles::find(&motion.time, &motion.displacement),
+    };
     let untrimmed = motion.time.len() >= FEWEST;
     let whole = motion.clone();
     trim::trim(&mut motion);
@@ -274,6 +288,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         side_force,
         temperature,
         setting,
+        setting_signal,
         cycles,
         stated_error: given,
         mut notes,
@@ -304,6 +319,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         begins,
         about,
         setting,
+        setting_signal,
         clock_s: 0.0,
         displacement,
         velocity,
