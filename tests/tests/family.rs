@@ -196,3 +196,75 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
         assert!(of.left_out.is_none_or(|error| error.error_percent < 12.0), "{of:?}");
     }
 }
+
+/// Errors that are held on one small campaign of a semi-active damper: the random current's, and the lag's.
+const RANDOM: f64 = 0.03;
+const LAG: f64 = 0.15;
+
+#[test]
+fn the_valve_of_a_physical_damper_is_identified_from_steps_of_its_current() {
+    use dashpot_other_lab::semi_active::{HELD_OUT, SemiActivePlant, random, sines, steps};
+    let seed = 3;
+    let plant = SemiActivePlant::new(seed);
+    let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
+    tests.extend(steps(seed).into_iter().take(2));
+    tests.push(random(&format!("{HELD_OUT}random"), seed, plant.most, true));
+    let found = dashpot_proving::semi_active::evaluate_tests(&plant, &tests, seed).unwrap();
+    assert!(found.random_error < RANDOM, "{found:?}");
+    assert!(found.worst_lag() < LAG, "{found:?}");
+    assert!(found.actuator.contains("setting_time_up") && found.actuator.contains("dead_time"), "{found:?}");
+}
+
+#[test]
+fn a_damper_without_an_actuator_gets_none() {
+    let truth = truth(None);
+    let mut records: Vec<Record> =
+        CURRENTS.iter().enumerate().flat_map(|(k, current)| records_at(&truth, *current, 11 + k as u64)).collect();
+    records.push(stepped(&truth));
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
+    let actuator = found.actuator.as_ref().unwrap();
+    assert!(actuator.estimates.is_empty() && actuator.parts.iter().all(|part| !part.is_present), "{actuator:?}");
+    assert!(!found.damper.axis.actuator().has_lag() && found.damper.axis.actuator().dead_time == 0.0);
+    assert!(found.tests.contains(&"stepped".to_owned()));
+    assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
+}
+
+/// A sine of the damper during which the current steps, and the force follows at once.
+fn stepped(damper: &Definition) -> Record {
+    let family = dashpot_identification::model_file::prepared_family(damper).unwrap();
+    let (rate, count, w) = (1000.0, 6000, TAU * 0.7);
+    let mut current = Vec::new();
+    let mut record = Record {
+        name: "stepped".into(),
+        amplitude: 0.03,
+        peak_velocity: 0.03 * w,
+        noise: dashpot_records::Noise { force_rms: 4.0, ..Default::default() },
+        ..Record::default()
+    };
+    let input = |t: f64| dashpot_core::Input::motion(0.03 * libm::sin(w * t), 0.03 * w * libm::cos(w * t));
+    let mut random = kernel_campaign::Random::new(4);
+    let (mut state, mut delay) = (family.steady_state(&input(0.0), Some(0.0)), family.steady_delay(Some(0.0)));
+    let mut output = family.evaluate(&state, &input(0.0), Some(0.0)).0;
+    for i in 0..count {
+        let t = f64::from(i) / rate;
+        let command = if (i / 500) % 2 == 0 { 0.0 } else { 1.2 };
+        if i > 0 {
+            assert!(family.step_in_place(
+                &mut state,
+                &mut delay,
+                &input(t),
+                Some(command),
+                1.0 / rate,
+                &mut output,
+                false
+            ));
+        }
+        record.time.push(t);
+        record.displacement.push(0.03 * libm::sin(w * t));
+        record.velocity.push(0.03 * w * libm::cos(w * t));
+        record.force.push(output.force + 4.0 * random.normal());
+        current.push(command);
+    }
+    record.setting_signal = Some(dashpot_records::SettingSignal::new("current", "A", &current));
+    record
+}

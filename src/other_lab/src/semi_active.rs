@@ -369,7 +369,7 @@ impl Equations for Machine<'_> {
 }
 
 /// Currents of the sines, A.
-pub const CURRENTS: [f64; 6] = [0.0, 0.3, 0.6, 0.9, 1.2, 1.6];
+pub const CURRENTS: [f64; 8] = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.3, 1.6];
 /// Prefix of the names of tests that are kept from the identification.
 pub const HELD_OUT: &str = "holdout_";
 /// Amplitude, mm, and peak velocity, m/s, of the sines at each current.

@@ -33,11 +33,19 @@ fn main() {
     }
     outcomes.sort_by(|a, b| b.worst_lag().total_cmp(&a.worst_lag()));
     println!(
-        "{:>8} {:>7} {:>9}  t63 of the valve, then of the force: plant and model, ms",
-        "seed", "ratio", "random %"
+        "{:>8} {:>7} {:>11} {:>9}  ratios by current; t63 of the valve and of the force, plant and model, ms",
+        "seed", "ratio", "left out %", "random %"
     );
     for of in &outcomes {
-        println!("{:>8} {:>7.2} {:>9.2}", of.seed, of.worst_ratio, 100.0 * of.random_error);
+        let ratios: Vec<String> = of.ratios.iter().map(|ratio| format!("{ratio:.2}")).collect();
+        println!(
+            "{:>8} {:>7.2} {:>11.2} {:>9.2}  {}",
+            of.seed,
+            of.worst_ratio,
+            of.left_out_percent,
+            100.0 * of.random_error,
+            ratios.join(" ")
+        );
         for (name, lags) in [("valve", &of.valve), ("force", &of.force)] {
             let one = |lag: &Lag| {
                 let [from, to] = lag.step_a;

@@ -9,13 +9,14 @@ use dashpot_estimation::segment::Segment;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{FamilyFit, fit_family};
 use dashpot_identification::model_file::prepared_family;
+use dashpot_identification::validation::ResponseTimes;
 use dashpot_other_lab::semi_active::{
     Command, HELD_OUT, SemiActivePlant, SemiActiveRecord, SemiActiveTest, protocol, steps,
 };
 use dashpot_other_lab::{Accuracy, Protocol};
 use dashpot_records::Record;
 use dashpot_simulation::prediction::predict_family;
-use dashpot_simulation::step_response::{ResponseTimes, StepForces, mean_response};
+use dashpot_simulation::step_response::{StepForces, mean_response};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -49,6 +50,10 @@ pub struct SemiActiveOutcome {
     pub seed: u64,
     /// Error of the family without a current over the one of the fit of that current alone, at the worst current.
     pub worst_ratio: f64,
+    /// That ratio at each current inside the grid.
+    pub ratios: Vec<f64>,
+    /// Largest error of the family without a current, in percent of the largest force of each test.
+    pub left_out_percent: f64,
     /// Mean error over the random current that was left out, as a fraction of the largest force.
     pub random_error: f64,
     /// Where the valve stands, in terms of the current at which it would rest there.
@@ -57,7 +62,7 @@ pub struct SemiActiveOutcome {
     pub force: Vec<Lag>,
     /// Parts of the actuator that were found, and the numbers with their intervals.
     pub actuator: String,
-    /// Processor time of the fit, s.
+    /// Time that the fit took, s.
     pub seconds: f64,
 }
 
@@ -89,20 +94,36 @@ pub fn measure(
     })
 }
 
-/// Measures, fits and compares the damper of a seed.
+/// Measures, fits and compares the damper of a seed by the whole protocol.
 ///
 /// # Errors
 /// What laboratory, reader or fit reject.
 pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
     let plant = SemiActivePlant::new(seed);
+    let tests = protocol(seed, plant.most);
+    evaluate_tests(&plant, &tests, seed)
+}
+
+/// Measures, fits and compares a damper by some tests.
+///
+/// # Errors
+/// What laboratory, reader or fit reject.
+pub fn evaluate_tests(
+    plant: &SemiActivePlant,
+    tests: &[SemiActiveTest],
+    seed: u64,
+) -> Result<SemiActiveOutcome, EvaluationError> {
     let as_measured = Protocol { noise_percent: 1.0, ..Protocol::default() };
-    let records = measure(&plant, &protocol(seed, plant.most), &as_measured, seed)?;
+    let records = measure(plant, tests, &as_measured, seed)?;
     let (held_out, seen): (Vec<&Record>, Vec<&Record>) = records.iter().partition(|r| r.name.starts_with(HELD_OUT));
     let begun = std::time::Instant::now();
     let found = fit_family(&seen, "current", &FitOptions::default(), |_| ())
         .map_err(|error| EvaluationError::Records(error.to_string()))?;
     let seconds = begun.elapsed().as_secs_f64();
-    let worst_ratio = found.settings.iter().filter_map(|of| of.left_out_ratio).fold(0.0, f64::max);
+    let ratios: Vec<f64> = found.settings.iter().filter_map(|of| of.left_out_ratio).collect();
+    let worst_ratio = ratios.iter().copied().fold(0.0, f64::max);
+    let inside = || found.settings.iter().filter(|of| of.left_out.is_some());
+    let left_out_percent = inside().filter_map(|of| Some(of.left_out?.error_percent)).fold(0.0, f64::max);
     let family = prepared_family(&found.damper).map_err(|error| EvaluationError::Records(error.to_string()))?;
     let error = |record: &&Record| {
         let motion = dashpot_records::smoothing::smooth(record);
@@ -112,8 +133,9 @@ pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
         sum / forces.len() as f64 / top
     };
     let random_error = held_out.iter().map(error).fold(0.0, f64::max);
-    let (valve, force) = lags(&plant, &found.damper, seed)?;
-    Ok(SemiActiveOutcome { seed, worst_ratio, random_error, valve, force, actuator: describe(&found), seconds })
+    let (valve, force) = lags(plant, &found.damper, seed)?;
+    let actuator = describe(&found);
+    Ok(SemiActiveOutcome { seed, worst_ratio, ratios, left_out_percent, random_error, valve, force, actuator, seconds })
 }
 
 fn describe(found: &FamilyFit) -> String {

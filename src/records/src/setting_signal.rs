@@ -65,7 +65,7 @@ struct Level {
 
 impl SettingSignal {
     /// The signal of a channel. Missing values are those before them.
-    pub(crate) fn new(name: &str, unit: &str, channel: &[f64]) -> SettingSignal {
+    pub fn new(name: &str, unit: &str, channel: &[f64]) -> SettingSignal {
         let mut values = channel.to_vec();
         let mut last = channel.iter().copied().find(|v| v.is_finite()).unwrap_or(0.0);
         for value in &mut values {

@@ -1,6 +1,7 @@
 //! A model and its FV curve alone beside the records of a campaign.
 
 use crate::prediction::{between_velocities, predict, predict_family};
+use crate::step_response::step_responses;
 use crate::warm_starts::WarmStarts;
 use dashpot_core::family::Definition;
 use dashpot_core::family::axis::ENTRIES;
@@ -118,6 +119,24 @@ pub fn settings_of(
         })
     };
     campaign.records.iter().map(of).collect()
+}
+
+/// Summarizes a validation by the settings of its tests, with the responses to steps of the setting; returns the setting of every test.
+///
+/// # Errors
+/// The errors of [`settings_of`]; parameters that make no model.
+pub fn summarize_settings(
+    validation: &mut Validation,
+    file: &ModelFile,
+    campaign: &Campaign,
+    given: Option<f64>,
+) -> Result<Vec<Option<f64>>, CompareError> {
+    let settings = settings_of(file, campaign, given)?;
+    validation.summarize_settings(&settings, file.axis.grid());
+    let changing = campaign.records.iter().zip(&settings).filter(|(_, setting)| setting.is_none());
+    let changing: Vec<&Record> = changing.map(|(record, _)| record).collect();
+    validation.step_responses = step_responses(&file.definition(), &changing)?;
+    Ok(settings)
 }
 
 /// The FV curve with the gas force of a damper alone.

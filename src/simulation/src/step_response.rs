@@ -6,9 +6,9 @@
 use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
 use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
+use dashpot_identification::validation::{ResponseTimes, StepResponse};
 use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
-use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Time before a step that a response shows, and most time behind it, s.
@@ -22,48 +22,6 @@ const SHORTEST: f64 = 0.03;
 const SETTLED: f64 = 0.25;
 /// Fraction of the largest difference of force below which an instant of a step says nothing.
 const LEAST: f64 = 0.2;
-
-/// Times of a response to a step, s, counted from the step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ResponseTimes {
-    /// Until the force has gone a tenth of its way.
-    pub t10_s: f64,
-    /// Until it has gone 63 %.
-    pub t63_s: f64,
-    /// Until it has gone 90 %.
-    pub t90_s: f64,
-    /// How far it goes beyond its end, as a fraction of its way.
-    pub overshoot: f64,
-}
-
-impl ResponseTimes {
-    /// Times of a response that runs from 0 to 1. `None` where it does not get there.
-    pub fn measure(time: &[f64], response: &[f64]) -> Option<ResponseTimes> {
-        let begins = time.partition_point(|t| *t < 0.0);
-        let reach = |fraction: f64, from: usize| -> Option<usize> {
-            // Two in a row, so that no single sample of noise is a response.
-            let pairs = response.windows(2).enumerate().skip(from);
-            pairs.filter(|(_, pair)| pair[0] >= fraction && pair[1] >= fraction).map(|(k, _)| k).next()
-        };
-        let crossing = |k: usize, fraction: f64| {
-            let before = k.checked_sub(1)?;
-            let (low, high) = (response[before], response[k]);
-            let part = if high > low { ((fraction - low) / (high - low)).clamp(0.0, 1.0) } else { 1.0 };
-            Some(time[before] + part * (time[k] - time[before]))
-        };
-        let at_63 = reach(0.632, begins)?;
-        let at_10 = (begins..=at_63).rev().find(|k| response[*k] < 0.1).map_or(begins, |k| k + 1);
-        let at_90 = reach(0.9, at_63)?;
-        // The mean of neighbors: the largest of many noisy samples is no overshoot.
-        let most = response[at_63..].windows(5).map(|w| w.iter().sum::<f64>() / 5.0).fold(1.0, f64::max);
-        Some(ResponseTimes {
-            t10_s: crossing(at_10, 0.1)?.max(0.0),
-            t63_s: crossing(at_63, 0.632)?,
-            t90_s: crossing(at_90, 0.9)?,
-            overshoot: most - 1.0,
-        })
-    }
-}
 
 /// One step with the forces around it.
 #[derive(Debug, Clone)]
@@ -112,43 +70,11 @@ pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     raw.iter().map(|r| (r - zero) / (one - zero)).collect()
 }
 
-/// The response to steps from one setting to another.
-#[derive(Debug, Clone, Serialize)]
-pub struct StepResponse {
-    /// Setting before.
-    pub from: f64,
-    /// Setting after.
-    pub to: f64,
-    /// Number of steps.
-    pub steps: usize,
-    /// Times of the measured force; absent where the records do not show them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub measured: Option<ResponseTimes>,
-    /// Times of the model's force.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model: Option<ResponseTimes>,
-    /// Time since the step, s.
-    #[serde(skip)]
-    pub time: Vec<f64>,
-    /// Fraction of its way that the measured force has gone.
-    #[serde(skip)]
-    pub measured_response: Vec<f64>,
-    /// Fraction of its way that the model's force has gone.
-    #[serde(skip)]
-    pub model_response: Vec<f64>,
-}
-
-impl StepResponse {
-    /// Whether the setting rises.
-    pub fn is_up(&self) -> bool {
-        self.to > self.from
-    }
-}
-
 /// Steps of one kind: measured and by the model.
 #[derive(Default)]
 struct Kind {
     levels: [f64; 2],
+    tests: Vec<String>,
     measured: Vec<StepForces>,
     model: Vec<StepForces>,
     shortest: f64,
@@ -209,6 +135,9 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
             });
             kind.shortest = kind.shortest.min(end - instant);
             kind.sample = kind.sample.min((end - record.time[from]) / (step.end - from).max(1) as f64);
+            if kind.tests.last() != Some(&record.name) {
+                kind.tests.push(record.name.clone());
+            }
             kind.measured.push(forces(&record.force));
             kind.model.push(forces(&model));
         }
@@ -223,6 +152,7 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
             from: kind.levels[0],
             to: kind.levels[1],
             steps: kind.measured.len(),
+            tests: kind.tests,
             measured: ResponseTimes::measure(&grid, &measured),
             model: ResponseTimes::measure(&grid, &model),
             time: grid,
@@ -236,18 +166,6 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn times_of_a_lag_with_dead_time() {
-        let time: Vec<f64> = (0..600).map(|k| 5e-4 * f64::from(k) - 0.01).collect();
-        let response: Vec<f64> =
-            time.iter().map(|t| if *t < 0.003 { 0.0 } else { 1.0 - libm::exp(-(t - 0.003) / 0.01) }).collect();
-        let found = ResponseTimes::measure(&time, &response).unwrap();
-        assert!((found.t63_s - 0.013).abs() < 1e-4, "{found:?}");
-        assert!((found.t10_s - 0.00405).abs() < 1e-4 && (found.t90_s - 0.02603).abs() < 1e-4, "{found:?}");
-        assert!(found.overshoot < 1e-9);
-        assert_eq!(ResponseTimes::measure(&time, &vec![0.3; 600]), None);
-    }
 
     #[test]
     fn a_step_during_a_sine_counts_as_one_at_constant_speed() {

@@ -7,44 +7,16 @@ use super::validate::{compare_family, settings_table};
 use crate::page::TextArgs;
 use crate::progress::Progress;
 use dashpot_identification::family::{
-    ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFit, SettingAxis, SettingDependence, SettingError,
-    SettingReport, fit_family, model_file,
+    ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFigures, FamilyFit, SettingAxis, SettingDependence,
+    SettingError, SettingReport, fit_family, model_file,
 };
 use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
-use dashpot_identification::{Estimate, FitOptions, InventoryItem, Measured, Standing, describe_item};
-use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
+use dashpot_identification::{Estimate, FitOptions, Standing, describe_item};
+use dashpot_records::{Campaign, Record};
 use dashpot_report::{FamilyReport, Print, ReportInput};
 use dashpot_simulation::comparison;
-use serde::Serialize;
 use std::path::Path;
-
-#[derive(Serialize)]
-struct SettingJson<'a> {
-    name: &'a str,
-    unit: &'a str,
-    grid: &'a [f64],
-}
-
-#[derive(Serialize)]
-struct Json<'a> {
-    model: &'a Path,
-    setting: SettingJson<'a>,
-    tests: &'a [String],
-    /// A number that depends on the setting stands once for each of its values.
-    parameters: &'a [FamilyEstimate],
-    depends_on_setting: &'a [SettingDependence],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    actuator: Option<&'a ActuatorFit>,
-    inventory: &'a [InventoryItem],
-    measured: &'a [Measured],
-    /// Errors at each value of the setting, also of the family without it.
-    settings: &'a [SettingReport],
-    notes: &'a [Sentence],
-    misfit: f64,
-    sign: &'a SignFinding,
-    unusable: &'a [Unusable],
-}
 
 /// Where the results go.
 pub struct Outputs<'a> {
@@ -80,28 +52,7 @@ pub fn run(
     }
     say(&format!("{} tests fitted; model in {}", found.tests.len(), name_of(output)))?;
     if let Some(path) = json {
-        dashpot_output::json(
-            path,
-            &Json {
-                model: output,
-                setting: SettingJson {
-                    name: &found.setting.name,
-                    unit: &found.setting.unit,
-                    grid: found.settings_grid(),
-                },
-                tests: &found.tests,
-                parameters: &found.estimates,
-                depends_on_setting: &found.dependences,
-                actuator: found.actuator.as_ref(),
-                inventory: &found.inventory,
-                measured: &found.measured,
-                settings: &found.settings,
-                notes: &found.notes,
-                misfit: found.misfit,
-                sign: &campaign.sign,
-                unusable: &campaign.unusable,
-            },
-        )?;
+        dashpot_output::json(path, &FamilyFigures::new(&found, campaign, Some(output)))?;
     }
     if let Some((path, page)) = outputs.report {
         let model = family_of_text(&text, output)?;
@@ -138,7 +89,7 @@ fn write_report(
     campaign.notes.extend(model.identification.right(&mut campaign.records));
     let compared = compare_family(model, &campaign, None)?;
     let mut validation = validate(&compared)?;
-    validation.summarize_settings(&comparison::settings_of(model, &campaign, None)?, model.axis.grid());
+    comparison::summarize_settings(&mut validation, model, &campaign, None)?;
     validation.unusable.clone_from(&campaign.unusable);
     say(&format!("over whole records:\n{}", settings_table(model, &validation)))?;
     let mut input = ReportInput {

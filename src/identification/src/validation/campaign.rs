@@ -5,6 +5,7 @@ use super::compared::{Compared, ValidationError};
 use super::deviation::{Errors, REGION_BOUNDARY};
 use super::matrix::ErrorMatrix;
 use super::of_test::TestValidation;
+use super::response::StepResponse;
 use crate::limits::Certificate;
 use dashpot_records::{Sentence, Unusable, is_same_setting};
 use serde::Serialize;
@@ -41,6 +42,9 @@ pub struct Validation {
     /// Errors of the tests whose setting changes; absent where there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub changing: Option<ChangingSummary>,
+    /// Responses to steps of the setting; empty where no test has any.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub step_responses: Vec<StepResponse>,
     /// The model and those of the literature that it was compared with, on the same tests; empty where none was asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
@@ -134,6 +138,7 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         region_boundary_m_s: REGION_BOUNDARY,
         settings: Vec::new(),
         changing: None,
+        step_responses: Vec::new(),
         against: Vec::new(),
         limits: None,
         as_the_fit_saw: None,
