@@ -4,18 +4,25 @@
 
 use dashpot_core::family::{Axis, Definition};
 use dashpot_core::parameter::Number;
-use dashpot_core::{Model, Params, list, number};
+use dashpot_core::{Input, Model, Params, list, number};
 use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
 use dashpot_identification::family::{FamilyFit, fit_family};
+use dashpot_identification::model_file::prepared_family;
 use dashpot_identification::{FitOptions, Standing};
-use dashpot_records::{Options, Record, Setting, load};
+use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, random, sines, steps};
+use dashpot_proving::semi_active::evaluate_tests;
+use dashpot_records::{Noise, Options, Record, Setting, SettingSignal, load};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::f64::consts::TAU;
 
 /// Currents, A, that are measured, and one between them that is not.
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
 const BETWEEN: f64 = 0.6;
+
+/// Errors that are held on one small campaign of a semi-active damper: the random current's, and the lag's.
+const RANDOM: f64 = 0.03;
+const LAG: f64 = 0.15;
 
 /// Five sines, one of them slow.
 fn matrix() -> Vec<Sine> {
@@ -197,19 +204,14 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     }
 }
 
-/// Errors that are held on one small campaign of a semi-active damper: the random current's, and the lag's.
-const RANDOM: f64 = 0.03;
-const LAG: f64 = 0.15;
-
 #[test]
 fn the_valve_of_a_physical_damper_is_identified_from_steps_of_its_current() {
-    use dashpot_other_lab::semi_active::{HELD_OUT, SemiActivePlant, random, sines, steps};
     let seed = 3;
     let plant = SemiActivePlant::new(seed);
     let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
     tests.extend(steps(seed).into_iter().take(2));
-    tests.push(random(&format!("{HELD_OUT}random"), seed, plant.most, true));
-    let found = dashpot_proving::semi_active::evaluate_tests(&plant, &tests, seed).unwrap();
+    tests.push(random(&format!("{LEFT_OUT}random"), seed, plant.most, true));
+    let found = evaluate_tests(&plant, &tests, seed).unwrap();
     assert!(found.random_error < RANDOM, "{found:?}");
     assert!(found.worst_lag() < LAG, "{found:?}");
     assert!(found.actuator.contains("setting_time_up") && found.actuator.contains("dead_time"), "{found:?}");
@@ -231,17 +233,17 @@ fn a_damper_without_an_actuator_gets_none() {
 
 /// A sine of the damper during which the current steps, and the force follows at once.
 fn stepped(damper: &Definition) -> Record {
-    let family = dashpot_identification::model_file::prepared_family(damper).unwrap();
+    let family = prepared_family(damper).unwrap();
     let (rate, count, w) = (1000.0, 6000, TAU * 0.7);
     let mut current = Vec::new();
     let mut record = Record {
         name: "stepped".into(),
         amplitude: 0.03,
         peak_velocity: 0.03 * w,
-        noise: dashpot_records::Noise { force_rms: 4.0, ..Default::default() },
+        noise: Noise { force_rms: 4.0, ..Default::default() },
         ..Record::default()
     };
-    let input = |t: f64| dashpot_core::Input::motion(0.03 * libm::sin(w * t), 0.03 * w * libm::cos(w * t));
+    let input = |t: f64| Input::motion(0.03 * (w * t).sin(), 0.03 * w * (w * t).cos());
     let mut random = kernel_campaign::Random::new(4);
     let (mut state, mut delay) = (family.steady_state(&input(0.0), Some(0.0)), family.steady_delay(Some(0.0)));
     let mut output = family.evaluate(&state, &input(0.0), Some(0.0)).0;
@@ -260,11 +262,11 @@ fn stepped(damper: &Definition) -> Record {
             ));
         }
         record.time.push(t);
-        record.displacement.push(0.03 * libm::sin(w * t));
-        record.velocity.push(0.03 * w * libm::cos(w * t));
+        record.displacement.push(0.03 * (w * t).sin());
+        record.velocity.push(0.03 * w * (w * t).cos());
         record.force.push(output.force + 4.0 * random.normal());
         current.push(command);
     }
-    record.setting_signal = Some(dashpot_records::SettingSignal::new("current", "A", &current));
+    record.setting_signal = Some(SettingSignal::new("current", "A", &current));
     record
 }

@@ -67,6 +67,7 @@ dashpot_records::phrases! {
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
     FAMILY_WITHOUT: "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, or give it in campaign.toml under settings";
     FAMILY_ONE: "all tests have the same {name}, {value}: fit them without --setting";
+    FAMILY_ONLY_CHANGING: "the {name} of all {count} tests changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve";
     FAMILY_TOO_MANY: "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out";
     FAMILY_AT: "at {name} = {value}: {why}";
     FAMILY_KERNEL: "the settings make no model: {parameter} {why}";

@@ -371,7 +371,7 @@ impl Equations for Machine<'_> {
 /// Currents of the sines, A.
 pub const CURRENTS: [f64; 8] = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.3, 1.6];
 /// Prefix of the names of tests that are kept from the identification.
-pub const HELD_OUT: &str = "holdout_";
+pub const LEFT_OUT: &str = "holdout_";
 /// Amplitude, mm, and peak velocity, m/s, of the sines at each current.
 const SINES: [(f64, f64); 6] = [(30.0, 0.02), (30.0, 0.15), (30.0, 0.5), (30.0, 0.9), (6.0, 0.25), (6.0, 0.6)];
 /// Levels between which the current steps, A, and the constant speed, m/s.
@@ -448,7 +448,7 @@ pub fn random(name: &str, seed: u64, most: f64, left_out: bool) -> SemiActiveTes
 pub fn protocol(seed: u64, most: f64) -> Vec<SemiActiveTest> {
     let mut tests = sines(&CURRENTS);
     tests.extend(steps(seed));
-    tests.push(random(&format!("{HELD_OUT}random_current"), seed, most, true));
+    tests.push(random(&format!("{LEFT_OUT}random_current"), seed, most, true));
     tests
 }
 

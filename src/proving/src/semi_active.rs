@@ -11,7 +11,7 @@ use dashpot_identification::family::{FamilyFit, fit_family};
 use dashpot_identification::model_file::prepared_family;
 use dashpot_identification::validation::ResponseTimes;
 use dashpot_other_lab::semi_active::{
-    Command, HELD_OUT, SemiActivePlant, SemiActiveRecord, SemiActiveTest, protocol, steps,
+    Command, LEFT_OUT, SemiActivePlant, SemiActiveRecord, SemiActiveTest, protocol, steps,
 };
 use dashpot_other_lab::{Accuracy, Protocol};
 use dashpot_records::Record;
@@ -115,7 +115,7 @@ pub fn evaluate_tests(
 ) -> Result<SemiActiveOutcome, EvaluationError> {
     let as_measured = Protocol { noise_percent: 1.0, ..Protocol::default() };
     let records = measure(plant, tests, &as_measured, seed)?;
-    let (held_out, seen): (Vec<&Record>, Vec<&Record>) = records.iter().partition(|r| r.name.starts_with(HELD_OUT));
+    let (held_out, seen): (Vec<&Record>, Vec<&Record>) = records.iter().partition(|r| r.name.starts_with(LEFT_OUT));
     let begun = std::time::Instant::now();
     let found = fit_family(&seen, "current", &FitOptions::default(), |_| ())
         .map_err(|error| EvaluationError::Records(error.to_string()))?;

@@ -34,7 +34,7 @@ impl<'a> Earlier<'a> {
     }
 
     /// A channel that jumps there: its value at the sample before.
-    pub fn held(&self, of: &[f64]) -> Vec<f64> {
+    pub fn previous_values(&self, of: &[f64]) -> Vec<f64> {
         let value = |t: &f64| {
             // Rounding of a delay of whole samples must not move the channel by one.
             let after = self.time.partition_point(|time| *time <= t - self.delay + 1e-9);

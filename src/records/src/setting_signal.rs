@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::noise::difference_noise;
 use super::numbers::median;
 
 /// Tolerance of a level as a fraction of the range of the signal: a step of less than three times it is none.
@@ -126,10 +125,17 @@ fn extremes(values: &[f64]) -> [f64; 2] {
     [low, high]
 }
 
+/// Standard deviation of white noise on levels, from differences of neighboring samples; the median makes steps harmless.
+fn noise(values: &[f64]) -> f64 {
+    let mut differences: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    // √2 is the gain of the difference, 0.6745 the median of |normal|.
+    if differences.is_empty() { 0.0 } else { median(&mut differences) / (0.6745 * std::f64::consts::SQRT_2) }
+}
+
 /// The levels of a signal that stays at levels.
 fn levels(values: &[f64]) -> Option<Vec<Level>> {
     let [low, high] = extremes(values);
-    let tolerance = (LEVEL * (high - low)).max(NOISE * difference_noise(values));
+    let tolerance = (LEVEL * (high - low)).max(NOISE * noise(values));
     let mut levels: Vec<Level> = Vec::new();
     let mut from = 0;
     while from < values.len() {
@@ -156,7 +162,7 @@ fn levels(values: &[f64]) -> Option<Vec<Level>> {
 mod tests {
     use super::*;
 
-    fn noise(k: usize) -> f64 {
+    fn scatter(k: usize) -> f64 {
         let bits = (k as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
         bits as f64 / f64::from(1u32 << 24) - 0.5
     }
@@ -164,7 +170,7 @@ mod tests {
     #[test]
     fn steps_are_told_from_what_never_stays() {
         let stepped: Vec<f64> =
-            (0..2000).map(|k| if (k / 400) % 2 == 0 { 0.2 } else { 1.4 } + 0.01 * noise(k)).collect();
+            (0..2000).map(|k| if (k / 400) % 2 == 0 { 0.2 } else { 1.4 } + 0.01 * scatter(k)).collect();
         let signal = SettingSignal::new("current", "A", &stepped);
         assert_eq!(signal.pattern, SettingPattern::Steps);
         let steps = signal.steps();

@@ -57,9 +57,9 @@ pub struct Args {
     /// Setting of tests that say none, for a model that depends on one
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
     setting: Option<f64>,
-    /// Windows that the damper must keep: a table with the columns quantity (force, gas_force, friction, hysteresis,
-    /// response_time_up, response_time_down, rise_time_up, rise_time_down),
-    /// velocity_m_s, low, high; passes or fails the damper. A column setting is for a damper that depends on one
+    /// Windows that the damper must keep: a table with the columns quantity, velocity_m_s, low, high; passes or fails the damper.
+    /// Quantities are force, gas_force, friction, hysteresis; response_time_up, response_time_down, rise_time_up and rise_time_down of a
+    /// damper over a setting. A column setting is for a damper that depends on one
     #[arg(long, value_name = "F.csv")]
     limits: Option<PathBuf>,
     /// The verdict on --limits as a page by itself

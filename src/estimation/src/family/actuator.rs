@@ -178,7 +178,7 @@ pub struct ActuatorRefit {
 }
 
 /// An actuator at one point of the search.
-pub struct At {
+pub struct ActuatorPoint {
     family: Box<Family>,
     x: Vec<f64>,
     moved: OnceLock<Option<Vec<(Box<Family>, f64)>>>,
@@ -333,23 +333,23 @@ impl ActuatorRefit {
 }
 
 impl Residuals for ActuatorProblem<'_> {
-    type At = At;
+    type At = ActuatorPoint;
 
-    fn prepare(&self, x: &[f64]) -> Option<At> {
+    fn prepare(&self, x: &[f64]) -> Option<ActuatorPoint> {
         let family = family_with(self.context.definition, &self.numbers, x)?;
-        Some(At { family, x: x.to_vec(), moved: OnceLock::new() })
+        Some(ActuatorPoint { family, x: x.to_vec(), moved: OnceLock::new() })
     }
 
     fn blocks(&self) -> usize {
         self.context.tests.len()
     }
 
-    fn residuals(&self, block: usize, at: &At) -> Option<Vec<f64>> {
+    fn residuals(&self, block: usize, at: &ActuatorPoint) -> Option<Vec<f64>> {
         let test = &self.context.tests[block];
         self.weighted(test, &self.forces(test, &at.family, &at.x, false).0)
     }
 
-    fn jacobian(&self, block: usize, at: &At) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    fn jacobian(&self, block: usize, at: &ActuatorPoint) -> Option<(Vec<f64>, DMatrix<f64>)> {
         let test = &self.context.tests[block];
         let moved = at.moved.get_or_init(|| {
             let of = |(place, number): (usize, &ActuatorNumber)| {

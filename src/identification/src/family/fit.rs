@@ -101,6 +101,9 @@ pub fn fit_family(
 ) -> Result<FamilyFit, FamilyError> {
     progress(Stage { done: 0.0, text: phrases::PREPARING });
     let (constant, changing) = split_changing(records, setting);
+    if constant.is_empty() && !changing.is_empty() {
+        return Err(FamilyError::OnlyChanging { name: setting.to_owned(), count: changing.len() });
+    }
     let (axis, sorted) = by_setting(&constant, setting)?;
     let fail = |of: &SettingRecords, why| FamilyError::At { name: axis.name.clone(), value: of.value, why };
     for of in &sorted {

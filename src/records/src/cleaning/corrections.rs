@@ -73,7 +73,7 @@ pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<u
         *channel = earlier.kept(channel);
     }
     if let Some(signal) = &mut motion.setting_signal {
-        *signal = signal.with_values(earlier.held(&signal.values));
+        *signal = signal.with_values(earlier.previous_values(&signal.values));
     }
     let (time, range) = (earlier.kept(&motion.time), earlier.range);
     motion.time = time;

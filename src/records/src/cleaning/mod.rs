@@ -443,6 +443,23 @@ mod tests {
     }
 
     #[test]
+    fn a_test_whose_current_steps_is_kept_whole() {
+        let mut samples = SineTest::default().samples();
+        let n = samples.len();
+        samples.current = Some((0..n).map(|k| if k % 300 < 150 { 0.2 } else { 1.4 }).collect());
+        let record = clean(samples.clone(), &Options::default()).unwrap();
+        assert!(record.cycles.is_empty() && record.time.len() == n && record.setting.is_none());
+        let signal = record.setting_signal.as_ref().unwrap();
+        assert_eq!((signal.pattern, signal.values.len(), signal.range), (SettingPattern::Steps, n, [0.2, 1.4]));
+        assert!(record.notes.iter().any(|note| note.kind == "settings" && note.text.to_string().contains("steps")));
+        // Cycles that differ by their current are no measure of noise.
+        assert_eq!(record.noise.from, NoiseSource::SampleDifferences);
+        samples.current = Some(vec![0.8; n]);
+        let record = clean(samples, &Options::default()).unwrap();
+        assert!(record.setting_signal.is_none() && record.setting.unwrap().value == 0.8 && !record.cycles.is_empty());
+    }
+
+    #[test]
     fn too_few_samples_are_refused() {
         let mut samples = SineTest::default().samples();
         samples.select(&(0..19).collect::<Vec<_>>());

@@ -240,6 +240,12 @@ pub const ALL: &[Said] = &[
         "所有试验的 {name} 都是 {value}：请不带 --setting 拟合",
     ],
     [
+        "the {name} of all {count} tests changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve",
+        "{name} ändert sich in allen {count} Versuchen: ein Dämpfer darüber wird an Versuche bei zwei oder mehr festen Einstellungen angepasst; veränderliche bestimmen sein Ventil",
+        "{name} varie pendant chacun des {count} essais : un amortisseur s’ajuste à des essais à deux réglages constants au moins ; ceux où il varie identifient sa valve",
+        "全部 {count} 个试验中 {name} 都在变化：随其变化的减振器须用两个或更多恒定设置下的试验拟合，变化的试验用于辨识其阀",
+    ],
+    [
         "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out",
         "die Versuche haben {count} Werte von {name}, und ein Modell fasst {most}: einige mit --exclude oder --hold-out weglassen",
         "les essais ont {count} valeurs de {name}, et un modèle en contient {most} : en écarter avec --exclude ou --hold-out",
