@@ -25,7 +25,7 @@ use dashpot_estimation::vocabulary::Unnamed;
 use dashpot_identification::{TEMPERATURE, describe_priors};
 use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// End of the names of the forms in which a stroke begins without force.
 const LOST_STROKE: &str = "begins with a lost stroke";
@@ -343,6 +343,9 @@ impl Composed<'_> {
                 .map(|(test, square)| (test, square.sqrt()))
                 .collect();
             loud.sort_by(|a, b| b.1.total_cmp(&a.1));
+            // A record in several stretches is named once, with the worst of them.
+            let mut named = BTreeSet::new();
+            loud.retain(|(test, _)| named.insert(test.record));
             if !loud.is_empty() {
                 let told = |(t, times): &(&Test, f64)| {
                     Sentence::from(phrases::TEST_AND_TIMES)

@@ -97,6 +97,7 @@ fn sine(d: &Design) -> Test {
         growth: 0.0,
         noise_freedom: f64::INFINITY,
         frequency: d.frequency,
+        weight: 1.0,
     }
 }
 

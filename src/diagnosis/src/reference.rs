@@ -185,6 +185,7 @@ mod tests {
             growth: 0.0,
             noise_freedom: 100.0,
             frequency,
+            weight: 1.0,
         }
     }
 

@@ -17,8 +17,6 @@ const DEAD_TIME: f64 = 0.0;
 const HYSTERESIS: f64 = -1.0;
 /// Prior log odds of a rate limit, which is hard to tell from a lag.
 const RATE: f64 = -2.0;
-/// Tests that one with a changing setting stands for: each has tens of responses.
-const WEIGHT: f64 = 4.0;
 /// Rise of the log posterior below which a move is not made.
 const RISE: f64 = 0.5;
 /// Starts of the time constant, s.
@@ -86,7 +84,7 @@ fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext) -> f64 {
     let residual: Vec<f64> = refit.blocks.iter().flat_map(|(_, residual)| residual.iter().copied()).collect();
     let squares = mean_squares(context.tests, &DVector::from_vec(residual));
     let evidence = Evidence {
-        weights: vec![WEIGHT; squares.len()],
+        weights: context.tests.iter().map(|test| test.weight).collect(),
         mean_squares: squares,
         numbers: refit.numbers.len() as f64,
         negative_log_prior: refit.negative_log_prior,

@@ -155,6 +155,7 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
         growth,
         noise_freedom: (cycles - 1.0).max(1.0) * count as f64 * independence,
         frequency: 1.0 / period,
+        weight: 1.0,
     }
 }
 

@@ -134,6 +134,7 @@ mod tests {
             growth: 0.0,
             noise_freedom: 100.0,
             frequency,
+            weight: 1.0,
         };
         let lead = initial_length(1.0 / frequency, COUNT);
         Test { segment: led_in(&test, &places(lead, COUNT), lead), ..test }

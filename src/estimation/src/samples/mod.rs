@@ -4,6 +4,7 @@
 //! few stretches first, so that what changes while it runs (heating, drift) stays visible from stretch to stretch.
 
 mod allowed;
+mod changing;
 mod cycle;
 mod lead_in;
 mod noise;
@@ -19,6 +20,7 @@ use dashpot_records::Record;
 use dashpot_records::restrict;
 use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
+use road::Extent;
 
 /// Duration from which a test is cut into stretches, s, the fewest cycles of one, and the most of them.
 const LONG: f64 = 20.0;
@@ -44,6 +46,8 @@ pub struct Test {
     pub noise_freedom: f64,
     /// Frequency, Hz; 0 without cycles.
     pub frequency: f64,
+    /// Tests that it counts as: a stretch of a road counts as a part of several, see [`road`].
+    pub weight: f64,
 }
 
 impl Test {
@@ -75,17 +79,21 @@ impl Test {
 
 /// Makes the tests of all records, in their order.
 pub fn tests(records: &[&Record]) -> Vec<Test> {
+    let extent = Extent::in_campaign(records.len());
     let of_each: Vec<Vec<Test>> =
-        records.par_iter().enumerate().map(|(place, r)| of_record(place, r, MOST_STRETCHES)).collect();
+        records.par_iter().enumerate().map(|(place, r)| of_record(place, r, MOST_STRETCHES, extent)).collect();
     of_each.into_iter().flatten().collect()
 }
 
-/// At most so many stretches of a record.
-fn of_record(place: usize, record: &Record, most: usize) -> Vec<Test> {
+/// At most so many stretches of the cycles of a record, or a road to the given extent.
+fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<Test> {
     let motion = smooth(record);
     let cycles = record.cycles.len();
+    if let Some(signal) = &record.setting_signal {
+        return vec![changing::test(place, record, &motion, signal)];
+    }
     if cycles == 0 {
-        return vec![road::road(place, record, &motion)];
+        return road::tests(place, record, &motion, extent);
     }
     let end = |k: usize| record.cycles[k].end.min(record.time.len() - 1);
     let duration = record.time[end(cycles - 1)] - record.time[record.cycles[0].start];

@@ -1,116 +1,165 @@
-//! A test without cycles: a road signal, or one whose setting changes.
+//! A test without cycles: a road signal.
+//!
+//! A long road repeats itself, and every step of it costs as much as one of a mean cycle. Besides many tests it is therefore run in a few
+//! stretches that together visit the displacements and velocities that it visits, rare ones first.
 
 use super::noise::independence;
 use super::{Test, allowed, segment};
 use dashpot_core::Input;
+use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
-use dashpot_records::{Record, SettingSignal};
+use std::collections::BTreeSet;
+use std::ops::Range;
 
-/// Smallest number of scored samples of a road, and largest step of the model, s.
-///
-/// Between two scored samples the internal state advances. A record of more samples than `MOST` has longer steps.
-const SCORED: usize = 1000;
+/// Largest step of the model, s: between two scored samples the internal state advances.
 const STEP: f64 = 2e-3;
+/// Most steps of a road that is run whole. A record of more samples has longer ones.
 const MOST: usize = 40_000;
+/// Fewest samples of a road that is run whole that are scored, where it has so many.
+const SCORED: usize = 1000;
+/// Scored samples of a stretch: no fewer than a mean cycle has.
+const STRETCH: usize = 150;
+/// Samples that lead in to a stretch. A state that has not died out in 0.2 s stays wrong; ones as slow follow temperature and gas, which are inputs.
+const LEAD: usize = 100;
+/// Cells of displacement and of velocity, each over the range of the road: fine enough for an end stop to have one of its own.
+const CELLS: f64 = 10.0;
+/// Tests that a record without cycles counts as: it visits amplitudes and speeds of several sines.
+pub const ROAD: f64 = 4.0;
 
-/// Samples of a record that become one step of the model.
-fn stride(record: &Record) -> usize {
+/// How much of a road is run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// All of it, as one test.
+    Whole,
+    /// At most so many stretches.
+    Stretches(usize),
+}
+
+impl Extent {
+    /// Stretches that all tests of a campaign should have together, so that a road alone is run whole and one among many is run in a few.
+    const ENOUGH: usize = 60;
+    /// Fewest stretches of a road.
+    const FEWEST: usize = 4;
+
+    /// The extent of each road of a campaign of so many records.
+    pub fn in_campaign(records: usize) -> Extent {
+        Extent::Stretches(Self::ENOUGH.div_ceil(records.max(1)).max(Self::FEWEST))
+    }
+}
+
+/// A road at the steps of the model.
+struct Road<'a> {
+    place: usize,
+    record: &'a Record,
+    motion: &'a Motion,
+    /// Sample indices of the record.
+    picks: Vec<usize>,
+    stride: usize,
+}
+
+/// The tests of a record without cycles.
+pub fn tests(place: usize, record: &Record, motion: &Motion, extent: Extent) -> Vec<Test> {
     let n = record.time.len();
     let step = (record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64;
-    ((STEP / step.max(1e-9)) as usize).max(n.div_ceil(MOST)).max(1)
-}
-
-/// Largest step of the model while the valve answers a command, s: a fraction of its response.
-const ANSWER_STEP: f64 = 5e-4;
-/// Time for which a valve may answer a change of its command, s.
-const ANSWER: f64 = 0.3;
-/// One of so many samples counts where the valve has answered.
-const STILL_SCORED: usize = 5;
-
-/// Samples that become steps of the model where the setting changes, and whether the valve answers a command there.
-fn picks_of_signal(record: &Record, signal: &SettingSignal) -> Vec<(usize, bool)> {
-    let n = record.time.len();
-    let step = ((record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64).max(1e-9);
-    let crowd = n.div_ceil(MOST);
-    let fine = ((ANSWER_STEP / step) as usize).max(crowd).max(1);
-    let coarse = stride(record);
-    let mut picks = vec![(0, false)];
-    let mut answers_until = f64::NEG_INFINITY;
-    let mut at = 0;
-    while at + 1 < n {
-        let near = at + fine.min(n - 1 - at);
-        if signal.swing(at..(at + coarse + 1).min(n)) > 0.0 {
-            answers_until = record.time[at] + ANSWER;
-        }
-        let answers = record.time[near] <= answers_until;
-        at = if answers { near } else { at + coarse.min(n - 1 - at) };
-        picks.push((at, answers));
-    }
-    picks
-}
-
-/// Command of each step between picked samples: the mean over those that it passes.
-fn commands(signal: &SettingSignal, picks: &[usize]) -> Vec<f64> {
-    let first = picks.first().map(|first| signal.command(*first));
-    let mean = |pair: &[usize]| {
-        let passed = pair[0] + 1..=pair[1];
-        let count = passed.clone().count().max(1) as f64;
-        passed.map(|sample| signal.command(sample)).sum::<f64>() / count
-    };
-    first.into_iter().chain(picks.windows(2).map(mean)).collect()
-}
-
-/// The one test of a record without cycles.
-pub fn road(place: usize, record: &Record, motion: &Motion) -> Test {
-    let n = record.time.len();
-    let stride = stride(record);
-    let of_signal = record.setting_signal.as_ref().map(|signal| picks_of_signal(record, signal));
-    let picks: Vec<usize> = match &of_signal {
-        Some(picks) => picks.iter().map(|(sample, _)| *sample).collect(),
-        None => (0..n).step_by(stride).collect(),
-    };
-    let lead = (picks.len() / 20).max(1);
-    let dt = std::iter::once(0.0).chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]])).collect();
-    let (input, force) = picks
-        .iter()
-        .map(|i| {
-            let input = Input {
-                displacement: Some(motion.displacement[*i]),
-                velocity: motion.velocity[*i],
-                side_force: record.side_force.as_ref().map_or(0.0, |c| c[*i]),
-                temperature: record.temperature.as_ref().map_or(20.0, |c| c[*i]),
-            };
-            (input, record.force[*i])
-        })
-        .unzip();
-    let lag1 = record.noise.lag1.clamp(0.0, 0.99);
-    let mean_noise = record.noise.force_rms;
-    let every = if of_signal.is_some() { STILL_SCORED } else { (picks.len() / SCORED).max(1) };
-    let thinned = independence(lag1.powi((stride * every) as i32));
-    let noise = mean_noise.powi(2) / thinned;
-    let clock = record.clock_s + 0.5 * (record.time[0] + record.time[n - 1]);
-    let mut segment = segment(record, clock, dt, input, force, lead, noise);
-    segment.setting = record.setting_signal.as_ref().map(|signal| commands(signal, &picks));
-    let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
-    // The model goes through all of it; samples between the scored ones count nothing.
-    let answers =
-        |k: usize| of_signal.as_ref().and_then(|picks| picks.get(lead + k)).is_some_and(|(_, answers)| *answers);
-    for (k, allowed) in allowed.iter_mut().enumerate() {
-        if k % every != 0 && !answers(k) {
-            *allowed = f64::INFINITY;
+    // Two steps of 1 ms are 2 ms, whatever the rounding of the clock.
+    let stride = ((STEP / step.max(1e-9) + 1e-6) as usize).max(1);
+    let road = |stride| Road { place, record, motion, picks: (0..n).step_by(stride).collect(), stride };
+    if let Extent::Stretches(most) = extent {
+        let road = road(stride);
+        let all = road.stretches();
+        if most < all.len() {
+            let chosen = choose(&all.iter().map(|range| road.cells(range)).collect::<Vec<_>>(), most);
+            let weight = ROAD / chosen.len() as f64;
+            return chosen.into_iter().map(|k| road.test(all[k].clone(), LEAD, 1, weight)).collect();
         }
     }
-    let share = allowed.iter().filter(|a| a.is_finite()).count() as f64 / allowed.len().max(1) as f64;
-    Test {
-        record: place,
-        allowed,
-        segment,
-        mean_noise,
-        independence: thinned * share,
-        growth: 0.0,
-        noise_freedom: n as f64 * independence(lag1),
-        frequency: 0.0,
+    let road = road(stride.max(n.div_ceil(MOST)));
+    let count = road.picks.len();
+    let lead = (count / 20).max(1);
+    vec![road.test(lead..count, lead, (count / SCORED).max(1), ROAD)]
+}
+
+impl Road<'_> {
+    /// Adjacent stretches, each behind a lead-in.
+    fn stretches(&self) -> Vec<Range<usize>> {
+        let count = self.picks.len().saturating_sub(LEAD) / STRETCH;
+        (0..count).map(|k| LEAD + k * STRETCH..LEAD + (k + 1) * STRETCH).collect()
     }
+
+    /// Cells of displacement and velocity that a stretch visits.
+    fn cells(&self, range: &Range<usize>) -> BTreeSet<(i64, i64)> {
+        let (x, v) = (&self.motion.displacement, &self.motion.velocity);
+        let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+        let top = v.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let cell = |value: f64, low: f64, high: f64| (CELLS * (value - low) / (high - low).max(1e-12)) as i64;
+        self.picks[range.clone()].iter().map(|i| (cell(x[*i], low, high), cell(v[*i], -top, top))).collect()
+    }
+
+    /// The test of a range of steps, led in by `lead` steps, of which one in `every` is scored.
+    fn test(&self, range: Range<usize>, lead: usize, every: usize, weight: f64) -> Test {
+        let Road { place, record, motion, stride, .. } = *self;
+        let picks = &self.picks[range.start - lead..range.end];
+        let dt = std::iter::once(0.0).chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]])).collect();
+        let (input, force) = picks
+            .iter()
+            .map(|i| {
+                let input = Input {
+                    displacement: Some(motion.displacement[*i]),
+                    velocity: motion.velocity[*i],
+                    side_force: record.side_force.as_ref().map_or(0.0, |c| c[*i]),
+                    temperature: record.temperature.as_ref().map_or(20.0, |c| c[*i]),
+                };
+                (input, record.force[*i])
+            })
+            .unzip();
+        let lag1 = record.noise.lag1.clamp(0.0, 0.99);
+        let mean_noise = record.noise.force_rms;
+        let thinned = independence(lag1.powi((stride * every) as i32));
+        let noise = mean_noise.powi(2) / thinned;
+        let clock = record.clock_s + 0.5 * (record.time[picks[lead]] + record.time[picks[picks.len() - 1]]);
+        let segment = segment(record, clock, dt, input, force, lead, noise);
+        let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
+        // The model goes through all of it; samples between the scored ones count nothing.
+        for (k, allowed) in allowed.iter_mut().enumerate() {
+            if k % every != 0 {
+                *allowed = f64::INFINITY;
+            }
+        }
+        let fraction = allowed.iter().filter(|a| a.is_finite()).count() as f64 / allowed.len().max(1) as f64;
+        Test {
+            record: place,
+            allowed,
+            segment,
+            mean_noise,
+            independence: thinned * fraction,
+            growth: 0.0,
+            noise_freedom: record.time.len() as f64 * independence(lag1),
+            frequency: 0.0,
+            weight,
+        }
+    }
+}
+
+/// The stretches whose cells cover the most that the others do not visit, in their order. A cell counts the more the fewer stretches visit it.
+fn choose(cells: &[BTreeSet<(i64, i64)>], most: usize) -> Vec<usize> {
+    let visits = |cell: &(i64, i64)| cells.iter().filter(|own| own.contains(cell)).count() as f64;
+    let values: Vec<Vec<((i64, i64), f64)>> =
+        cells.iter().map(|own| own.iter().map(|cell| (*cell, 1.0 / visits(cell))).collect()).collect();
+    let (mut chosen, mut covered) = (BTreeSet::new(), BTreeSet::new());
+    while chosen.len() < most {
+        let gain =
+            |k: &usize| values[*k].iter().filter(|(cell, _)| !covered.contains(cell)).map(|(_, v)| v).sum::<f64>();
+        let left = || (0..cells.len()).filter(|k| !chosen.contains(k));
+        let Some(best) = left().max_by(|a, b| gain(a).total_cmp(&gain(b)).then(b.cmp(a))) else { break };
+        if gain(&best) == 0.0 && !covered.is_empty() {
+            // Every cell is covered once: the next ones cover them again.
+            covered.clear();
+            continue;
+        }
+        covered.extend(cells[best].iter().copied());
+        chosen.insert(best);
+    }
+    chosen.into_iter().collect()
 }
 
 #[cfg(test)]
@@ -160,7 +209,7 @@ mod tests {
             clock: 0.0,
         };
         record.force = forces(&model, &all);
-        let test = road(0, &record, &smooth(&record));
+        let test = &tests(0, &record, &smooth(&record), Extent::Whole)[0];
         let computed = forces(&model, &test.segment);
         let top = record.force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
         let (mut sum, mut count) = (0.0, 0.0);
@@ -174,5 +223,41 @@ mod tests {
             "{} of {top}",
             f64::sqrt(sum / count)
         );
+    }
+
+    #[test]
+    fn few_stretches_of_a_road_visit_its_rarest_cells_first() {
+        let rare = BTreeSet::from([(9, 5)]);
+        let common = || BTreeSet::from([(4, 5), (5, 5)]);
+        let wide = BTreeSet::from([(4, 5), (5, 5), (6, 5), (3, 5)]);
+        let cells = vec![common(), common(), rare, common(), wide, common()];
+        assert_eq!(choose(&cells, 2), [2, 4]);
+        assert_eq!(choose(&cells, 3), [0, 2, 4]);
+        assert_eq!(choose(&cells, 9).len(), cells.len());
+    }
+
+    #[test]
+    fn a_road_among_many_tests_is_run_in_stretches_and_alone_whole() {
+        let n = 16_000;
+        let time: Vec<f64> = (0..n).map(|k| 1e-3 * k as f64).collect();
+        // One bump of the largest displacement, in the fifteenth second.
+        let bump = |t: f64| 0.03 * libm::exp(-((t - 15.2) / 0.05).powi(2));
+        let displacement: Vec<f64> = time.iter().map(|t| 0.01 * libm::sin(11.0 * t) + bump(*t)).collect();
+        let mut velocity: Vec<f64> = displacement.windows(2).map(|w| 1e3 * (w[1] - w[0])).collect();
+        velocity.push(velocity[n - 2]);
+        let (force, amplitude, peak_velocity) = (vec![0.0; n], 0.03, 0.5);
+        let record = Record { time, displacement, velocity, force, amplitude, peak_velocity, ..Record::default() };
+        let motion = smooth(&record);
+        let highest = record.displacement.iter().copied().fold(0.0, f64::max);
+        let few = tests(0, &record, &motion, Extent::in_campaign(40));
+        assert_eq!(few.len(), Extent::FEWEST);
+        assert!((few.iter().map(|t| t.weight).sum::<f64>() - ROAD).abs() < 1e-12);
+        let top = |test: &Test| test.inputs().iter().filter_map(|i| i.displacement).fold(0.0, f64::max);
+        // To the width of a cell.
+        assert!(few.iter().map(top).fold(0.0, f64::max) > (1.0 - 1.0 / CELLS) * highest);
+        assert!(few.iter().all(|t| t.count() == STRETCH && t.segment.from == LEAD));
+        let steps = |tests: &[Test]| tests.iter().map(|t| t.segment.force.len()).sum::<usize>();
+        let alone = tests(0, &record, &motion, Extent::in_campaign(1));
+        assert!(steps(&few) < 1100 && steps(&alone) == n / 2 && alone.len() == 1, "{} {}", steps(&few), steps(&alone));
     }
 }

@@ -1,5 +1,6 @@
 //! The tests of a fit: the same samples that a diagnosis looks at, each test whole and weighed by its size.
 
+use super::road::Extent;
 use super::{Test, of_record};
 use crate::segment::Segment;
 use dashpot_records::Record;
@@ -16,7 +17,7 @@ pub fn segments(records: &[&Record]) -> Vec<Segment> {
     records
         .par_iter()
         .enumerate()
-        .flat_map_iter(|(place, record)| of_record(place, record, 1).into_iter().map(weighed))
+        .flat_map_iter(|(place, record)| of_record(place, record, 1, Extent::Whole).into_iter().map(weighed))
         .collect()
 }
 

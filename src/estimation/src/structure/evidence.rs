@@ -21,8 +21,6 @@ const FORM: f64 = 0.3;
 /// Observations of the form error in a test. A mean cycle shows more than one feature of it, but they are correlated with those of
 /// neighboring tests. More of them give names to what an effect absorbs by a fraction, fewer lose effects that act in few tests.
 const OBSERVATIONS: f64 = 1.5;
-/// Tests that a record without cycles stands for: a road visits amplitudes and speeds of several sines.
-const ROAD: f64 = 4.0;
 
 /// Residual statistics of a structure.
 #[derive(Debug, Clone)]
@@ -68,28 +66,35 @@ impl Evidence {
         numbers: f64,
     ) -> Evidence {
         let mean_squares = mean_squares(tests, residual);
-        let (scale, per_number) = (Scale::from_params(&hypothesis.base), per_number(mean_squares.len()));
+        let weights: Vec<f64> = tests.iter().map(|t| t.weight).collect();
+        let (scale, per_number) = (Scale::from_params(&hypothesis.base), per_number(weights.iter().sum()));
         let relief = |number: &Number| match &number.free {
             Free::Model(unknown) => hypothesis.priors.relief(unknown, scale, weight(&number.free) * per_number),
             _ => 0.0,
         };
         Evidence {
             mean_squares,
-            weights: tests.iter().map(|t| if t.frequency > 0.0 { 1.0 } else { ROAD }).collect(),
+            weights,
             numbers,
             negative_log_prior: negative_log_prior(hypothesis, theta),
             relief: hypothesis.numbers.iter().map(relief).sum(),
         }
     }
 
+    /// Tests that the records count as.
+    fn count(&self) -> f64 {
+        self.weights.iter().sum()
+    }
+
     /// Mean over the tests of the mean square residual.
     pub fn mean(&self) -> f64 {
-        self.mean_squares.iter().sum::<f64>() / self.mean_squares.len().max(1) as f64
+        self.mean_squares.iter().zip(&self.weights).map(|(square, weight)| square * weight).sum::<f64>()
+            / self.count().max(1.0)
     }
 
     /// Log likelihood, up to a constant that all structures share.
     pub fn log_likelihood(&self) -> f64 {
-        let whole: f64 = self.weights.iter().sum();
+        let whole = self.count();
         let of = |(square, weight): (&f64, &f64)| weight * (FORM + (square - 1.0).max(0.0)).sqrt();
         let scale = self.mean_squares.iter().zip(&self.weights).map(of).sum::<f64>() / whole.max(1.0);
         -OBSERVATIONS * whole * libm::log(scale)
@@ -98,7 +103,7 @@ impl Evidence {
     /// Cost of one free number: half the logarithm of the number of tests. With few tests it is what a number gains by chance (one, Akaike, IEEE
     /// Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
-        per_number(self.mean_squares.len())
+        per_number(self.count())
     }
 
     /// Log evidence.
@@ -108,8 +113,8 @@ impl Evidence {
 }
 
 /// Cost of one free number with so many tests.
-fn per_number(tests: usize) -> f64 {
-    (0.5 * libm::log((tests as f64).max(1.0))).max(1.0)
+fn per_number(tests: f64) -> f64 {
+    (0.5 * libm::log(tests.max(1.0))).max(1.0)
 }
 
 /// Logarithm of the mean of exponentials.

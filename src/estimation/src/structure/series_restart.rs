@@ -157,6 +157,7 @@ mod tests {
                 growth: 0.0,
                 noise_freedom: 1000.0,
                 frequency,
+                weight: 1.0,
             }
         };
         let mut tests: Vec<Test> = sines.iter().map(test).collect();
