@@ -36,7 +36,7 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// Stretches that all tests of a campaign should have together, so that a road alone is run whole and one among many is run in a few.
+    /// Stretches that all tests of a campaign should have together. So a road alone is run whole, and one among many is run in a few.
     const ENOUGH: usize = 60;
     /// Fewest stretches of a road.
     const FEWEST: usize = 4;

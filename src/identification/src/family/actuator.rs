@@ -44,8 +44,8 @@ pub struct ActuatorFit {
 fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
     let weighed = |mut test: Test| {
         let form = fraction * test.segment.top;
-        test.mean_noise = test.mean_noise.hypot(form);
-        test.allowed.iter_mut().for_each(|allowed| *allowed = allowed.hypot(form));
+        test.mean_noise = libm::hypot(test.mean_noise, form);
+        test.allowed.iter_mut().for_each(|allowed| *allowed = libm::hypot(*allowed, form));
         test
     };
     tests.into_iter().map(weighed).collect()
