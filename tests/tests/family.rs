@@ -4,18 +4,27 @@
 
 use dashpot_core::family::{Axis, Definition};
 use dashpot_core::parameter::Number;
-use dashpot_core::{Model, Params, list, number};
+use dashpot_core::{Input, Model, Params, list, number};
 use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
 use dashpot_identification::family::{FamilyFit, fit_family};
+use dashpot_identification::model_file::prepared_family;
 use dashpot_identification::{FitOptions, Standing};
-use dashpot_records::{Options, Record, Setting, load};
+use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, random, sines, steps};
+use dashpot_proving::semi_active::evaluate_tests;
+use dashpot_records::{Noise, Options, Record, Setting, SettingSignal, load};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::f64::consts::TAU;
 
 /// Currents, A, that are measured, and one between them that is not.
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
 const BETWEEN: f64 = 0.6;
+
+/// Errors on one small campaign of a semi-active damper: of the random current, of the lag at all steps but one, and at the worst. The book has 19 %
+/// at the worst step of the whole protocol.
+const RANDOM: f64 = 0.03;
+const LAG: f64 = 0.1;
+const WORST_LAG: f64 = 0.2;
 
 /// Five sines, one of them slow.
 fn matrix() -> Vec<Sine> {
@@ -195,4 +204,72 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
         assert!(of.family.mean_error_n < 1.25 * of.own_fit.mean_error_n, "{of:?}");
         assert!(of.left_out.is_none_or(|error| error.error_percent < 12.0), "{of:?}");
     }
+}
+
+#[test]
+fn the_valve_of_a_physical_damper_is_identified_from_steps_of_its_current() {
+    let seed = 3;
+    let plant = SemiActivePlant::new(seed);
+    let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
+    tests.extend(steps(seed).into_iter().take(2));
+    tests.push(random(&format!("{LEFT_OUT}random"), seed, plant.most, true));
+    let found = evaluate_tests(&plant, &tests, seed).unwrap();
+    assert!(found.random_error < RANDOM, "{found:?}");
+    let near = found.valve.iter().filter(|lag| lag.error().abs() < LAG).count();
+    assert!(near + 1 >= found.valve.len() && found.worst_lag() < WORST_LAG, "{found:?}");
+    assert!(found.actuator.contains("setting_time_up") && found.actuator.contains("dead_time"), "{found:?}");
+}
+
+#[test]
+fn a_damper_without_an_actuator_gets_none() {
+    let truth = truth(None);
+    let mut records: Vec<Record> =
+        CURRENTS.iter().enumerate().flat_map(|(k, current)| records_at(&truth, *current, 11 + k as u64)).collect();
+    records.push(stepped(&truth));
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
+    let actuator = found.actuator.as_ref().unwrap();
+    assert!(actuator.estimates.is_empty() && actuator.parts.iter().all(|part| !part.is_present), "{actuator:?}");
+    assert!(!found.damper.axis.actuator().has_lag() && found.damper.axis.actuator().dead_time == 0.0);
+    assert!(found.tests.contains(&"stepped".to_owned()));
+    assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
+}
+
+/// A sine of the damper during which the current steps, and the force follows at once.
+fn stepped(damper: &Definition) -> Record {
+    let family = prepared_family(damper).unwrap();
+    let (rate, count, w) = (1000.0, 6000, TAU * 0.7);
+    let mut current = Vec::new();
+    let mut record = Record {
+        name: "stepped".into(),
+        amplitude: 0.03,
+        peak_velocity: 0.03 * w,
+        noise: Noise { force_rms: 4.0, ..Default::default() },
+        ..Record::default()
+    };
+    let input = |t: f64| Input::motion(0.03 * (w * t).sin(), 0.03 * w * (w * t).cos());
+    let mut random = kernel_campaign::Random::new(4);
+    let (mut state, mut delay) = (family.steady_state(&input(0.0), Some(0.0)), family.steady_delay(Some(0.0)));
+    let mut output = family.evaluate(&state, &input(0.0), Some(0.0)).0;
+    for i in 0..count {
+        let t = f64::from(i) / rate;
+        let command = if (i / 500) % 2 == 0 { 0.0 } else { 1.2 };
+        if i > 0 {
+            assert!(family.step_in_place(
+                &mut state,
+                &mut delay,
+                &input(t),
+                Some(command),
+                1.0 / rate,
+                &mut output,
+                false
+            ));
+        }
+        record.time.push(t);
+        record.displacement.push(0.03 * (w * t).sin());
+        record.velocity.push(0.03 * w * (w * t).cos());
+        record.force.push(output.force + 4.0 * random.normal());
+        current.push(command);
+    }
+    record.setting_signal = Some(SettingSignal::new("current", "A", &current));
+    record
 }

@@ -190,7 +190,7 @@ fn what_the_user_gave_is_part_of_what_is_found() {
     let records = measured_wrongly(campaign(&truth(), 1, 0.01, |_| None), &late);
     let records: Vec<Record> = records
         .iter()
-        .map(|record| Record { stated_error: given, original_fingerprint: None, ..taken_out(record, &given) })
+        .map(|record| Record { stated_error: given, original_fingerprint: None, ..correct_record(record, &given) })
         .collect();
     let found = fitted(&records);
     assert_eq!(found.measured.len(), 1, "{:?}", found.measured);

@@ -46,22 +46,26 @@ pub fn table(found: &Certificate) -> String {
 
 fn row(one: &Checked) -> String {
     let Limit { name, velocity_m_s, low_n, high_n, setting, .. } = &one.limit;
+    let (unit, factor) = one.limit.quantity.display();
     let known =
         |value: Option<f64>, decimals: usize| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.decimals$}"));
+    let at = setting.map_or_else(|| name.clone(), |value| format!("{name} at {value}"));
+    let named = if one.limit.quantity.is_time() { format!("{at}, {unit}") } else { at };
     let verdict = match one.verdict {
         Verdict::Pass => "pass",
         Verdict::Fail => "FAIL",
         Verdict::NotTested if one.limit.quantity == Quantity::Force => "NOT TESTED: no test at this speed",
         Verdict::NotTested if one.limit.quantity == Quantity::Hysteresis => "NOT TESTED: no test at this speed",
+        Verdict::NotTested if one.limit.quantity.is_time() => "NOT TESTED: no such step of the setting",
         Verdict::NotTested => "NOT TESTED: no slow test (below 6 mm/s)",
     };
     format!(
         "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}\n",
-        setting.map_or_else(|| name.clone(), |value| format!("{name} at {value}")).chars().take(27).collect::<String>(),
+        named.chars().take(27).collect::<String>(),
         known(*velocity_m_s, 4),
-        known(*low_n, 1),
-        known(*high_n, 1),
-        known(one.measured.as_ref().map(|v| v.value_n), 1),
-        known(one.model.as_ref().map(|v| v.value_n), 1),
+        known(low_n.map(|low| factor * low), 1),
+        known(high_n.map(|high| factor * high), 1),
+        known(one.measured.as_ref().map(|v| factor * v.value_n), 1),
+        known(one.model.as_ref().map(|v| factor * v.value_n), 1),
     )
 }

@@ -82,6 +82,7 @@ fn sine(d: &Design) -> Test {
             name: String::new(),
             dt: vec![dt; n],
             input,
+            setting: None,
             force: vec![0.0; n],
             from: lead,
             scale: 1.0,

@@ -170,6 +170,7 @@ mod tests {
                 name: format!("{amplitude} {frequency}"),
                 dt: vec![1.0 / (frequency * n as f64); n],
                 input,
+                setting: None,
                 force: (0..n).map(|k| force(angle(k))).collect(),
                 from: 0,
                 scale: 1.0,

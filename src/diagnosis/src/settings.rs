@@ -1,10 +1,124 @@
-//! One damper diagnosed at several settings: what all of them show, and what only some do.
+//! One damper diagnosed at several settings: the records of each, what all of them show, and what only some do.
 
 use crate::outcome::{Diagnosis, Finding};
 use crate::phrases;
+use dashpot_core::Params;
+use dashpot_core::family::{Axis, Definition};
 use dashpot_estimation::structure::inventory::{InventoryItem, Status};
-use dashpot_records::Sentence;
+use dashpot_records::{Record, Sentence, Unusable, is_same_setting};
 use serde::Serialize;
+
+/// The damper at one setting with its records.
+#[derive(Debug, Clone)]
+pub struct SettingPart {
+    /// Value of the setting.
+    pub setting: f64,
+    /// The damper there.
+    pub params: Params,
+    /// Places of its records among all.
+    pub places: Vec<usize>,
+    /// Its records.
+    pub records: Vec<Record>,
+    /// Records of the reference at this setting; empty without one.
+    pub reference: Vec<Record>,
+}
+
+/// Records with the setting of each; `None` where it changes within the record, which belongs to no setting.
+#[derive(Debug, Clone, Copy)]
+pub struct WithSettings<'a> {
+    /// The records.
+    pub records: &'a [Record],
+    /// Their settings.
+    pub settings: &'a [Option<f64>],
+}
+
+/// The records of each setting with the damper there, lowest setting first.
+///
+/// # Errors
+/// The first setting at which a reference has no record.
+pub fn split_by_setting(
+    damper: &Definition,
+    of: WithSettings<'_>,
+    reference: Option<WithSettings<'_>>,
+) -> Result<Vec<SettingPart>, f64> {
+    let mut distinct: Vec<f64> = Vec::new();
+    for setting in of.settings.iter().flatten() {
+        if !distinct.iter().any(|known| is_same_setting(*known, *setting)) {
+            distinct.push(*setting);
+        }
+    }
+    distinct.sort_by(f64::total_cmp);
+    let own = |all: WithSettings<'_>, setting: f64| -> Vec<usize> {
+        let is_own = |k: &usize| all.settings[*k].is_some_and(|other| is_same_setting(other, setting));
+        (0..all.settings.len().min(all.records.len())).filter(is_own).collect()
+    };
+    let part = |setting: f64| {
+        let places = own(of, setting);
+        let taken = |all: WithSettings<'_>, places: &[usize]| places.iter().map(|k| all.records[*k].clone()).collect();
+        let compared: Vec<Record> = reference.map_or_else(Vec::new, |good| taken(good, &own(good, setting)));
+        if reference.is_some() && compared.is_empty() {
+            return Err(setting);
+        }
+        Ok(SettingPart {
+            setting,
+            params: damper.params_at(setting),
+            records: taken(of, &places),
+            places,
+            reference: compared,
+        })
+    };
+    distinct.into_iter().map(part).collect()
+}
+
+/// The setting of a damper, as figures name it.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct AxisFigures<'a> {
+    name: &'a str,
+    unit: &'a str,
+    grid: &'a [f64],
+}
+
+/// The diagnosis at one setting; `D` has the keys of an ordinary one.
+#[derive(Debug, Clone, Serialize)]
+pub struct SettingFigures<D> {
+    /// Value of the setting.
+    pub setting: f64,
+    /// What was found there.
+    #[serde(flatten)]
+    pub diagnosis: D,
+}
+
+/// The figures of a diagnosis at several settings, as the command writes them and Python reads them.
+#[derive(Debug, Clone, Serialize)]
+pub struct SettingsFigures<'a, D> {
+    setting: AxisFigures<'a>,
+    /// What was found, an effect of all settings once.
+    summary: &'a [Sentence],
+    effects: &'a [EffectOverSettings],
+    settings: Vec<SettingFigures<D>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_the_fit_saw: Option<&'a Sentence>,
+    unusable: &'a [Unusable],
+}
+
+impl<'a, D> SettingsFigures<'a, D> {
+    /// Figures over the settings of an axis. `as_the_fit_saw` is what was taken out of the records.
+    pub fn new(
+        axis: &'a Axis,
+        (summary, effects): (&'a [Sentence], &'a [EffectOverSettings]),
+        settings: Vec<SettingFigures<D>>,
+        (as_the_fit_saw, unusable): (Option<&'a Sentence>, &'a [Unusable]),
+    ) -> SettingsFigures<'a, D> {
+        SettingsFigures {
+            setting: AxisFigures { name: axis.name(), unit: axis.unit(), grid: axis.grid() },
+            summary,
+            effects,
+            settings,
+            as_the_fit_saw,
+            unusable,
+        }
+    }
+}
 
 /// An effect at one setting.
 #[derive(Debug, Clone, PartialEq, Serialize)]

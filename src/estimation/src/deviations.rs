@@ -1,7 +1,7 @@
 //! How far the records leave the numbers of a refit open.
 
 use super::gram::gram;
-use super::hypothesis::Hypothesis;
+use super::hypothesis::{Hypothesis, Number};
 use super::refit::Refit;
 use super::samples::Test;
 use nalgebra::DMatrix;
@@ -12,23 +12,31 @@ use rayon::prelude::*;
 /// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
 /// intervals. A number is determined apart from all others and from its prior: 1 fully, 0 not at all.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
-    let n = hypothesis.numbers.len();
     let mut first = 0;
-    let ranges: Vec<(usize, usize)> = tests
+    let blocks: Vec<(DMatrix<f64>, Vec<f64>)> = tests
         .iter()
         .map(|test| {
-            let range = (first, test.count());
-            first += test.count();
-            range
+            let (from, count) = (first, test.count());
+            first += count;
+            let rows = refit.jacobian.rows(from, count).into_owned();
+            (rows, refit.residual.rows(from, count).iter().copied().collect())
         })
         .collect();
-    let parts: Vec<(DMatrix<f64>, f64)> = ranges
-        .into_par_iter()
-        .map(|(first, count)| {
-            let rows = refit.jacobian.rows(first, count).into_owned();
-            let residual: Vec<f64> = refit.residual.rows(first, count).iter().copied().collect();
-            let variance = residual.iter().map(|r| r * r).sum::<f64>() / count.max(1) as f64;
-            (gram(&rows), (variance * correlation_factor(&residual)).max(1.0))
+    let precision =
+        |number: &Number| number.prior.map_or(1e-12 / (number.step * number.step), |(_, sd)| 1.0 / (sd * sd));
+    robust_covariance(&blocks, &hypothesis.numbers.iter().map(precision).collect::<Vec<_>>())
+}
+
+/// Covariance of free numbers in the sandwich form, and how well each is determined: see [`sandwich`].
+///
+/// A block holds derivatives and weighted residuals of one test; `precisions` are those of the priors.
+pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]) -> Option<(DMatrix<f64>, Vec<f64>)> {
+    let n = precisions.len();
+    let parts: Vec<(DMatrix<f64>, f64)> = blocks
+        .par_iter()
+        .map(|(rows, residual)| {
+            let variance = residual.iter().map(|r| r * r).sum::<f64>() / residual.len().max(1) as f64;
+            (gram(rows), (variance * correlation_factor(residual)).max(1.0))
         })
         .collect();
     let (mut hessian, mut meat) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
@@ -37,8 +45,7 @@ pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Optio
         meat += part * *variance;
     }
     let information: Vec<f64> = (0..n).map(|i| hessian[(i, i)]).collect();
-    for (i, number) in hypothesis.numbers.iter().enumerate() {
-        let precision = number.prior.map_or(1e-12 / (number.step * number.step), |(_, sd)| 1.0 / (sd * sd));
+    for (i, precision) in precisions.iter().enumerate() {
         hessian[(i, i)] += precision;
         meat[(i, i)] += precision;
     }

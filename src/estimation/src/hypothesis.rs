@@ -237,8 +237,19 @@ impl Hypothesis {
 
     /// Computed forces of one test at its scored samples; `place` counts the tests where there are records of them.
     fn forces_of(&self, model: &Model, test: &Test, place: Option<usize>, theta: &[f64]) -> Vec<f64> {
+        self.measured_forces(test, place, theta, &|segment| forces(model, segment))
+    }
+
+    /// Forces that the rig measures at the scored samples of one test, where `run` gives those of the damper along a segment.
+    pub fn measured_forces(
+        &self,
+        test: &Test,
+        place: Option<usize>,
+        theta: &[f64],
+        run: &dyn Fn(&Segment) -> Vec<f64>,
+    ) -> Vec<f64> {
         let segment = self.gone_through(test, place, theta);
-        let mut all = forces(model, &segment);
+        let mut all = run(&segment);
         self.filtered(&segment, theta, &mut all);
         self.adjust(test, theta, &mut all);
         all.split_off(test.segment.from)

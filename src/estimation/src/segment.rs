@@ -11,6 +11,8 @@ pub struct Segment {
     pub dt: Vec<f64>,
     /// The motion, side force and temperature at the samples.
     pub input: Vec<Input>,
+    /// Command of the setting in the step that ends at each sample, where it changes within the test.
+    pub setting: Option<Vec<f64>>,
     /// Measured force, N.
     pub force: Vec<f64>,
     /// First sample whose force counts.

@@ -513,6 +513,7 @@ mod tests {
             name: String::new(),
             dt: vec![dt; n],
             input,
+            setting: None,
             force: vec![0.0; n],
             from: 40,
             scale: 1.0,

@@ -15,7 +15,7 @@ use nalgebra::DMatrix;
 use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
-pub(super) const Z: f64 = 1.96;
+pub(crate) const Z: f64 = 1.96;
 /// Half-width beyond which a parameter is not identified: relative to its value ...
 const RELATIVE: f64 = 0.5;
 /// ... unless its force effect is known to within this share of the largest force.

@@ -216,6 +216,20 @@ pub fn prepared(params: &Params) -> Result<Model, NoModel> {
     })
 }
 
+/// The damper over a setting.
+///
+/// # Errors
+/// The parameter at fault, and why.
+pub fn prepared_family(definition: &Definition) -> Result<Box<Family>, NoModel> {
+    let mut family = Box::new(Family::OFF);
+    family.set(&definition.params, &definition.axis).map_err(no_family)?;
+    Ok(family)
+}
+
+fn no_family(fault: Fault) -> NoModel {
+    NoModel { parameter: name_of(fault.parameter).unwrap_or("the setting"), text: fault.reason.text() }
+}
+
 impl ModelFile {
     /// The damper, which may depend on a setting.
     pub fn definition(&self) -> Definition {
@@ -392,10 +406,6 @@ fn parsed(
     }
     prepared(&params).map_err(|fault| ModelFileError::Model { file: file.clone(), fault })?;
     if axis.is_some() {
-        let no_family = |fault: Fault| NoModel {
-            parameter: name_of(fault.parameter).unwrap_or("the setting"),
-            text: fault.reason.text(),
-        };
         Family::check(&params, &axis)
             .map_err(|fault| ModelFileError::Model { file: file.clone(), fault: no_family(fault) })?;
     }

@@ -58,11 +58,16 @@ dashpot_records::phrases! {
     FAMILY_EACH: "each setting by itself";
     FAMILY_JOINT: "all settings together: what they share and what depends on them";
     FAMILY_LEFT_OUT: "each setting predicted by the others";
+    FAMILY_ACTUATOR: "response of the valve from tests whose setting changes";
+    CHANGING_SETTING: "tests whose setting changes";
+    NO_ACTUATOR: "the {count} tests whose {setting} changes show no actuator: the force follows the command within their samples and their noise";
+    ACTUATOR_OPEN: "the records do not determine {names}: the values are those that valves usually show";
     FAMILY_STORES: "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host";
     FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of the tests (800mA, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
     FAMILY_WITHOUT: "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, or give it in campaign.toml under settings";
     FAMILY_ONE: "all tests have the same {name}, {value}: fit them without --setting";
+    FAMILY_ONLY_CHANGING: "the {name} of all {count} tests changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve";
     FAMILY_TOO_MANY: "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out";
     FAMILY_AT: "at {name} = {value}: {why}";
     FAMILY_KERNEL: "the settings make no model: {parameter} {why}";

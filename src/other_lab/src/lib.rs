@@ -15,6 +15,7 @@ mod jet;
 mod machine;
 pub mod plant;
 pub mod protocol;
+pub mod semi_active;
 mod sensors;
 mod trace;
 mod true_set;

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`laboratory`] | campaigns of the second laboratory at a stated severity |
 //! | [`drawing`] | what a drawing of a damper of the second laboratory says |
+//! | [`semi_active`] | how well a semi-active damper of the second laboratory is identified |
 //! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
 //! | [`suite`] | the cases of the benchmark |
 //! | [`split`] | which seeds a figure may come from, and the ledger of those that were opened |
@@ -16,6 +17,7 @@ pub mod drawing;
 pub mod laboratory;
 pub mod outcome;
 pub mod score;
+pub mod semi_active;
 pub mod split;
 pub mod suite;
 
@@ -25,6 +27,9 @@ pub enum EvaluationError {
     /// It cannot be made.
     #[error(transparent)]
     Severity(#[from] dashpot_severity::SeverityError),
+    /// No family is fitted to its records.
+    #[error("the family of the case's records: {0}")]
+    Family(String),
     /// The second laboratory refuses it.
     #[error(transparent)]
     Laboratory(#[from] dashpot_other_lab::LabError),

@@ -109,6 +109,7 @@ impl Campaign {
         ];
         let measured = [("side_force", &record.side_force), ("temperature", &record.temperature)];
         let measured = measured.into_iter().filter_map(|(name, c)| c.as_ref().map(|c| (name, c)));
+        let measured = measured.chain(record.setting_signal.as_ref().map(|signal| ("setting", &signal.values)));
         for (name, values) in always.into_iter().chain(measured) {
             channels.set_item(name, PyArray1::from_slice(py, values))?;
         }
@@ -153,6 +154,9 @@ impl Campaign {
             record.velocity = always("velocity")?;
             record.force = always("force")?;
             (record.side_force, record.temperature) = (channel("side_force"), channel("temperature"));
+            if let Some(signal) = &mut record.setting_signal {
+                signal.values = always("setting")?;
+            }
             record.original_fingerprint = as_read;
             record.counted = Some(read.sign.counted());
         }

@@ -2,13 +2,18 @@
 
 use crate::campaign::Campaign;
 use crate::errors::{DiagnosisError, raise};
+use crate::family::Family;
 use crate::model::Model;
 use crate::work;
+use dashpot_diagnosis::settings::{
+    SettingFigures, SettingsFigures, WithSettings, effects_over_settings, split_by_setting, summarize_settings,
+};
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::select_hold_out;
 use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence, Unusable};
+use dashpot_simulation::comparison::settings_of;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -57,6 +62,91 @@ pub struct Diagnosed {
     pub reference: Option<Py<Campaign>>,
     /// What is to be told of the records, without them.
     pub about: dashpot_records::Campaign,
+}
+
+/// Diagnoses a damper over a setting at each setting of the records. Returns what `dashpot diagnose --json` writes of it, and the mean cycles of
+/// every test at each setting.
+#[pyfunction]
+#[pyo3(signature = (family, campaign, given=None, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None))]
+#[allow(clippy::too_many_arguments)]
+pub fn diagnose_family<'py>(
+    py: Python<'py>,
+    family: Py<Family>,
+    campaign: Py<Campaign>,
+    given: Option<f64>,
+    reference: Option<Py<Campaign>>,
+    hold_out: Vec<String>,
+    max_effects: usize,
+    candidates: Option<Vec<String>>,
+    seed: u64,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, Vec<Vec<Bound<'py, PyDict>>>)> {
+    let (file, mut read) = (&family.get().file, campaign.get().read.clone());
+    let held_out = match hold_out.is_empty() {
+        true => None,
+        false => Some(select_hold_out(&read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?),
+    };
+    let mut good = reference.map(|reference| reference.get().read.clone());
+    let others = good.iter_mut().flat_map(|good| &mut good.records);
+    let note = file.identification.right(read.records.iter_mut().chain(others));
+    if let Some(good) = &mut good {
+        read.also_without(std::mem::take(&mut good.unusable));
+    }
+    let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
+        let settings = settings_of(file, &read, given)?;
+        let of_good = good.as_ref().map(|good| settings_of(file, good, given)).transpose()?;
+        let own = WithSettings { records: &read.records, settings: &settings };
+        let compared = good.as_ref().zip(of_good.as_deref());
+        let compared = compared.map(|(good, settings)| WithSettings { records: &good.records, settings });
+        let unit = file.axis.unit();
+        let parts = split_by_setting(&file.definition(), own, compared).map_err(|setting| {
+            anyhow::anyhow!("reference has no test at {}", format!("{setting} {unit}").trim_end())
+        })?;
+        if parts.is_empty() {
+            anyhow::bail!("no test has a constant setting, and a damper is diagnosed at constant settings");
+        }
+        let count = parts.len() as f64;
+        let mut found: Vec<(f64, Diagnosis, OfDiagnosis)> = Vec::new();
+        for (place, part) in parts.into_iter().enumerate() {
+            let records: Vec<&Record> = part.records.iter().collect();
+            let left_out = match &held_out {
+                Some(out) => part.places.iter().map(|k| out[*k]).collect(),
+                None => choose_left_out(&records, seed),
+            };
+            let options = Options {
+                max_effects,
+                candidates: candidates.clone(),
+                reference: part.reference,
+                ..Options::default()
+            };
+            let say = |done: f64, text: Template| progress.say((place as f64 + done) / count, text.english());
+            let one = dashpot_diagnosis::diagnose(&records, &left_out, &part.params, &options, &say)?;
+            let whole = OfDiagnosis::evaluate(&part.params, &one.base, &one.improved, &one.measured, &records)?;
+            found.push((part.setting, one, whole));
+        }
+        let answers: Vec<(f64, &Diagnosis)> = found.iter().map(|(setting, one, _)| (*setting, one)).collect();
+        let effects = effects_over_settings(&answers);
+        let summary = summarize_settings(&effects, answers.len(), unit);
+        let as_the_fit_saw = note.as_ref().map(|n| &n.text);
+        let figures = found.iter().map(|(setting, one, over_whole_records)| SettingFigures {
+            setting: *setting,
+            diagnosis: DiagnosisJson {
+                found: one,
+                over_whole_records: *over_whole_records,
+                as_the_fit_saw,
+                unusable: &[],
+            },
+        });
+        let beside = (as_the_fit_saw, read.unusable.as_slice());
+        let json =
+            serde_json::to_string(&SettingsFigures::new(&file.axis, (&summary, &effects), figures.collect(), beside))?;
+        let curves: Vec<Vec<Curves>> =
+            found.into_iter().map(|(_, one, _)| one.tests.into_iter().map(|test| test.curves).collect()).collect();
+        Ok((json, curves))
+    })?;
+    let (json, curves) = done.map_err(raise::<DiagnosisError>)?;
+    let of_setting = |all: &Vec<Curves>| all.iter().map(|curves| arrays(py, curves)).collect::<PyResult<Vec<_>>>();
+    Ok((json, curves.iter().map(of_setting).collect::<PyResult<_>>()?))
 }
 
 /// Diagnoses a model against records, against a reference where one is given. Returns what `dashpot diagnose --json` writes, the text of the

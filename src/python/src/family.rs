@@ -7,19 +7,18 @@ use crate::limits;
 use crate::model::Model;
 use crate::work;
 use dashpot_core::family;
-use dashpot_identification::family::{FamilyEstimate, SettingDependence, SettingReport, fit_family as fit};
+use dashpot_identification::FitOptions;
+use dashpot_identification::family::{FamilyFigures, fit_family as fit};
 use dashpot_identification::limits::judge_over_settings;
 use dashpot_identification::model_file::{self, ModelFile};
-use dashpot_identification::{FitOptions, InventoryItem, Measured};
 use dashpot_records::hold_out::kept;
-use dashpot_records::{MotionRecord, Record, Sentence, SignFinding, Unusable};
-use dashpot_simulation::comparison::{compare_family, settings_of};
+use dashpot_records::{MotionRecord, Record};
+use dashpot_simulation::comparison::{compare_family, summarize_settings};
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use dashpot_simulation::prediction::at_velocities;
 use numpy::{AllowTypeChange, PyArray1, PyArrayLike1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use serde::Serialize;
 use std::path::PathBuf;
 
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
@@ -28,7 +27,8 @@ type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 /// A damper over a setting.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Family {
-    file: ModelFile,
+    /// The model file.
+    pub file: ModelFile,
     prepared: Box<family::Family>,
     text: String,
 }
@@ -119,13 +119,13 @@ impl Family {
             // That the tests have several settings is what the damper is for.
             read.notes.retain(|note| note.kind != "settings");
             let compared = compare_family(file, &read, given, &say)?;
-            let settings = settings_of(file, &read, given)?;
             let mut validation = figures(&read, &compared, None, &[])?;
-            validation.summarize_settings(&settings, file.axis.grid());
+            let settings = summarize_settings(&mut validation, file, &read, given)?;
             if let Some(windows) = &windows {
                 let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
                 let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
-                validation.limits = Some(judge_over_settings(windows, (&records, &settings), &forces)?);
+                validation.limits =
+                    Some(judge_over_settings(windows, (&records, &settings), &forces, &validation.step_responses)?);
             }
             let json = serde_json::to_string(&validation)?;
             let forces: Vec<_> = compared.into_iter().map(|c| (c.model, c.fv_only)).collect();
@@ -179,29 +179,6 @@ impl Family {
     }
 }
 
-/// What `dashpot fit --setting --json` writes, but for the name of the file.
-#[derive(Serialize)]
-struct FamilyFitJson<'a> {
-    setting: SettingJson<'a>,
-    tests: &'a [String],
-    parameters: &'a [FamilyEstimate],
-    depends_on_setting: &'a [SettingDependence],
-    inventory: &'a [InventoryItem],
-    measured: &'a [Measured],
-    settings: &'a [SettingReport],
-    notes: &'a [Sentence],
-    misfit: f64,
-    sign: &'a SignFinding,
-    unusable: &'a [Unusable],
-}
-
-#[derive(Serialize)]
-struct SettingJson<'a> {
-    name: &'a str,
-    unit: &'a str,
-    grid: &'a [f64],
-}
-
 /// Fits a damper over a setting; returns the text of its model file and the figures as JSON.
 #[pyfunction]
 #[pyo3(signature = (campaign, setting, elements=None, hold_out=Vec::new(), progress=None))]
@@ -222,19 +199,7 @@ pub fn fit_family(
         fit(&records, setting, &options, |stage| progress.say(stage.done, stage.text.english()))
     })?;
     let found = found.map_err(raise::<FitError>)?;
-    let said = FamilyFitJson {
-        setting: SettingJson { name: &found.setting.name, unit: &found.setting.unit, grid: found.settings_grid() },
-        tests: &found.tests,
-        parameters: &found.estimates,
-        depends_on_setting: &found.dependences,
-        inventory: &found.inventory,
-        measured: &found.measured,
-        settings: &found.settings,
-        notes: &found.notes,
-        misfit: found.misfit,
-        sign: &campaign.read.sign,
-        unusable: &campaign.read.unusable,
-    };
+    let said = FamilyFigures::new(&found, &campaign.read, None);
     let json = serde_json::to_string(&said).map_err(raise::<FitError>)?;
     Ok((dashpot_identification::family::model_file::write(&found), json))
 }

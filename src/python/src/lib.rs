@@ -64,7 +64,7 @@ mod _native {
         RecordError, RigError, StepError, ValidationError,
     };
     #[pymodule_export]
-    use crate::examine::{Diagnosed, diagnose};
+    use crate::examine::{Diagnosed, diagnose, diagnose_family};
     #[pymodule_export]
     use crate::explain::explain;
     #[pymodule_export]

@@ -104,7 +104,12 @@ def test_fit_and_validation_are_those_of_the_command(command: Command) -> None:
         dashpot.fit(campaign, setting="clicks")
     with pytest.raises(ValueError, match="thesis"):
         dashpot.fit(campaign, setting="current", family="fv")
-    with pytest.raises(TypeError, match="at"):
-        dashpot.diagnose(family, campaign)  # type: ignore[arg-type]
+    command("diagnose", "family.toml", "semi_active", "--max-effects", "1", "--json", "found.json")
+    found = dashpot.diagnose(family, campaign, max_effects=1)
+    assert found.to_dict() == command.json("found.json")
+    assert [one.setting for one in found.settings] == [0.0, 0.8, 1.6] and found[0.8].verdict == found.settings[1].verdict
+    assert found.settings[0].curves(found.settings[0].tests[0].test)["measured"].shape
+    with pytest.raises(TypeError, match="setting"):
+        dashpot.diagnose(family.at(0.8), campaign, setting=0.8)  # type: ignore[call-overload]
     again = pickle.loads(pickle.dumps(family))
     assert again.fit == family.fit and again.text == family.text

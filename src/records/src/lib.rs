@@ -39,6 +39,7 @@ pub use checks::rig_frame::RigFrame;
 pub use checks::sign::SignFinding;
 pub use columns::delimiter;
 pub use data::record::{self, Noise, NoiseSource, Note, Record};
+pub use data::setting_signal::{SettingPattern, SettingSignal, SettingStep};
 pub use data::test_metadata::TestMetadata;
 pub use dates::clock;
 pub use dates::date_order::DateOrder;

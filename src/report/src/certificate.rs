@@ -80,8 +80,10 @@ fn headline(found: &Certificate, words: &Words) -> String {
 }
 
 fn table(found: &Certificate, words: &Words) -> Table {
-    let value = |v: Option<&Value>| Cell::known(v.map(|v| v.value_n), |v| Cell::number(v, error));
-    let bound = |v: Option<f64>| Cell::known(v, |v| Cell::number(v, error));
+    let value = |of: Quantity, v: Option<&Value>| {
+        Cell::known(v.map(|v| of.display().1 * v.value_n), |v| Cell::number(v, error))
+    };
+    let bound = |of: Quantity, v: Option<f64>| Cell::known(v.map(|v| of.display().1 * v), |v| Cell::number(v, error));
     let verdict = |v: Verdict| match v {
         Verdict::Pass => words.pass,
         Verdict::Fail => words.fail,
@@ -97,11 +99,11 @@ fn table(found: &Certificate, words: &Words) -> Table {
             label(one, words).into(),
             // As every velocity of a report, and of its figures.
             Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
-            bound(limit.low_n),
-            bound(limit.high_n),
-            value(one.measured.as_ref()),
+            bound(limit.quantity, limit.low_n),
+            bound(limit.quantity, limit.high_n),
+            value(limit.quantity, one.measured.as_ref()),
             verdict(one.verdict).into(),
-            value(one.model.as_ref()),
+            value(limit.quantity, one.model.as_ref()),
             one.model_verdict.map_or("–", verdict).into(),
             tests.into(),
         ]
@@ -143,6 +145,10 @@ fn label(one: &Checked, words: &Words) -> String {
         Quantity::GasForce => words.gas_force,
         Quantity::Friction => words.friction,
         Quantity::Hysteresis => words.hysteresis,
+        Quantity::ResponseTimeUp => words.response_time_up,
+        Quantity::ResponseTimeDown => words.response_time_down,
+        Quantity::RiseTimeUp => words.rise_time_up,
+        Quantity::RiseTimeDown => words.rise_time_down,
     };
     let stroke = limit.amplitude_m.map_or_else(String::new, |a| format!(" (±{} mm)", digits(1e3 * a, 3)));
     let setting = limit

@@ -1,9 +1,12 @@
 //! A model and its FV curve alone beside the records of a campaign.
 
-use crate::prediction::{between_velocities, predict};
+use crate::prediction::{between_velocities, predict, predict_family};
+use crate::step_response::step_responses;
 use crate::warm_starts::WarmStarts;
+use dashpot_core::family::Definition;
+use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::{Model, Params, element};
-use dashpot_identification::model_file::{ModelFile, NoModel, prepared};
+use dashpot_identification::model_file::{ModelFile, NoModel, prepared, prepared_family};
 use dashpot_identification::validation::{Compared, Validation};
 use dashpot_identification::{Family, FitError, FitOptions, fit};
 use dashpot_records::smoothing::smooth;
@@ -46,11 +49,11 @@ pub fn compare<'a>(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Compared<'a>>, CompareError> {
     let fv_only = fv_only(file, campaign)?;
-    compare_records(file, campaign, &|_| Ok((file.params, fv_only)), progress)
+    compare_records(file, campaign, &|_| Ok(Dampers::Constant(file.params, fv_only)), progress)
 }
 
 /// Simulates every record with a damper over a setting, each at its own, or at the `given` one where it has none. The FV curve is that of the
-/// records of each setting.
+/// records of each setting; under a setting that changes, that of the family, without an actuator.
 ///
 /// # Errors
 /// A record without a setting where none is given; else those of [`compare`].
@@ -60,9 +63,9 @@ pub fn compare_family<'a>(
     given: Option<f64>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Compared<'a>>, CompareError> {
-    let settings: Vec<f64> = settings_of(file, campaign, given)?;
+    let settings = settings_of(file, campaign, given)?;
     let mut distinct: Vec<f64> = Vec::new();
-    for setting in &settings {
+    for setting in settings.iter().flatten() {
         if !distinct.iter().any(|known| is_same_setting(*known, *setting)) {
             distinct.push(*setting);
         }
@@ -70,7 +73,7 @@ pub fn compare_family<'a>(
     let plain: Vec<Params> = distinct
         .par_iter()
         .map(|setting| {
-            let is_own = |k: &usize| is_same_setting(settings[*k], *setting);
+            let is_own = |k: &usize| settings[*k].is_some_and(|own| is_same_setting(own, *setting));
             let own: Vec<&Record> =
                 (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
@@ -80,27 +83,60 @@ pub fn compare_family<'a>(
         })
         .collect();
     let at = |k: usize| {
-        let setting = settings[k];
+        let Some(setting) = settings[k] else { return Ok(Dampers::Changing) };
         let place = distinct.iter().position(|known| is_same_setting(*known, setting)).unwrap_or(0);
-        Ok((file.definition().params_at(setting), plain[place]))
+        Ok(Dampers::Constant(file.definition().params_at(setting), plain[place]))
     };
     compare_records(file, campaign, &at, progress)
 }
 
-/// The setting of every record: its own where it is that of the model, else the given one.
+/// The damper that belongs to a record, and the FV curve alone.
+enum Dampers {
+    /// At a constant setting.
+    Constant(Params, Params),
+    /// The damper over the setting, which changes within the record.
+    Changing,
+}
+
+/// The setting of every record: its own where it is that of the model, else the given one; `None` where it changes within the record.
 ///
 /// # Errors
 /// The first record without one.
-pub fn settings_of(file: &ModelFile, campaign: &Campaign, given: Option<f64>) -> Result<Vec<f64>, CompareError> {
+pub fn settings_of(
+    file: &ModelFile,
+    campaign: &Campaign,
+    given: Option<f64>,
+) -> Result<Vec<Option<f64>>, CompareError> {
     let name = file.axis.name();
     let of = |record: &Record| {
+        if record.setting_signal.as_ref().is_some_and(|signal| name.is_empty() || signal.name == name) {
+            return Ok(None);
+        }
         let own = record.setting.as_ref().filter(|setting| name.is_empty() || setting.name == name);
-        own.map(|setting| setting.value).or(given).ok_or_else(|| CompareError::NoSetting {
+        own.map(|setting| setting.value).or(given).map(Some).ok_or_else(|| CompareError::NoSetting {
             test: record.name.clone(),
             name: if name.is_empty() { "setting".to_owned() } else { name.to_owned() },
         })
     };
     campaign.records.iter().map(of).collect()
+}
+
+/// Summarizes a validation by the settings of its tests, with the responses to steps of the setting; returns the setting of every test.
+///
+/// # Errors
+/// The errors of [`settings_of`]; parameters that make no model.
+pub fn summarize_settings(
+    validation: &mut Validation,
+    file: &ModelFile,
+    campaign: &Campaign,
+    given: Option<f64>,
+) -> Result<Vec<Option<f64>>, CompareError> {
+    let settings = settings_of(file, campaign, given)?;
+    validation.summarize_settings(&settings, file.axis.grid());
+    let changing = campaign.records.iter().zip(&settings).filter(|(_, setting)| setting.is_none());
+    let changing: Vec<&Record> = changing.map(|(record, _)| record).collect();
+    validation.step_responses = step_responses(&file.definition(), &changing)?;
+    Ok(settings)
 }
 
 /// The FV curve with the gas force of a damper alone.
@@ -112,11 +148,21 @@ fn plain_curve(params: &Params) -> Params {
     curve
 }
 
+/// The FV curve with the gas force of a damper over a setting, which follows every command at once.
+fn without_actuator(definition: &Definition) -> Definition {
+    let mut plain = Definition { params: plain_curve(&definition.params), axis: definition.axis };
+    for index in 1..ENTRIES.len() {
+        // 0 is none, which every entry allows.
+        let _ = plain.axis.set_number(index, 0.0);
+    }
+    plain
+}
+
 /// Simulates every record with the damper and the FV curve that belong to it.
 fn compare_records<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
-    of_record: &(dyn Fn(usize) -> Result<(Params, Params), CompareError> + Sync),
+    of_record: &(dyn Fn(usize) -> Result<Dampers, CompareError> + Sync),
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Compared<'a>>, CompareError> {
     let warm = WarmStarts::new(&campaign.records.iter().collect::<Vec<_>>());
@@ -126,15 +172,22 @@ fn compare_records<'a>(
         .par_iter()
         .enumerate()
         .map(|(k, record)| {
-            let (params, fv_only) = of_record(k)?;
-            let (model, curve) = (prepared(&params)?, prepared(&fv_only)?);
+            let dampers = of_record(k)?;
             let motion = smooth(record);
-            let compared = Compared {
-                record,
-                model: predict(&model, record, &motion, warm.rise(&params, k)),
-                fv_only: predict(&curve, record, &motion, 0.0),
-                used_in_fit: file.identification.used(record),
+            let (model, fv_only) = match dampers {
+                Dampers::Constant(params, fv_only) => {
+                    let (model, curve) = (prepared(&params)?, prepared(&fv_only)?);
+                    let forces = predict(&model, record, &motion, warm.rise(&params, k));
+                    (forces, predict(&curve, record, &motion, 0.0))
+                }
+                Dampers::Changing => {
+                    let run = |definition: &Definition| {
+                        Ok::<_, CompareError>(predict_family(&*prepared_family(definition)?, record, &motion))
+                    };
+                    (run(&file.definition())?, run(&without_actuator(&file.definition()))?)
+                }
             };
+            let compared = Compared { record, model, fv_only, used_in_fit: file.identification.used(record) };
             progress(1 + done.fetch_add(1, Ordering::Relaxed), campaign.records.len());
             Ok(compared)
         })

@@ -3,6 +3,7 @@
 //! | module | what |
 //! |---|---|
 //! | [`prediction`] | the forces a model gives for a record |
+//! | [`step_response`] | how fast the force follows a step of the setting |
 //! | [`warm_starts`] | how warm the damper is when each record begins |
 //! | [`comparison`] | a model and its FV curve beside a campaign |
 //! | [`against`] | models of the literature beside them |
@@ -22,6 +23,7 @@ pub mod followed;
 pub mod imposed_motion;
 mod limit;
 pub mod prediction;
+pub mod step_response;
 pub mod stiffness;
 pub mod vehicle;
 pub mod warm_starts;

@@ -1,6 +1,7 @@
 //! The forces that a model gives for the motion of a record.
 
 use crate::warm_starts::warm;
+use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model, State};
 use dashpot_records::Record;
@@ -40,6 +41,34 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     }
     let mut forces = vec![dashpot_core::evaluate::force(model, &start, &input(0)).force];
     run(start, 1..n, &mut forces);
+    forces
+}
+
+/// Forces of a damper over a setting at the samples of a record whose setting changes.
+///
+/// The command between two samples is the mean of both, since the change is as likely in the first half as in the second.
+pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<f64> {
+    let n = record.time.len();
+    let input = |i: usize| Input {
+        displacement: Some(motion.displacement[i]),
+        velocity: motion.velocity[i],
+        side_force: record.side_force.as_ref().map_or(0.0, |c| c[i]),
+        temperature: record.temperature.as_ref().map_or(20.0, |c| c[i]),
+    };
+    let command = |i: usize| record.setting_signal.as_ref().map(|signal| signal.command(i));
+    let mut state = family.steady_state(&input(0), command(0));
+    let mut delay = family.steady_delay(command(0));
+    let (mut output, _) = family.evaluate(&state, &input(0), command(0));
+    let mut forces = vec![output.force];
+    for i in 1..n {
+        let dt = record.time[i] - record.time[i - 1];
+        // What is no number leaves state and force where they were.
+        let mut next = output;
+        if family.step_in_place(&mut state, &mut delay, &input(i), command(i), dt, &mut next, false) {
+            output = next;
+        }
+        forces.push(output.force);
+    }
     forces
 }
 

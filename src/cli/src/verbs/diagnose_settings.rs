@@ -2,54 +2,28 @@
 
 use super::data::{DataArgs, name_of, named, print_sign};
 use super::diagnose_args::Args;
-use super::diagnosed::{Diagnosed, Json, examine};
+use super::diagnosed::{Diagnosed, examine};
 use super::model;
 use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::family::Axis;
-use dashpot_diagnosis::settings::{EffectOverSettings, effects_over_settings, is_shown, summarize_settings};
+use dashpot_diagnosis::settings::{
+    EffectOverSettings, SettingFigures, SettingPart, SettingsFigures, WithSettings, effects_over_settings, is_shown,
+    split_by_setting, summarize_settings,
+};
 use dashpot_diagnosis::{Diagnosis, Options, choose_left_out};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{fit_family, model_file};
 use dashpot_identification::model_file::{ModelFile, family_of_text, read_family};
-use dashpot_records::{Campaign, Record, Sentence, Unusable, agree_on_sign, hold_out, is_same_setting};
+use dashpot_records::{Campaign, Record, Sentence, agree_on_sign, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, SettingsReport, headline};
 use dashpot_report::inventory::probability;
 use dashpot_report::numbers::digits;
 use dashpot_report::words::TERMINAL;
 use dashpot_report::{parameters, reading, write_workbook};
 use dashpot_simulation::comparison::settings_of;
-use serde::Serialize;
 use std::path::{Path, PathBuf};
-
-#[derive(Serialize)]
-struct SettingJson<'a> {
-    setting: f64,
-    tests: usize,
-    #[serde(flatten)]
-    diagnosis: Json<'a>,
-}
-
-#[derive(Serialize)]
-struct AxisJson<'a> {
-    name: &'a str,
-    unit: &'a str,
-    grid: &'a [f64],
-}
-
-#[derive(Serialize)]
-struct SettingsJson<'a> {
-    setting: AxisJson<'a>,
-    /// What was found, an effect of all settings once.
-    summary: &'a [Sentence],
-    effects: &'a [EffectOverSettings],
-    /// What `dashpot diagnose` says of the damper at each setting.
-    settings: Vec<SettingJson<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    as_the_fit_saw: Option<&'a Sentence>,
-    unusable: &'a [Unusable],
-}
 
 /// One setting with its records.
 struct Part {
@@ -164,23 +138,11 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     dashpot_output::say(json, &format_settings(&model.axis, &summary, &effects, &found).join("\n"))?;
     if let Some(path) = json {
         let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| &n.text);
+        let figures = found.iter().map(|(part, one)| SettingFigures { setting: part.setting, diagnosis: one.json() });
+        let beside = (as_the_fit_saw, campaign.unusable.as_slice());
         dashpot_output::json(
             path,
-            &SettingsJson {
-                setting: AxisJson { name: model.axis.name(), unit, grid: model.axis.grid() },
-                summary: &summary,
-                effects: &effects,
-                settings: found
-                    .iter()
-                    .map(|(part, one)| SettingJson {
-                        setting: part.setting,
-                        tests: part.campaign.records.len(),
-                        diagnosis: one.json(),
-                    })
-                    .collect(),
-                as_the_fit_saw,
-                unusable: &campaign.unusable,
-            },
+            &SettingsFigures::new(&model.axis, (&summary, &effects), figures.collect(), beside),
         )?;
     }
     if args.report.is_none() && args.excel.is_none() {
@@ -236,61 +198,56 @@ fn split(
 ) -> anyhow::Result<Vec<Part>> {
     let settings = settings_of(model, campaign, given)?;
     let of_good = good.map(|good| settings_of(model, good, given)).transpose()?;
-    let mut distinct: Vec<f64> = Vec::new();
-    for setting in &settings {
-        if !distinct.iter().any(|known| is_same_setting(*known, *setting)) {
-            distinct.push(*setting);
-        }
+    let own = WithSettings { records: &campaign.records, settings: &settings };
+    let compared = good.zip(of_good.as_deref());
+    let compared = compared.map(|(good, settings)| WithSettings { records: &good.records, settings });
+    let parts = split_by_setting(&model.definition(), own, compared).map_err(|setting| {
+        anyhow::anyhow!(
+            "{} has no test at {}; give --reference a campaign of the same settings, or leave these tests out with --exclude",
+            named(&args.reference),
+            format_setting(setting, model.axis.unit())
+        )
+    })?;
+    let changing: Vec<&str> =
+        campaign.records.iter().zip(&settings).filter(|(_, s)| s.is_none()).map(|(r, _)| r.name.as_str()).collect();
+    if !changing.is_empty() {
+        dashpot_output::warn(&format!(
+            "note: the setting changes within {} tests, which are not diagnosed: {}",
+            changing.len(),
+            changing.join(", ")
+        ));
     }
-    distinct.sort_by(f64::total_cmp);
+    if parts.is_empty() {
+        bail!("no test has a constant {}, and a damper is diagnosed at constant settings", model.axis.name());
+    }
     let (low, high) = model.axis.range();
-    if let Some(beyond) = distinct.iter().find(|setting| **setting < low || **setting > high) {
+    if let Some(beyond) = parts.iter().map(|part| part.setting).find(|setting| *setting < low || *setting > high) {
         let unit = model.axis.unit();
         dashpot_output::warn(&format!(
             "warning: tests at {} lie outside the settings of the model, {low} to {high}, and are diagnosed with the damper at the nearest",
-            format_setting(*beyond, unit)
+            format_setting(beyond, unit)
         ));
     }
     let held_out = match args.hold_out.is_empty() {
         true => None,
         false => Some(hold_out::select_hold_out(campaign, &args.hold_out, "look at")?),
     };
-    let part = |setting: f64| -> anyhow::Result<Part> {
-        let is_own = |other: &f64| is_same_setting(*other, setting);
-        let places: Vec<usize> = (0..settings.len()).filter(|k| is_own(&settings[*k])).collect();
-        let records: Vec<Record> = places.iter().map(|k| campaign.records[*k].clone()).collect();
-        let left_out = match &held_out {
-            Some(out) => places.iter().map(|k| out[*k]).collect(),
-            None => choose_left_out(&records.iter().collect::<Vec<_>>(), args.seed),
-        };
-        let reference: Vec<Record> = match (good, &of_good) {
-            (Some(good), Some(settings)) => {
-                let own = good.records.iter().zip(settings).filter(|(_, other)| is_own(other));
-                own.map(|(record, _)| record.clone()).collect()
-            }
-            _ => Vec::new(),
-        };
-        if good.is_some() && reference.is_empty() {
-            bail!(
-                "{} has no test at {}; give --reference a campaign of the same settings, or leave these tests out with --exclude",
-                named(&args.reference),
-                format_setting(setting, model.axis.unit())
-            );
-        }
-        Ok(Part {
-            setting,
-            model: ModelFile {
-                params: model.definition().params_at(setting),
-                axis: Axis::NONE,
-                identification: model.identification.clone(),
-                specified: model.specified.clone(),
-            },
-            campaign: Campaign { records, unusable: Vec::new(), ..campaign.clone() },
-            left_out,
-            reference,
-        })
+    let part = |of: SettingPart| Part {
+        setting: of.setting,
+        left_out: match &held_out {
+            Some(out) => of.places.iter().map(|k| out[*k]).collect(),
+            None => choose_left_out(&of.records.iter().collect::<Vec<_>>(), args.seed),
+        },
+        model: ModelFile {
+            params: of.params,
+            axis: Axis::NONE,
+            identification: model.identification.clone(),
+            specified: model.specified.clone(),
+        },
+        campaign: Campaign { records: of.records, unusable: Vec::new(), ..campaign.clone() },
+        reference: of.reference,
     };
-    distinct.into_iter().map(part).collect()
+    Ok(parts.into_iter().map(part).collect())
 }
 
 fn format_setting(setting: f64, unit: &str) -> String {

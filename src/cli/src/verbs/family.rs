@@ -7,41 +7,16 @@ use super::validate::{compare_family, settings_table};
 use crate::page::TextArgs;
 use crate::progress::Progress;
 use dashpot_identification::family::{
-    FamilyEstimate, FamilyFit, SettingAxis, SettingDependence, SettingError, SettingReport, fit_family, model_file,
+    ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFigures, FamilyFit, SettingAxis, SettingDependence,
+    SettingError, SettingReport, fit_family, model_file,
 };
 use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
-use dashpot_identification::{FitOptions, InventoryItem, Measured, Standing, describe_item};
-use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
+use dashpot_identification::{Estimate, FitOptions, Standing, describe_item};
+use dashpot_records::{Campaign, Record};
 use dashpot_report::{FamilyReport, Print, ReportInput};
 use dashpot_simulation::comparison;
-use serde::Serialize;
 use std::path::Path;
-
-#[derive(Serialize)]
-struct SettingJson<'a> {
-    name: &'a str,
-    unit: &'a str,
-    grid: &'a [f64],
-}
-
-#[derive(Serialize)]
-struct Json<'a> {
-    model: &'a Path,
-    setting: SettingJson<'a>,
-    tests: &'a [String],
-    /// A number that depends on the setting stands once for each of its values.
-    parameters: &'a [FamilyEstimate],
-    depends_on_setting: &'a [SettingDependence],
-    inventory: &'a [InventoryItem],
-    measured: &'a [Measured],
-    /// Errors at each value of the setting, also of the family without it.
-    settings: &'a [SettingReport],
-    notes: &'a [Sentence],
-    misfit: f64,
-    sign: &'a SignFinding,
-    unusable: &'a [Unusable],
-}
 
 /// Where the results go.
 pub struct Outputs<'a> {
@@ -77,27 +52,7 @@ pub fn run(
     }
     say(&format!("{} tests fitted; model in {}", found.tests.len(), name_of(output)))?;
     if let Some(path) = json {
-        dashpot_output::json(
-            path,
-            &Json {
-                model: output,
-                setting: SettingJson {
-                    name: &found.setting.name,
-                    unit: &found.setting.unit,
-                    grid: found.settings_grid(),
-                },
-                tests: &found.tests,
-                parameters: &found.estimates,
-                depends_on_setting: &found.dependences,
-                inventory: &found.inventory,
-                measured: &found.measured,
-                settings: &found.settings,
-                notes: &found.notes,
-                misfit: found.misfit,
-                sign: &campaign.sign,
-                unusable: &campaign.unusable,
-            },
-        )?;
+        dashpot_output::json(path, &FamilyFigures::new(&found, campaign, Some(output)))?;
     }
     if let Some((path, page)) = outputs.report {
         let model = family_of_text(&text, output)?;
@@ -114,7 +69,11 @@ fn write_report(
     say: &dyn Fn(&str) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let mut campaign = campaign.clone();
-    let has_setting = |record: &Record| record.setting.as_ref().is_some_and(|of| of.name == found.setting.name);
+    let has_setting = |record: &Record| {
+        let constant = record.setting.as_ref().map(|of| &of.name);
+        let changing = record.setting_signal.as_ref().map(|of| &of.name);
+        constant.or(changing) == Some(&found.setting.name)
+    };
     // Only a test that was held out may say nothing of its setting: a fit asks for all others.
     let without: Vec<String> =
         campaign.records.iter().filter(|record| !has_setting(record)).map(|record| record.name.clone()).collect();
@@ -130,7 +89,7 @@ fn write_report(
     campaign.notes.extend(model.identification.right(&mut campaign.records));
     let compared = compare_family(model, &campaign, None)?;
     let mut validation = validate(&compared)?;
-    validation.summarize_settings(&comparison::settings_of(model, &campaign, None)?, model.axis.grid());
+    comparison::summarize_settings(&mut validation, model, &campaign, None)?;
     validation.unusable.clone_from(&campaign.unusable);
     say(&format!("over whole records:\n{}", settings_table(model, &validation)))?;
     let mut input = ReportInput {
@@ -169,19 +128,41 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     }
     for FamilyEstimate { setting, estimate: e } in found.estimates.iter().filter(|e| e.estimate.index.is_none()) {
         let name = setting.map_or(e.name.to_owned(), |value| format!("{} at {}", e.name, format_setting(axis, value)));
-        out.push(match (&e.standing, e.low, e.high) {
-            (Standing::NotIdentified, ..) => {
-                format!("  {name:<38} {:>12} {:<10} not identified from this data", short(e.value), e.unit)
-            }
-            (_, Some(low), Some(high)) => {
-                let (value, low, high) = (short(e.value), short(low), short(high));
-                format!("  {name:<38} {value:>12} {:<10} 95 %: {low} to {high}", e.unit)
-            }
-            _ => format!("  {name:<38} {:>12} {}", short(e.value), e.unit),
-        });
+        out.push(format_estimate(&name, e));
     }
+    out.extend(found.actuator.iter().flat_map(format_actuator));
     out.push(format_errors(axis, &found.settings));
     out
+}
+
+/// The actuator.
+fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
+    let part = |of: &ActuatorDecision| {
+        let word = if of.is_present { "" } else { "no " };
+        format!("{word}{} ({:.2})", of.name, of.probability)
+    };
+    let parts: Vec<String> = fit.parts.iter().map(part).collect();
+    let mut out = vec![format!(
+        "actuator from {} tests (probability that the valve has it): {}",
+        fit.tests.len(),
+        parts.join(", ")
+    )];
+    out.extend(fit.estimates.iter().map(|e| format_estimate(e.name, e)));
+    out
+}
+
+/// A number with its interval.
+fn format_estimate(name: &str, e: &Estimate) -> String {
+    match (&e.standing, e.low, e.high) {
+        (Standing::NotIdentified, ..) => {
+            format!("  {name:<38} {:>12} {:<10} not identified from this data", short(e.value), e.unit)
+        }
+        (_, Some(low), Some(high)) => {
+            let (value, low, high) = (short(e.value), short(low), short(high));
+            format!("  {name:<38} {value:>12} {:<10} 95 %: {low} to {high}", e.unit)
+        }
+        _ => format!("  {name:<38} {:>12} {}", short(e.value), e.unit),
+    }
 }
 
 /// The errors at each setting.

@@ -10,7 +10,9 @@ use dashpot_core::Model;
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::limits;
 use dashpot_identification::model_file::{ModelFile, prepared};
-use dashpot_identification::validation::{Against, AgainstSummary, Compared, Validation, validate};
+use dashpot_identification::validation::{
+    Against, AgainstSummary, Compared, ResponseTimes, StepResponse, Validation, validate,
+};
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record};
 use dashpot_report::against::{Rival, section};
@@ -55,8 +57,9 @@ pub struct Args {
     /// Setting of tests that say none, for a model that depends on one
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
     setting: Option<f64>,
-    /// Windows that the damper must keep: a table with the columns quantity (force, gas_force, friction, hysteresis),
-    /// velocity_m_s, low, high; passes or fails the damper. A column setting is for a damper that depends on one
+    /// Windows that the damper must keep: a table with the columns quantity, velocity_m_s, low, high; passes or fails the damper.
+    /// Quantities are force, gas_force, friction, hysteresis; response_time_up, response_time_down, rise_time_up and rise_time_down of a
+    /// damper over a setting. A column setting is for a damper that depends on one
     #[arg(long, value_name = "F.csv")]
     limits: Option<PathBuf>,
     /// The verdict on --limits as a page by itself
@@ -100,10 +103,10 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let compared =
         if is_family { compare_family(&model, &campaign, args.setting)? } else { compare(&model, &campaign)? };
     let mut validation = validate(&compared)?;
-    if is_family {
-        let settings = comparison::settings_of(&model, &campaign, args.setting)?;
-        validation.summarize_settings(&settings, model.axis.grid());
-    }
+    let settings = match is_family {
+        true => comparison::summarize_settings(&mut validation, &model, &campaign, args.setting)?,
+        false => Vec::new(),
+    };
     validation.as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
     validation.unusable.clone_from(&campaign.unusable);
     let json = args.json.as_deref();
@@ -128,8 +131,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
         let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
         let found = if is_family {
-            let settings = comparison::settings_of(&model, &campaign, args.setting)?;
-            limits::judge_over_settings(windows, (&records, &settings), &forces)?
+            limits::judge_over_settings(windows, (&records, &settings), &forces, &validation.step_responses)?
         } else {
             limits::judge(windows, &records, Some(&forces))
         };
@@ -265,7 +267,44 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
             errors.fv_only.error_percent
         );
     }
+    if let Some(changing) = &validation.changing {
+        let errors = &changing.summary.errors;
+        out += &format!(
+            "\n{:<34}{:>6}{:>10.2}{:>9.2}{:>12.2}{:>10.2}",
+            "changing",
+            changing.summary.tests,
+            errors.model.mean_error_n,
+            errors.model.error_percent,
+            errors.fv_only.mean_error_n,
+            errors.fv_only.error_percent
+        );
+    }
+    for of in &validation.step_responses {
+        out += &format!("\n{}", response(of, axis.unit()));
+    }
     out
+}
+
+/// Response times to a step as text.
+fn response(of: &StepResponse, unit: &str) -> String {
+    let times = |times: &Option<ResponseTimes>| match times {
+        Some(t) => format!(
+            "{:.1} ms to 63 %, {:.1} ms to 90 % ({:.1} ms from 10 %), overshoot {:.0} %",
+            1e3 * t.t63_s,
+            1e3 * t.t90_s,
+            1e3 * (t.t90_s - t.t10_s),
+            100.0 * t.overshoot
+        ),
+        None => "not shown".to_owned(),
+    };
+    let step = format!("{} to {} {unit}", of.from, of.to);
+    format!(
+        "step from {}, {} steps: measured {}; model {}",
+        step.trim_end(),
+        of.steps,
+        times(&of.measured),
+        times(&of.model)
+    )
 }
 
 /// The error matrix as text.

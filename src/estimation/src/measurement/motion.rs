@@ -29,6 +29,9 @@ pub fn earlier(segment: &Segment, tau: f64) -> Segment {
         let (before, after) = (&segment.input[right - 1], &segment.input[right]);
         (input.displacement, input.velocity) =
             between(before, after, time[right] - time[right - 1], t - time[right - 1]);
+        if let (Some(to), Some(from)) = (&mut delayed.setting, &segment.setting) {
+            to[i] = if t > time[right - 1] { from[right] } else { from[right - 1] };
+        }
     }
     delayed
 }
@@ -37,6 +40,9 @@ pub fn earlier(segment: &Segment, tau: f64) -> Segment {
 pub fn finer(segment: &Segment, parts: usize) -> Segment {
     let mut fine = segment.clone();
     (fine.dt, fine.input) = (Vec::new(), Vec::new());
+    // A command is constant during a step.
+    let repeated = |(i, value): (usize, &f64)| std::iter::repeat_n(*value, if i == 0 { 1 } else { parts });
+    fine.setting = segment.setting.as_ref().map(|all| all.iter().enumerate().flat_map(repeated).collect());
     for (i, (h, input)) in segment.dt.iter().zip(&segment.input).enumerate() {
         if i == 0 {
             fine.dt.push(*h);
@@ -87,6 +93,7 @@ mod tests {
                     temperature: 20.0,
                 })
                 .collect(),
+            setting: None,
             force: vec![0.0; n],
             from: 0,
             scale: 1.0,

@@ -116,6 +116,7 @@ mod tests {
             name: String::new(),
             dt: vec![dt; COUNT],
             input: (0..COUNT).map(input).collect(),
+            setting: None,
             force: vec![0.0; COUNT],
             from: 0,
             scale: 2.0,

@@ -4,6 +4,7 @@
 //! few stretches first, so that what changes while it runs (heating, drift) stays visible from stretch to stretch.
 
 mod allowed;
+mod changing;
 mod cycle;
 mod lead_in;
 mod noise;
@@ -88,6 +89,9 @@ pub fn tests(records: &[&Record]) -> Vec<Test> {
 fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<Test> {
     let motion = smooth(record);
     let cycles = record.cycles.len();
+    if let Some(signal) = &record.setting_signal {
+        return vec![changing::test(place, record, &motion, signal)];
+    }
     if cycles == 0 {
         return road::tests(place, record, &motion, extent);
     }
@@ -117,6 +121,7 @@ fn segment(
         name: record.name.clone(),
         dt,
         input,
+        setting: None,
         force,
         from,
         scale: allowed::typical(noise, top),

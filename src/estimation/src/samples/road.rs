@@ -24,7 +24,7 @@ const LEAD: usize = 100;
 /// Cells of displacement and of velocity, each over the range of the road: fine enough for an end stop to have one of its own.
 const CELLS: f64 = 10.0;
 /// Tests that a record without cycles counts as: it visits amplitudes and speeds of several sines.
-const ROAD: f64 = 4.0;
+pub const ROAD: f64 = 4.0;
 
 /// How much of a road is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -201,6 +201,7 @@ mod tests {
             name: String::new(),
             dt: (0..n).map(|k| if k == 0 { 0.0 } else { 1e-3 }).collect(),
             input: whole,
+            setting: None,
             force: vec![0.0; n],
             from: 0,
             scale: 1.0,

@@ -143,6 +143,7 @@ mod tests {
                     name: String::new(),
                     dt: vec![dt; count],
                     input: (0..count).map(motion).collect(),
+                    setting: None,
                     force: vec![0.0; count],
                     from: 80,
                     scale: 5.0,

@@ -86,6 +86,7 @@ fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Rec
         force: cut(&record.force),
         side_force: record.side_force.as_deref().map(cut),
         temperature: record.temperature.as_deref().map(cut),
+        setting_signal: record.setting_signal.as_ref().map(|of| of.select(taken.iter().copied())),
         cycles,
         amplitude: record.amplitude,
         frequency: record.frequency,

@@ -104,11 +104,14 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
     let mut lines = Vec::new();
     for (place, test) in tests.iter().enumerate() {
         let (record, seen) = (&loaded.campaign.records[*test], &loaded.tests[*test]);
+        // The model is at one setting, so a test whose setting changes must not look like one that the model follows.
+        let changes =
+            record.setting_signal.as_ref().map_or_else(String::new, |_| format!(" ({})", words.setting_changes));
         let over = |whose: Whose, force: &[f64], stride: usize| {
             line(
                 whose,
                 place,
-                format!("{} · {}", record.name, named(whose, words)),
+                format!("{}{changes} · {}", record.name, named(whose, words)),
                 record,
                 seen,
                 (force, stride),

@@ -96,6 +96,7 @@ pub const WORDS: Words = Words {
     setting: "设置",
     setting_hint: "减振器在其设置的某一取值；回线、误差与答案均属于该减振器。",
     setting_tuned: "手动调整的数值属于此设置：先复位或撤销，再转到其他设置。",
+    setting_changes: "设置在变化，模型取单一设置",
     unsaved_model: "新模型",
     not_saved: "尚未保存",
     rejected: "已拒绝",

@@ -96,6 +96,7 @@ pub const WORDS: Words = Words {
     setting: "setting",
     setting_hint: "The damper at one value of its setting; loops, errors and answers are those of this damper.",
     setting_tuned: "Values that were tuned belong to this setting: reset or undo them to go to another.",
+    setting_changes: "the setting changes, the model is at one",
     unsaved_model: "New model",
     not_saved: "Not saved yet",
     rejected: "Refused",

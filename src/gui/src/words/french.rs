@@ -96,6 +96,7 @@ pub const WORDS: Words = Words {
     setting: "réglage",
     setting_hint: "L’amortisseur à une valeur de son réglage ; boucles, écarts et réponses sont ceux de cet amortisseur.",
     setting_tuned: "Les valeurs réglées à la main appartiennent à ce réglage : annulez-les ou revenez au départ pour en changer.",
+    setting_changes: "le réglage varie, le modèle est à un seul",
     unsaved_model: "Nouveau modèle",
     not_saved: "Pas encore enregistré",
     rejected: "Refusé",

@@ -96,6 +96,7 @@ pub const WORDS: Words = Words {
     setting: "Einstellung",
     setting_hint: "Der Dämpfer bei einem Wert seiner Einstellung; Schleifen, Fehler und Antworten sind die dieses Dämpfers.",
     setting_tuned: "Von Hand geänderte Werte gehören zu dieser Einstellung: erst zurücksetzen oder rückgängig machen.",
+    setting_changes: "die Einstellung ändert sich, das Modell steht bei einer",
     unsaved_model: "Neues Modell",
     not_saved: "Noch nicht gespeichert",
     rejected: "Abgelehnt",

@@ -176,6 +176,8 @@ pub struct Words {
     pub setting_hint: &'static str,
     /// Why its slider stands still.
     pub setting_tuned: &'static str,
+    /// Behind the name of a test whose setting changes.
+    pub setting_changes: &'static str,
     pub unsaved_model: &'static str,
     pub not_saved: &'static str,
     pub rejected: &'static str,

@@ -1,7 +1,8 @@
 //! The fit of a family.
 
+use super::actuator::{self, ActuatorFit, identify_actuator};
 use super::left_out::{SettingReport, damper_through, reports};
-use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting};
+use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::fit::{
     About, check_elements, check_motion, coverage_notes, of_number, search_structure, with_free_measurement,
 };
@@ -61,6 +62,8 @@ pub struct FamilyFit {
     pub estimates: Vec<FamilyEstimate>,
     /// What depends on the setting.
     pub dependences: Vec<SettingDependence>,
+    /// The actuator; absent where no test has a setting that changes.
+    pub actuator: Option<ActuatorFit>,
     /// Effects with the force that they carry over all settings.
     pub inventory: Vec<InventoryItem>,
     /// What the records are off by; it never becomes part of the model.
@@ -97,7 +100,11 @@ pub fn fit_family(
     progress: impl Fn(Stage) + Sync,
 ) -> Result<FamilyFit, FamilyError> {
     progress(Stage { done: 0.0, text: phrases::PREPARING });
-    let (axis, sorted) = by_setting(records, setting)?;
+    let (constant, changing) = split_changing(records, setting);
+    if constant.is_empty() && !changing.is_empty() {
+        return Err(FamilyError::OnlyChanging { name: setting.to_owned(), count: changing.len() });
+    }
+    let (axis, sorted) = by_setting(&constant, setting)?;
     let fail = |of: &SettingRecords, why| FamilyError::At { name: axis.name.clone(), value: of.value, why };
     for of in &sorted {
         check_elements(options).and_then(|()| check_motion(&segments(&of.records))).map_err(|why| fail(of, why))?;
@@ -118,13 +125,15 @@ pub fn fit_family(
     progress(Stage { done: 0.85, text: phrases::REFINING });
     let FamilyStructure { hypothesis, components, .. } = best;
     let best = FamilyStructure::fit(hypothesis, components, &settings, Effort::FINE).ok_or(FamilyError::NotFinite)?;
-    let damper = damper(&best, &axis, &settings).map_err(|fault| FamilyError::Kernel {
+    let mut damper = damper(&best, &axis, &settings).map_err(|fault| FamilyError::Kernel {
         parameter: table().nth(fault.parameter as usize).map_or("the setting", |row| row.parameter.name),
         why: fault.reason.text(),
     })?;
     progress(Stage { done: 0.9, text: phrases::FAMILY_LEFT_OUT });
     let own: Vec<&Structure> = found.iter().map(|search| &search.best).collect();
     let reports = reports(&best, &own, &axis, &settings);
+    progress(Stage { done: 0.95, text: phrases::FAMILY_ACTUATOR });
+    let actuator = identify_actuator(&mut damper, &best, &reports, &changing, &|_| ());
     let all: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
     let joint = best.hypothesis.joint();
     let joint_refit = best.hypothesis.joint_refit(&best.refit);
@@ -137,9 +146,11 @@ pub fn fit_family(
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
-    notes.extend(coverage_notes(&segments(records)));
+    notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));
+    notes.extend(coverage_notes(&segments(&constant)));
     notes.extend(measured.iter().map(Measured::in_words));
-    let used: Vec<&Record> = sorted.iter().flat_map(|of| of.records.iter().copied()).collect();
+    let sorted_records = sorted.iter().flat_map(|of| of.records.iter().copied());
+    let used: Vec<&Record> = sorted_records.chain(changing.iter().copied()).collect();
     let scored: usize = all.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
     progress(Stage { done: 1.0, text: phrases::DONE });
     Ok(FamilyFit {
@@ -147,6 +158,7 @@ pub fn fit_family(
         damper,
         estimates,
         dependences,
+        actuator,
         inventory: inventory_of(&best, &settings),
         measured,
         clock_from: clock_from(records),

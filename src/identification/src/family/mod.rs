@@ -3,15 +3,21 @@
 //! | module | what |
 //! |---|---|
 //! | [`settings`] | the records sorted by their setting, and what is wrong with them |
+//! | [`actuator`] | the response of the valve, from tests whose setting changes |
+//! | [`FamilyFigures`] | the figures of a fit as JSON |
 //! | [`fit`] | the fit: structure, numbers, what depends on the setting |
 //! | [`left_out`] | how well a setting is predicted by the others |
 //! | [`model_file`] | the model file of a family |
 
+mod actuator;
+mod figures;
 mod fit;
 mod left_out;
 pub mod model_file;
 mod settings;
 
+pub use actuator::{ActuatorDecision, ActuatorFit};
+pub use figures::FamilyFigures;
 pub use fit::{FamilyEstimate, FamilyFit, SettingDependence, fit_family};
 pub use left_out::{SettingError, SettingReport};
 pub use settings::{FamilyError, SettingAxis, SettingRecords};

@@ -55,6 +55,9 @@ pub fn write(fit: &FamilyFit) -> String {
     for name in names(fit, true) {
         write_interval(&mut out, name, &estimates_of(fit, name, None), &fit.damper.params);
     }
+    for estimate in fit.actuator.iter().flat_map(|fit| &fit.estimates) {
+        write_interval(&mut out, estimate.name, &[estimate], &fit.damper.params);
+    }
     out += "\n[identification.intervals_over_setting]  # 95 %, of what depends on the setting: one entry for each of its values\n";
     for name in names(fit, false) {
         let entries: Vec<String> = fit
@@ -76,6 +79,12 @@ pub fn write(fit: &FamilyFit) -> String {
     out += "\n[identification.depends_on_setting]  # probability\n";
     for of in &fit.dependences {
         let _ = writeln!(out, "{} = {:.3}", of.name, of.probability);
+    }
+    if let Some(actuator) = &fit.actuator {
+        out += "\n[identification.actuator]  # probability of each part\n";
+        for of in &actuator.parts {
+            let _ = writeln!(out, "{} = {:.3}", of.name, of.probability);
+        }
     }
     out
 }

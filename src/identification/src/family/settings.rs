@@ -27,6 +27,13 @@ pub enum FamilyError {
         /// Their names.
         tests: Vec<String>,
     },
+    /// The setting changes within all records.
+    OnlyChanging {
+        /// Name of the setting.
+        name: String,
+        /// Number of records.
+        count: usize,
+    },
     /// All records have the same.
     One {
         /// Name of the setting.
@@ -75,6 +82,9 @@ impl FamilyError {
                 .with("name", name)
                 .with("count", tests.len())
                 .with_names("tests", tests.iter().take(NAMES), phrases::COMMA),
+            FamilyError::OnlyChanging { name, count } => {
+                Sentence::from(phrases::FAMILY_ONLY_CHANGING).with("name", name).with("count", count)
+            }
             FamilyError::One { name, value } => {
                 Sentence::from(phrases::FAMILY_ONE).with("name", name).with("value", value)
             }
@@ -109,6 +119,11 @@ pub struct SettingRecords<'a> {
     pub value: f64,
     /// Its records.
     pub records: Vec<&'a Record>,
+}
+
+/// Records with a constant setting, or with none, and those whose setting of a name changes within the test.
+pub fn split_changing<'a>(records: &[&'a Record], name: &str) -> (Vec<&'a Record>, Vec<&'a Record>) {
+    records.iter().partition(|record| record.setting_signal.as_ref().is_none_or(|signal| signal.name != name))
 }
 
 /// Sorts records by the setting of a name, lowest first.

@@ -90,6 +90,11 @@ impl Figures {
             (Quantity::GasForce, _) => self.of_slow_tests(|dry| dry.gas),
             (Quantity::Friction, _) => self.of_slow_tests(|dry| dry.friction),
             (Quantity::Hysteresis, velocity) => self.hysteresis(velocity, limit.amplitude_m),
+            // Steps of a setting are no part of the figures of a damper at one: see `judge_over_settings`.
+            (
+                Quantity::ResponseTimeUp | Quantity::ResponseTimeDown | Quantity::RiseTimeUp | Quantity::RiseTimeDown,
+                _,
+            ) => None,
         }
     }
 

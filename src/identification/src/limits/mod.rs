@@ -53,7 +53,7 @@ impl Overall {
 /// A figure and the test or tests that it comes from.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Value {
-    /// The figure, N.
+    /// The figure, N; of a time, s.
     pub value_n: f64,
     /// Where it comes from.
     pub tests: Vec<String>,

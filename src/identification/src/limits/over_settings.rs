@@ -1,8 +1,9 @@
 //! Limits of a damper over a setting: each window is judged by the tests at its own setting.
 
 use super::measured::Figures;
-use super::table::Limit;
-use super::{Certificate, Overall, Verdict};
+use super::table::{Limit, Quantity};
+use super::{Certificate, Checked, Overall, Value, Verdict};
+use crate::validation::{ResponseTimes, StepResponse};
 use dashpot_records::{Record, is_same_setting};
 
 /// Why limits do not belong to what is judged.
@@ -45,26 +46,35 @@ pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> 
     }
 }
 
-/// Compares limits with the records of a damper over a setting and with the forces of its model there. `settings` holds that of every record.
+/// Compares limits with the records of a damper over a setting and with the forces of its model there. `settings` holds that of every record,
+/// `None` where it changes within the record. Times are those of the responses to steps: of all in their direction, or of those that lead to the setting of the
+/// window.
 ///
 /// # Errors
 /// A limit without a setting where the records have several.
 pub fn judge_over_settings(
     limits: &[Limit],
-    (records, settings): (&[&Record], &[f64]),
+    (records, settings): (&[&Record], &[Option<f64>]),
     model: &[&[f64]],
+    responses: &[StepResponse],
 ) -> Result<Certificate, SettingLimitError> {
-    let is_one = settings.iter().all(|setting| is_same_setting(*setting, settings[0]));
-    if let Some(without) = limits.iter().find(|limit| limit.setting.is_none() && !is_one) {
+    let first = settings.iter().flatten().next().copied();
+    let is_one = settings.iter().flatten().all(|setting| first.is_some_and(|first| is_same_setting(*setting, first)));
+    if let Some(without) = limits.iter().find(|limit| limit.setting.is_none() && !limit.quantity.is_time() && !is_one) {
         return Err(SettingLimitError::Without { name: without.name.clone(), line: without.line });
     }
-    let at = |limit: &Limit| limit.setting.or(settings.first().copied());
+    let at = |limit: &Limit| limit.setting.or(first);
     let mut checked = Vec::new();
     let mut peaks = Vec::new();
     let mut judged: Vec<f64> = Vec::new();
     for limit in limits {
+        if limit.quantity.is_time() {
+            checked.push(judge_time(limit, responses));
+            continue;
+        }
         let Some(setting) = at(limit) else { continue };
-        let own: Vec<usize> = (0..records.len()).filter(|k| is_same_setting(settings[*k], setting)).collect();
+        let own: Vec<usize> =
+            (0..records.len()).filter(|k| settings[*k].is_some_and(|own| is_same_setting(own, setting))).collect();
         let of: Vec<&Record> = own.iter().map(|k| records[*k]).collect();
         let forces: Vec<&[f64]> = own.iter().map(|k| model[*k]).collect();
         let found =
@@ -82,6 +92,37 @@ pub fn judge_over_settings(
         limits: checked,
         peaks,
     })
+}
+
+/// Compares a limit of a time with the slowest response that it belongs to.
+fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
+    let is_up = matches!(limit.quantity, Quantity::ResponseTimeUp | Quantity::RiseTimeUp);
+    let is_rise = matches!(limit.quantity, Quantity::RiseTimeUp | Quantity::RiseTimeDown);
+    let own: Vec<&StepResponse> = responses
+        .iter()
+        .filter(|of| of.is_up() == is_up && limit.setting.is_none_or(|setting| is_same_setting(of.to, setting)))
+        .collect();
+    let slowest = |times: fn(&StepResponse) -> Option<ResponseTimes>| -> Option<Value> {
+        let value = |of: &&StepResponse| {
+            let times = times(of)?;
+            let value_n = if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
+            Some(Value { value_n, tests: of.tests.clone() })
+        };
+        own.iter().filter_map(value).max_by(|a, b| a.value_n.total_cmp(&b.value_n))
+    };
+    let (measured, model) = (slowest(|of| of.measured), slowest(|of| of.model));
+    let verdict = |value: Option<&Value>| match value {
+        None => Verdict::NotTested,
+        Some(value) if limit.holds(value.value_n) => Verdict::Pass,
+        Some(_) => Verdict::Fail,
+    };
+    Checked {
+        limit: limit.clone(),
+        verdict: verdict(measured.as_ref()),
+        model_verdict: Some(verdict(model.as_ref())),
+        measured,
+        model,
+    }
 }
 
 #[cfg(test)]
@@ -115,7 +156,43 @@ mod tests {
         let all = [test("soft", 1000.0), test("hard", 4000.0)];
         let records: Vec<&Record> = all.iter().collect();
         let forces: Vec<&[f64]> = all.iter().map(|record| record.force.as_slice()).collect();
-        judge_over_settings(&parse("l.csv".as_ref(), text).unwrap(), (&records, &[0.0, 1.6]), &forces)
+        judge_over_settings(
+            &parse("l.csv".as_ref(), text).unwrap(),
+            (&records, &[Some(0.0), Some(1.6)]),
+            &forces,
+            &responses(),
+        )
+    }
+
+    /// Steps up to 1.6 in 12 ms and to 0.8 in 9 ms, and one down in 20 ms.
+    fn responses() -> Vec<StepResponse> {
+        let of = |from: f64, to: f64, t63_s: f64| {
+            let times = ResponseTimes { t10_s: 0.003, t63_s, t90_s: 2.0 * t63_s, overshoot: 0.0 };
+            StepResponse {
+                from,
+                to,
+                steps: 3,
+                tests: vec![format!("{from} {to}")],
+                measured: Some(times),
+                model: None,
+                time: Vec::new(),
+                measured_response: Vec::new(),
+                model_response: Vec::new(),
+            }
+        };
+        vec![of(0.0, 1.6, 0.012), of(0.0, 0.8, 0.009), of(1.6, 0.0, 0.020)]
+    }
+
+    #[test]
+    fn a_time_is_that_of_the_slowest_response() {
+        let found = judged(
+            "quantity,setting,high,unit\nresponse_time_up,,11,ms\nresponse_time_up,0.8,11,ms\nrise_time_down,,40,ms\nrise_time_up,0.3,40,ms\n",
+        )
+        .unwrap();
+        let verdicts: Vec<Verdict> = found.limits.iter().map(|l| l.verdict).collect();
+        assert_eq!(verdicts, [Verdict::Fail, Verdict::Pass, Verdict::Pass, Verdict::NotTested]);
+        assert_eq!(found.limits[0].measured.as_ref().unwrap().tests, ["0 1.6"]);
+        assert!((found.limits[2].measured.as_ref().unwrap().value_n - 0.037).abs() < 1e-12);
     }
 
     #[test]

@@ -16,16 +16,41 @@ pub enum Quantity {
     Friction,
     /// Mean gap between rising and falling velocity at equal velocity.
     Hysteresis,
+    /// Time from a step of the setting up until the force has gone 63 % of its way, s.
+    ResponseTimeUp,
+    /// Time from a step of the setting down until the force has gone 63 % of its way, s.
+    ResponseTimeDown,
+    /// Time from 10 to 90 % of the way of the force after a step of the setting up, s.
+    RiseTimeUp,
+    /// Time from 10 to 90 % of the way of the force after a step of the setting down, s.
+    RiseTimeDown,
 }
 
 impl Quantity {
     /// All, by the names used in files.
-    pub const NAMES: [(&'static str, Quantity); 4] = [
+    pub const NAMES: [(&'static str, Quantity); 8] = [
         ("force", Quantity::Force),
         ("gas_force", Quantity::GasForce),
         ("friction", Quantity::Friction),
         ("hysteresis", Quantity::Hysteresis),
+        ("response_time_up", Quantity::ResponseTimeUp),
+        ("response_time_down", Quantity::ResponseTimeDown),
+        ("rise_time_up", Quantity::RiseTimeUp),
+        ("rise_time_down", Quantity::RiseTimeDown),
     ];
+
+    /// Whether it is a time of the response to a step of the setting, s, and no force, N.
+    pub fn is_time(self) -> bool {
+        matches!(
+            self,
+            Quantity::ResponseTimeUp | Quantity::ResponseTimeDown | Quantity::RiseTimeUp | Quantity::RiseTimeDown
+        )
+    }
+
+    /// Unit in which people read it, and the factor to that.
+    pub fn display(self) -> (&'static str, f64) {
+        if self.is_time() { ("ms", 1e3) } else { ("N", 1.0) }
+    }
 
     /// The quantity of a name, in small letters or capitals, in one word or several.
     ///
@@ -34,7 +59,10 @@ impl Quantity {
     pub fn named(said: &str) -> Result<Quantity, String> {
         let plain = said.to_ascii_lowercase().replace([' ', '-'], "_");
         Quantity::NAMES.iter().find(|(name, _)| *name == plain).map(|(_, quantity)| *quantity).ok_or_else(|| {
-            format!("{said:?} is nothing that can be limited; quantities are force, gas_force, friction, hysteresis")
+            format!(
+                "{said:?} is nothing that can be limited; quantities are {}",
+                Quantity::NAMES.map(|(name, _)| name).join(", ")
+            )
         })
     }
 }
@@ -50,9 +78,9 @@ pub struct Limit {
     pub velocity_m_s: Option<f64>,
     /// Stroke at which, m; the longest that reaches the speed where none is given.
     pub amplitude_m: Option<f64>,
-    /// Smallest value allowed, N.
+    /// Smallest value allowed, N; of a time, s.
     pub low_n: Option<f64>,
-    /// Largest value allowed, N.
+    /// Largest value allowed, N; of a time, s.
     pub high_n: Option<f64>,
     /// Setting of the damper at which, where it depends on one.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -77,8 +105,16 @@ impl Limit {
         if let Some((name, value)) = numbers.iter().find(|(_, value)| value.is_some_and(|v| !v.is_finite())) {
             return Err(format!("{name} is {}, which is no number", value.unwrap_or(f64::NAN)));
         }
+        if self.quantity.is_time() && (self.velocity_m_s.is_some() || self.amplitude_m.is_some()) {
+            return Err(
+                "a time of the response is that of all tests with steps; leave velocity_m_s and amplitude_m out".into(),
+            );
+        }
         match (self.low_n, self.high_n) {
             (None, None) => return Err("neither low nor high is given; write at least one".into()),
+            (Some(low), Some(high)) if low > high && self.quantity.is_time() => {
+                return Err(format!("low ({low} s) is above high ({high} s)"));
+            }
             (Some(low), Some(high)) if low > high => {
                 return Err(format!(
                     "low ({low} N) is above high ({high} N); forces are signed, so in compression the stronger force is the lower one"
@@ -223,6 +259,12 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
     let said = cell("quantity").unwrap_or_default();
     let quantity = Quantity::named(said)?;
     let unit = match cell("unit") {
+        None if quantity.is_time() => Unit::Second,
+        Some(text) if quantity.is_time() => text
+            .parse::<Unit>()
+            .ok()
+            .filter(|u| u.dimension() == Dimension::Time)
+            .ok_or_else(|| format!("the unit {text:?} is no unit of time; s, ms are"))?,
         None => Unit::Newton,
         Some(text) => text
             .parse::<Unit>()
@@ -278,6 +320,8 @@ mod tests {
         assert_eq!((limits[1].low_n, limits[1].high_n), (Some(-660.0), Some(-540.0)));
         assert_eq!((limits[2].name.as_str(), limits[2].low_n, limits[2].high_n), ("friction", Some(25.0), Some(35.0)));
         assert!(limits[1].holds(-660.0) && !limits[1].holds(-661.0));
+        let times = of("quantity,setting,high,unit\nresponse_time_up,1.6,15,ms\nrise time down,,0.02,\n").unwrap();
+        assert_eq!((times[0].high_n, times[0].setting, times[1].high_n), (Some(0.015), Some(1.6), Some(0.02)));
         let german = of("quantity;velocity_m_s;low;high\nforce;0,524;900,5;1000\n").unwrap();
         let tabs = of("# from a spreadsheet\nquantity\tvelocity_m_s\tlow\thigh\nforce\t0,524\t900,5\t1000\n").unwrap();
         assert_eq!(tabs, german.iter().map(|l| Limit { line: l.line + 1, ..l.clone() }).collect::<Vec<_>>());
@@ -305,6 +349,9 @@ mod tests {
             ("quantity,low,high\nfriction,nan,1\n", "no number"),
             ("quantity,low,high\nnoise,0,1\n", "\"noise\" is nothing that can be limited"),
             ("quantity,low,high,unit\nfriction,0,1,mm\n", "no unit of force"),
+            ("quantity,high,unit\nresponse_time_up,10,N\n", "no unit of time"),
+            ("quantity,high,velocity_m_s\nrise_time_up,0.01,0.3\n", "leave velocity_m_s"),
+            ("quantity,low,high\nrise_time_up,0.02,0.01\n", "above high (0.01 s)"),
             ("quantity,lo\nfriction,0\n", "no column \"lo\""),
             ("quantity,low\nfriction,0,1\n", "line 2: has 3 fields where the header has 2"),
             ("quantity,low\n\n# ours\n , \n,\nfriction,x\n", "line 6: low is \"x\""),

@@ -5,6 +5,7 @@ use super::compared::{Compared, ValidationError};
 use super::deviation::{Errors, REGION_BOUNDARY};
 use super::matrix::ErrorMatrix;
 use super::of_test::TestValidation;
+use super::response::StepResponse;
 use crate::limits::Certificate;
 use dashpot_records::{Sentence, Unusable, is_same_setting};
 use serde::Serialize;
@@ -38,6 +39,12 @@ pub struct Validation {
     /// Errors at each setting of a damper that depends on one; empty for another.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub settings: Vec<SettingSummary>,
+    /// Errors of the tests whose setting changes; absent where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub changing: Option<ChangingSummary>,
+    /// Responses to steps of the setting; empty where no test has any.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub step_responses: Vec<StepResponse>,
     /// The model and those of the literature that it was compared with, on the same tests; empty where none was asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
@@ -49,6 +56,17 @@ pub struct Validation {
     pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests of the campaign that could not be used, and are in no figure.
     pub unusable: Vec<Unusable>,
+}
+
+/// Mean figures over the tests whose setting changes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ChangingSummary {
+    /// Its tests.
+    #[serde(flatten)]
+    pub summary: Summary,
+    /// Places of its tests among those of the validation.
+    #[serde(skip)]
+    pub places: Vec<usize>,
 }
 
 /// Mean figures at one setting.
@@ -68,8 +86,15 @@ pub struct SettingSummary {
 
 impl Validation {
     /// Summarizes the tests by their setting, lowest first. `settings` holds that of every test, `grid` those of the model file.
-    pub fn summarize_settings(&mut self, settings: &[f64], grid: &[f64]) {
-        let mut places: Vec<usize> = (0..self.tests.len().min(settings.len())).collect();
+    /// A test whose setting changes has none, and is summarized with its like.
+    pub fn summarize_settings(&mut self, settings: &[Option<f64>], grid: &[f64]) {
+        let all = 0..self.tests.len().min(settings.len());
+        let (constant, changing): (Vec<usize>, Vec<usize>) = all.partition(|place| settings[*place].is_some());
+        let errors: Vec<Errors> = changing.iter().map(|place| self.tests[*place].errors).collect();
+        self.changing = Errors::mean(&errors)
+            .map(|errors| ChangingSummary { summary: Summary { tests: changing.len(), errors }, places: changing });
+        let settings: Vec<f64> = settings.iter().map(|setting| setting.unwrap_or(f64::NAN)).collect();
+        let mut places = constant;
         places.sort_by(|a, b| settings[*a].total_cmp(&settings[*b]));
         let runs = places.chunk_by(|a, b| is_same_setting(settings[*a], settings[*b]));
         let of = |run: &[usize]| {
@@ -112,6 +137,8 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         matrix: ErrorMatrix::of(&tests),
         region_boundary_m_s: REGION_BOUNDARY,
         settings: Vec::new(),
+        changing: None,
+        step_responses: Vec::new(),
         against: Vec::new(),
         limits: None,
         as_the_fit_saw: None,
@@ -182,7 +209,7 @@ mod tests {
         let (a, b, c) = (record("a", 1000.0), record("b", 2000.0), record("c", 2000.0));
         let all = [shifted(&a, 9.0, 18.0, true), shifted(&b, 36.0, 54.0, false), shifted(&c, 18.0, 54.0, false)];
         let mut got = validate(&all).unwrap();
-        got.summarize_settings(&[1.6, 0.4, 0.4], &[0.0, 1.6]);
+        got.summarize_settings(&[Some(1.6), Some(0.4), Some(0.4)], &[0.0, 1.6]);
         let told: Vec<(f64, bool, usize, f64)> = got
             .settings
             .iter()

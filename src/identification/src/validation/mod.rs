@@ -9,6 +9,7 @@
 //! | [`Against`] | the same tests with the models of the literature |
 //! | [`deviation`] | mean absolute error, error percent, speed regions, root mean square |
 //! | [`hysteresis`] | vertical gap between the strokes, loop area, energy per cycle |
+//! | [`ResponseTimes`] | how fast the force follows a step of the setting |
 //! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
 //!
 //! Definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5, so that
@@ -21,11 +22,13 @@ pub mod deviation;
 pub mod hysteresis;
 pub mod matrix;
 mod of_test;
+mod response;
 
 pub use against::{Against, AgainstSummary, AgainstTest};
-pub use campaign::{SettingSummary, Summary, Validation, validate};
+pub use campaign::{ChangingSummary, SettingSummary, Summary, Validation, validate};
 pub use compared::{Compared, ValidationError};
 pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
 pub use hysteresis::{GapBin, Hysteresis, OfEach};
 pub use matrix::{ErrorMatrix, MatrixCell, MatrixRow, SLOW_PEAK_VELOCITY};
 pub use of_test::{PeakForce, TestValidation};
+pub use response::{ResponseTimes, StepResponse};

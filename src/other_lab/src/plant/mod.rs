@@ -4,9 +4,10 @@
 mod ablation;
 pub mod flow;
 mod lumped;
-mod monotube;
+pub(crate) mod monotube;
 mod mount;
 mod seal;
+pub mod solenoid_valve;
 mod twin_tube;
 
 pub use ablation::Part;

@@ -6,7 +6,7 @@ use crate::draw::Draw;
 
 /// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967), pressures in bar absolute.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Fluid {
+pub(crate) struct Fluid {
     /// 1/β_o, 1/bar.
     pub oil: f64,
     /// Volume of the air at 1 bar relative to the oil's.
@@ -53,9 +53,9 @@ impl Fluid {
 }
 
 /// N per bar and m².
-pub(super) const BAR: f64 = 1e5;
+pub(crate) const BAR: f64 = 1e5;
 /// Exponent of the gas in motion.
-pub(super) const GAS: f64 = 1.3;
+pub(crate) const GAS: f64 = 1.3;
 
 struct Monotube {
     rebound: Valves,

@@ -44,7 +44,7 @@ from .limits import Limit, Limits, read_limits
 from .literature import LiteratureModel, fit_literature
 from .model import FittedModel, Model, Parameter, Response
 from .rig import measure_virtual, write_test_matrix
-from .results import Certificate, Diagnosis, Explanation, FamilyFitResult, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
+from .results import Certificate, Diagnosis, Explanation, FamilyDiagnosis, FamilyFitResult, FitResult, GroupsDiagnosis, HostCheck, JudgedValidation, Validation
 
 if TYPE_CHECKING:
     from . import plot as plot
@@ -60,6 +60,7 @@ __all__ = [
     "Explanation",
     "ExportError",
     "Family",
+    "FamilyDiagnosis",
     "FamilyFitResult",
     "FitError",
     "FitResult",

@@ -169,6 +169,17 @@ def diagnose(
     seed: int = 0,
     progress: _Progress = None,
 ) -> tuple[str, str, list[dict[str, _Array]], Diagnosed]: ...
+def diagnose_family(
+    family: Family,
+    campaign: Campaign,
+    given: float | None = None,
+    reference: Campaign | None = None,
+    hold_out: Sequence[str] = ...,
+    max_effects: int = 3,
+    candidates: Sequence[str] | None = None,
+    seed: int = 0,
+    progress: _Progress = None,
+) -> tuple[str, list[list[dict[str, _Array]]]]: ...
 def diagnose_groups(
     model: Model,
     grouping: Grouping,

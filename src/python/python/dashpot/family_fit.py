@@ -60,6 +60,26 @@ class SettingReport(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class ActuatorDecision(Result):
+    """Whether the valve has a part: ``lag``, ``lag_each_way``, ``dead_time``, ``rate_limit`` or ``hysteresis``."""
+
+    name: str
+    is_present: bool
+    probability: float
+    """Probability that it does."""
+
+
+@dataclass(frozen=True, repr=False)
+class ActuatorFit(Result):
+    """The actuator, from tests whose setting changes."""
+
+    estimates: tuple[Estimate, ...]
+    """Its numbers; one that both ways share stands once for each."""
+    parts: tuple[ActuatorDecision, ...]
+    tests: tuple[str, ...]
+
+
+@dataclass(frozen=True, repr=False)
 class FamilyFitResult(Result):
     """What the fit found; the JSON of ``dashpot fit --setting`` without the file name."""
 
@@ -75,6 +95,8 @@ class FamilyFitResult(Result):
     sign: SignFinding
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
+    actuator: ActuatorFit | None = field(default=None, metadata={"omitted": True})
+    """The actuator; none where no test has a setting that changes."""
 
     def _rows(self) -> list[Row]:
         return [held(of)[0] for of in self.settings]

@@ -10,13 +10,14 @@ from . import _native
 from ._arguments import loads
 from ._files import needs
 from ._given import Data
-from ._numbers import several, words
+from ._numbers import real, several, words
 from ._reading import How, Reading, how
 from ._work import watched
 from ._papers import Origin, option, origin
 from .campaign import Campaign, Path, Progress, Record, native_of, paths_of
 from .model import FittedModel, Model
 from .diagnosis import Diagnosis
+from .diagnosis_settings import FamilyDiagnosis
 from .family import Family, FittedFamily
 from .family_fit import FamilyFitResult
 from .fitted import FitResult
@@ -86,19 +87,49 @@ def fit(
     return FittedModel(text, "damper.toml", replace(FitResult.from_dict(loads(said)), _made_from=(found, made_from)))
 
 
+@overload
 def diagnose(
     model: Model,
     campaign: Sequence[Record],
     reference: Sequence[Record] | None = None,
     *,
+    setting: None = None,
     hold_out: Sequence[str] = (),
     max_effects: int = 3,
     candidates: Sequence[str] | None = None,
     seed: int = 0,
     progress: Progress | None = None,
-) -> Diagnosis:
+) -> Diagnosis: ...
+@overload
+def diagnose(
+    model: Family,
+    campaign: Sequence[Record],
+    reference: Sequence[Record] | None = None,
+    *,
+    setting: float | None = None,
+    hold_out: Sequence[str] = (),
+    max_effects: int = 3,
+    candidates: Sequence[str] | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> FamilyDiagnosis: ...
+def diagnose(
+    model: Model | Family,
+    campaign: Sequence[Record],
+    reference: Sequence[Record] | None = None,
+    *,
+    setting: float | None = None,
+    hold_out: Sequence[str] = (),
+    max_effects: int = 3,
+    candidates: Sequence[str] | None = None,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> Diagnosis | FamilyDiagnosis:
     """Says where a model and records disagree, and which physical effect is missing; as ``dashpot diagnose``.
 
+    A :class:`Family` is diagnosed at each setting of the records.
+
+    :param setting: that of tests that say none, for a :class:`Family`.
     :param reference: records of the same tests on a damper known to be good, on the same rig. The question is then what
         changed, and what the model's form leaves on both dampers alike is taken out of it: the surest way wherever there is one.
     :param hold_out: tests that no refit sees, by name; chosen over all amplitudes and speeds if not given.
@@ -108,9 +139,19 @@ def diagnose(
     :param progress: is told the share done and what is being done.
     :raises DiagnosisError: where there is nothing to look at.
     """
+    own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
+    if isinstance(model, Family):
+        real("setting", setting)
+        with watched(progress) as told:
+            said, cycles = _native.diagnose_family(
+                model._native, own, setting, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
+            )
+        over = FamilyDiagnosis.from_dict(loads(said))
+        return replace(over, settings=tuple(replace(one, _curves=tuple(of_one)) for one, of_one in zip(over.settings, cycles, strict=True)))
     _check(model)
+    if setting is not None:
+        raise TypeError("setting is that of tests that say none, for a damper that depends on one; this model depends on none")
     with watched(progress) as told:
-        own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
         said, improved, curves, made_from = _native.diagnose(
             model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
         )
@@ -190,7 +231,7 @@ def diagnose_groups(
 
 def _check(model: object) -> None:
     if isinstance(model, Family):
-        raise TypeError("model depends on a setting; give the damper at one, model.at(setting), with its records, or use dashpot diagnose family.toml DATA")
+        raise TypeError("model depends on a setting; give the damper at one, model.at(setting), with its records, or the family to dashpot.diagnose")
     if not isinstance(model, Model):
         raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}; dashpot.Model.read(path) reads one")
 

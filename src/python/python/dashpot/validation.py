@@ -60,6 +60,32 @@ class SettingSummary(Summary):
 
 
 @dataclass(frozen=True, repr=False)
+class ResponseTimes(Result):
+    """Times of the response to a step of the setting, counted from the step."""
+
+    t10_s: float
+    """Until the force has gone a tenth of its way."""
+    t63_s: float
+    t90_s: float
+    overshoot: float
+    """How far it goes beyond its end, as a fraction of its way."""
+
+
+@dataclass(frozen=True, repr=False)
+class StepResponse(Result):
+    """The response to steps from one setting to another."""
+
+    steps: int
+    tests: tuple[str, ...]
+    before: float = field(metadata={"key": "from"})
+    """Setting before."""
+    after: float = field(metadata={"key": "to"})
+    measured: ResponseTimes | None = field(default=None, metadata={"omitted": True})
+    """Of the measured force; none where the records do not show them."""
+    model: ResponseTimes | None = field(default=None, metadata={"omitted": True})
+
+
+@dataclass(frozen=True, repr=False)
 class OfEach(Result):
     """One figure of the measured force, of the model, and of the FV curve alone."""
 
@@ -223,6 +249,10 @@ class Validation(Papers, Result):
     """Which limits the damper keeps, where some were given."""
     settings: tuple[SettingSummary, ...] = field(default=(), metadata={"omitted": True})
     """Errors at each setting of a damper that depends on one."""
+    changing: Summary | None = field(default=None, metadata={"omitted": True})
+    """Errors over the tests whose setting changes."""
+    step_responses: tuple[StepResponse, ...] = field(default=(), metadata={"omitted": True})
+    """Responses to steps of the setting."""
     against: tuple[Against, ...] = field(default=(), metadata={"omitted": True})
     """The model and those of the literature that it was compared with, where some were named."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})

@@ -72,6 +72,9 @@ pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<u
     for channel in [&mut motion.side_force, &mut motion.temperature].into_iter().flatten() {
         *channel = earlier.kept(channel);
     }
+    if let Some(signal) = &mut motion.setting_signal {
+        *signal = signal.with_values(earlier.previous_values(&signal.values));
+    }
     let (time, range) = (earlier.kept(&motion.time), earlier.range);
     motion.time = time;
     motion.cycles = cycles::find(&motion.time, &motion.displacement);

@@ -23,6 +23,7 @@ use crate::data::cycle::Cycle;
 use crate::data::measurement_error::MeasurementError;
 use crate::data::record::Record;
 use crate::data::samples::Samples;
+use crate::data::setting_signal::{SettingPattern, SettingSignal};
 use crate::error::RecordError;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
@@ -79,7 +80,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
     let (displacement, velocity, cycles) = complete(&mut samples, options)?;
-    let setting = set_to(&mut samples);
+    let (setting, setting_signal) = set_to(&mut samples);
     let mut motion = Motion {
         at: samples.at,
         name: samples.name,
@@ -92,6 +93,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         side_force: samples.side_force,
         temperature: samples.temperature,
         setting,
+        setting_signal,
         cycles,
         stated_error: MeasurementError::NONE,
         notes: samples.notes,
@@ -110,7 +112,8 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         for values in [&mut motion.time, &mut motion.displacement, &mut motion.velocity, &mut motion.force] {
             drop(values);
         }
-        for values in [&mut motion.side_force, &mut motion.temperature].into_iter().flatten() {
+        let signal = motion.setting_signal.as_mut().map(|signal| &mut signal.values);
+        for values in [motion.side_force.as_mut(), motion.temperature.as_mut(), signal].into_iter().flatten() {
             drop(values);
         }
         motion.cycles = cycles::find(&motion.time, &motion.displacement);
@@ -118,15 +121,22 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     Ok(motion)
 }
 
-/// What the damper was set to, by the channel of its current.
-fn set_to(samples: &mut Samples) -> Option<Setting> {
-    let current = samples.current.take()?;
-    Setting::of_current(&current).unwrap_or_else(|(low, high)| {
-        let text =
-            Sentence::from(phrases::CURRENT_VARIES).with("low", format!("{low:.2}")).with("high", format!("{high:.2}"));
-        samples.note("settings", text);
-        None
-    })
+/// What the damper was set to, by the channel of its current: a value, or a signal where it changes.
+fn set_to(samples: &mut Samples) -> (Option<Setting>, Option<SettingSignal>) {
+    let Some(current) = samples.current.take() else { return (None, None) };
+    match Setting::of_current(&current) {
+        Ok(setting) => (setting, None),
+        Err((low, high)) => {
+            let signal = SettingSignal::new("current", "A", &current);
+            let text = match signal.pattern {
+                SettingPattern::Steps => Sentence::from(phrases::CURRENT_STEPS).with("count", signal.steps().len()),
+                SettingPattern::Varying => phrases::CURRENT_VARIES.into(),
+            };
+            let text = text.with("low", format!("{low:.2}")).with("high", format!("{high:.2}"));
+            samples.note("settings", text);
+            (None, Some(signal))
+        }
+    }
 }
 
 fn enough(samples: &Samples) -> Result<(), RecordError> {
@@ -242,7 +252,11 @@ pub(crate) fn cycles_of(time: &[f64], displacement: &[f64]) -> Vec<std::ops::Ran
 
 /// Second half, rebound positive: rest and ramps cut off, whole cycles found, figures of the test taken.
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
-    motion.cycles = cycles::find(&motion.time, &motion.displacement);
+    // Cycles of a test whose setting changes are not alike: it is kept whole, as a road is.
+    motion.cycles = match motion.setting_signal {
+        Some(_) => Vec::new(),
+        None => cycles::find(&motion.time, &motion.displacement),
+    };
     let untrimmed = motion.time.len() >= FEWEST;
     let whole = motion.clone();
     trim::trim(&mut motion);
@@ -262,6 +276,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         side_force,
         temperature,
         setting,
+        setting_signal,
         cycles,
         stated_error: given,
         mut notes,
@@ -292,6 +307,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         begins,
         about,
         setting,
+        setting_signal,
         clock_s: 0.0,
         displacement,
         velocity,
@@ -412,6 +428,23 @@ mod tests {
         let record = clean(samples, &Options::default()).unwrap();
         assert!(record.cycles.is_empty() && record.frequency == 0.0 && record.time.len() == n);
         assert_eq!(record.noise.from, NoiseSource::SampleDifferences);
+    }
+
+    #[test]
+    fn a_test_whose_current_steps_is_kept_whole() {
+        let mut samples = SineTest::default().samples();
+        let n = samples.len();
+        samples.current = Some((0..n).map(|k| if k % 300 < 150 { 0.2 } else { 1.4 }).collect());
+        let record = clean(samples.clone(), &Options::default()).unwrap();
+        assert!(record.cycles.is_empty() && record.time.len() == n && record.setting.is_none());
+        let signal = record.setting_signal.as_ref().unwrap();
+        assert_eq!((signal.pattern, signal.values.len(), signal.range), (SettingPattern::Steps, n, [0.2, 1.4]));
+        assert!(record.notes.iter().any(|note| note.kind == "settings" && note.text.to_string().contains("steps")));
+        // Cycles that differ by their current are no measure of noise.
+        assert_eq!(record.noise.from, NoiseSource::SampleDifferences);
+        samples.current = Some(vec![0.8; n]);
+        let record = clean(samples, &Options::default()).unwrap();
+        assert!(record.setting_signal.is_none() && record.setting.unwrap().value == 0.8 && !record.cycles.is_empty());
     }
 
     #[test]

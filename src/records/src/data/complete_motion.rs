@@ -3,6 +3,7 @@
 use super::cycle::Cycle;
 use super::measurement_error::MeasurementError;
 use super::record::Note;
+use super::setting_signal::SettingSignal;
 use super::test_metadata::TestMetadata;
 use crate::error::Place;
 use crate::quantities::setting_value::Setting;
@@ -22,6 +23,8 @@ pub(crate) struct Motion {
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,
     pub setting: Option<Setting>,
+    /// See [`Record::setting_signal`](super::record::Record::setting_signal).
+    pub setting_signal: Option<SettingSignal>,
     pub cycles: Vec<Cycle>,
     /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
     pub stated_error: MeasurementError,

@@ -5,4 +5,5 @@ pub(crate) mod cycle;
 pub(crate) mod measurement_error;
 pub mod record;
 pub(crate) mod samples;
+pub(crate) mod setting_signal;
 pub(crate) mod test_metadata;

@@ -1,6 +1,7 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
 use super::measurement_error::MeasurementError;
+use super::setting_signal::SettingSignal;
 use super::test_metadata::TestMetadata;
 use crate::messages::sentence::Sentence;
 use crate::options::Positive;
@@ -30,6 +31,9 @@ pub struct Record {
     /// What the damper was set to, where a channel or the name of the test says it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting: Option<Setting>,
+    /// The setting over time, where a channel shows it to change within the test; then it has no [`Record::setting`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub setting_signal: Option<SettingSignal>,
     /// The campaign's clock at the record's time zero, s: 0 where each record has a clock of its own or all run on one already.
     #[serde(default)]
     pub clock_s: f64,

@@ -15,9 +15,10 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     for record in records.iter_mut() {
         if let Some(setting) = rules.setting_of(&record.name) {
             record.setting = Some(setting);
+            record.setting_signal = None;
         }
     }
-    if records.iter().all(|record| record.setting.is_none()) {
+    if records.iter().all(|record| record.setting.is_none() && record.setting_signal.is_none()) {
         let named: Option<Vec<(Setting, bool)>> = records.iter().map(|record| Setting::of_name(&record.name)).collect();
         let names_tests = |all: &[(Setting, bool)]| {
             let unsure = all.iter().all(|(_, is_sure)| !is_sure);

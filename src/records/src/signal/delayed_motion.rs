@@ -33,6 +33,16 @@ impl<'a> DelayedMotion<'a> {
         self.time[self.range.clone()].iter().map(value).collect()
     }
 
+    /// A channel that jumps there: its value at the sample before.
+    pub fn previous_values(&self, of: &[f64]) -> Vec<f64> {
+        let value = |t: &f64| {
+            // Rounding of a delay of whole samples must not move the channel by one.
+            let after = self.time.partition_point(|time| *time <= t - self.delay + 1e-9);
+            of[after.max(1) - 1]
+        };
+        self.time[self.range.clone()].iter().map(value).collect()
+    }
+
     /// A channel that stays where it is, without the samples that have no partner.
     pub fn kept(&self, of: &[f64]) -> Vec<f64> {
         of[self.range.clone()].to_vec()

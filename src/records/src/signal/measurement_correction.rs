@@ -50,6 +50,7 @@ fn earlier(record: &Record, delay: f64) -> Record {
         force: kept(&record.force),
         side_force: record.side_force.as_deref().map(kept),
         temperature: record.temperature.as_deref().map(kept),
+        setting_signal: record.setting_signal.as_ref().map(|of| of.with_values(earlier.previous_values(&of.values))),
         // The force is where it was; a cycle of it begins where it began.
         cycles: record
             .cycles

@@ -8,16 +8,21 @@ use crate::numbers::{digits, error, percent};
 use crate::words::Words;
 use dashpot_core::family::Definition;
 use dashpot_identification::family::{FamilyFit, SettingError};
-use dashpot_identification::validation::SettingSummary;
+use dashpot_identification::validation::{Summary, Validation};
 
 /// Errors of the model and of the plain curve over the whole records of each setting.
-pub fn validated(damper: &Definition, settings: &[SettingSummary], words: &Words) -> Table {
-    let row = |of: &SettingSummary| {
-        let mut row: Vec<Cell> = vec![named_summary(damper, of, words).into(), Cell::count(of.summary.tests)];
-        row.extend(three(&of.summary.errors.model));
-        row.extend(three(&of.summary.errors.fv_only));
+///
+/// Tests whose setting changes have a row of their own.
+pub fn validated(damper: &Definition, validation: &Validation, words: &Words) -> Table {
+    let row = |name: String, summary: &Summary| {
+        let mut row: Vec<Cell> = vec![name.into(), Cell::count(summary.tests)];
+        row.extend(three(&summary.errors.model));
+        row.extend(three(&summary.errors.fv_only));
         row
     };
+    let mut rows: Vec<Vec<Cell>> =
+        validation.settings.iter().map(|of| row(named_summary(damper, of, words), &of.summary)).collect();
+    rows.extend(validation.changing.iter().map(|of| row(words.family_changing.to_owned(), &of.summary)));
     let figures = |group: &'static str| {
         [words.col_mean_error, words.col_error_percent, words.col_rms]
             .map(|heading| Column { group, ..Column::figures(heading) })
@@ -25,7 +30,7 @@ pub fn validated(damper: &Definition, settings: &[SettingSummary], words: &Words
     let mut columns = vec![Column::words(words.col_setting), Column::figures(words.col_number)];
     columns.extend(figures(words.model));
     columns.extend(figures(words.group_curve));
-    Table { caption: words.family_table.to_owned(), columns, rows: settings.iter().map(row).collect(), sortable: false }
+    Table { caption: words.family_table.to_owned(), columns, rows, sortable: false }
 }
 
 /// Errors of an ordinary fit, of the family, and of the family that did not see the setting.

@@ -5,12 +5,14 @@
 //! | [`curves`] | FV curves by setting, force over the setting, ratio of two settings |
 //! | [`numbers`] | numbers over the setting with their intervals |
 //! | [`errors`] | errors at each setting |
+//! | [`responses`] | responses to steps of the setting, the actuator, hysteresis over the setting |
 //! | [`loops`] | loops of selected tests |
 
 mod curves;
 mod errors;
 mod loops;
 mod numbers;
+mod responses;
 
 use crate::blocks::{Block, Section};
 use crate::words::Words;
@@ -41,7 +43,8 @@ impl FamilyReport<'_> {
             first.push(Block::Figures(second));
         }
         let mut sections = vec![Section::new("setting", words.family_section, first)];
-        let mut tables: Vec<Block> = vec![Block::Table(errors::validated(&damper, &validation.settings, words))];
+        sections.extend(responses::section(self, &damper, validation, words));
+        let mut tables: Vec<Block> = vec![Block::Table(errors::validated(&damper, validation, words))];
         tables.extend(self.fit.map(|fit| Block::Table(errors::left_out(&damper, fit, words))));
         sections.push(Section::new("setting-errors", words.family_errors_section, tables));
         sections.extend(loops::section(&damper, validation, tests, words));

@@ -186,6 +186,30 @@ pub const ALL: &[Said] = &[
         "由其他设置预测每个设置",
     ],
     [
+        "response of the valve from tests whose setting changes",
+        "Antwort des Ventils aus Versuchen mit veränderlicher Einstellung",
+        "réponse de la valve d’après les essais à réglage variable",
+        "由设置变化的试验得到阀的响应",
+    ],
+    [
+        "tests whose setting changes",
+        "Versuche mit veränderlicher Einstellung",
+        "essais à réglage variable",
+        "设置变化的试验",
+    ],
+    [
+        "the {count} tests whose {setting} changes show no actuator: the force follows the command within their samples and their noise",
+        "die {count} Versuche mit veränderlicher Einstellung ({setting}) zeigen keinen Steller: die Kraft folgt dem Befehl innerhalb von Abtastung und Rauschen",
+        "les {count} essais à réglage variable ({setting}) ne montrent aucun actionneur : l’effort suit la commande dans la limite de l’échantillonnage et du bruit",
+        "{count} 个{setting}变化的试验未显示执行器：力在采样和噪声范围内跟随指令",
+    ],
+    [
+        "the records do not determine {names}: the values are those that valves usually show",
+        "die Messungen bestimmen {names} nicht: die Werte sind solche, wie Ventile sie meist zeigen",
+        "les mesures ne déterminent pas {names} : les valeurs sont celles que montrent d’ordinaire les valves",
+        "记录不能确定 {names}：取阀通常的数值",
+    ],
+    [
         "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host",
         "{names} hängt von {setting} ab und speichert Energie oder wirkt in Ruhe: eine Änderung der Einstellung kann am Fahrzeug Arbeit leisten",
         "{names} dépend de {setting} et accumule de l’énergie ou agit au repos : un changement de réglage peut fournir un travail au véhicule",
@@ -214,6 +238,12 @@ pub const ALL: &[Said] = &[
         "alle Versuche haben {name} = {value}: ohne --setting anpassen",
         "tous les essais ont {name} = {value} : les ajuster sans --setting",
         "所有试验的 {name} 都是 {value}：请不带 --setting 拟合",
+    ],
+    [
+        "the {name} of all {count} tests changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve",
+        "{name} ändert sich in allen {count} Versuchen: ein Dämpfer darüber wird an Versuche bei zwei oder mehr festen Einstellungen angepasst; veränderliche bestimmen sein Ventil",
+        "{name} varie pendant chacun des {count} essais : un amortisseur s’ajuste à des essais à deux réglages constants au moins ; ceux où il varie identifient sa valve",
+        "全部 {count} 个试验中 {name} 都在变化：随其变化的减振器须用两个或更多恒定设置下的试验拟合，变化的试验用于辨识其阀",
     ],
     [
         "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out",

@@ -701,10 +701,16 @@ pub const ALL: &[Said] = &[
     ],
     ["{value}: {names}", "{value}: {names}", "{value} : {names}", "{value}：{names}"],
     [
-        "the current of the damper's valve changes from {low} to {high} A within the test, and a model holds one setting",
-        "der Strom des Dämpferventils ändert sich im Versuch von {low} auf {high} A, und ein Modell enthält nur eine Einstellung",
-        "le courant de la valve de l’amortisseur varie de {low} à {high} A pendant l’essai, et un modèle ne contient qu’un réglage",
-        "试验中减振器阀的电流从 {low} A 变到 {high} A，而一个模型只能表示一种设置",
+        "the current of the damper's valve changes between {low} and {high} A all through the test. dashpot fit --setting current identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)",
+        "der Strom des Dämpferventils ändert sich im ganzen Versuch zwischen {low} und {high} A. dashpot fit --setting current bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)",
+        "le courant de la valve de l’amortisseur varie entre {low} et {high} A pendant tout l’essai. dashpot fit --setting current en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)",
+        "试验全程减振器阀的电流在 {low} A 与 {high} A 之间变化。dashpot fit --setting current 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
+    ],
+    [
+        "the current of the damper's valve steps {count} times between {low} and {high} A within the test. dashpot fit --setting current identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)",
+        "der Strom des Dämpferventils springt im Versuch {count}-mal zwischen {low} und {high} A. dashpot fit --setting current bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)",
+        "le courant de la valve de l’amortisseur saute {count} fois entre {low} et {high} A pendant l’essai. dashpot fit --setting current en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)",
+        "试验中减振器阀的电流在 {low} A 与 {high} A 之间阶跃 {count} 次。dashpot fit --setting current 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
     ],
     [
         "time is worked out from the angle of the crank at {rpm} revolutions per minute",

@@ -1,0 +1,378 @@
+//! The actuator of a damper over a setting as an estimation problem: forces under a setting that changes within the test.
+//!
+//! The damper at constant settings is given. Free are numbers of the actuator, and how far the force at each setting of the grid is off in each
+//! direction: what the family misses at a level must not become a part of the response.
+
+use super::response::run;
+use crate::hypothesis::Hypothesis;
+use crate::refit::HUBER;
+use crate::samples::Test;
+use crate::solve::{Bounds, Derivatives, Loss, Options, Prior, Residuals, Rows, solve_knowing};
+use dashpot_core::family::axis::index_of;
+use dashpot_core::family::{Axis, Definition, Family};
+use nalgebra::DMatrix;
+use std::cell::RefCell;
+use std::sync::OnceLock;
+
+/// Which ways of the valve a number holds for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Ways {
+    /// Neither: there is none.
+    Neither,
+    /// Both share one.
+    Shared,
+    /// Each has its own.
+    Each,
+}
+
+/// Which numbers an actuator has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ActuatorForm {
+    /// Time constants.
+    pub lag: Ways,
+    /// Whether there is a dead time.
+    pub dead_time: bool,
+    /// Rate limits.
+    pub rate: Ways,
+    /// Whether there is hysteresis over the setting.
+    pub hysteresis: bool,
+}
+
+impl ActuatorForm {
+    /// No actuator.
+    pub const NONE: ActuatorForm =
+        ActuatorForm { lag: Ways::Neither, dead_time: false, rate: Ways::Neither, hysteresis: false };
+}
+
+/// A number of an actuator: the entries of the axis that it sets, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ActuatorNumber {
+    /// Names of the entries.
+    pub entries: &'static [&'static str],
+    /// Whether the free number is the logarithm.
+    pub is_log: bool,
+    /// Where the free number starts.
+    pub start: f64,
+    /// Step of a difference.
+    pub step: f64,
+    /// Bounds.
+    pub bounds: (f64, f64),
+    /// Mean and standard deviation of what valves show.
+    pub prior: (f64, f64),
+}
+
+/// Response of a proportional damper valve, s. Published ones rise in 5 to 30 ms (Savaresi et al., Semi-Active Suspension Control Design for Vehicles,
+/// 2010, chapter 2); the spread holds a magneto-rheological coil and a slow pilot stage.
+const TIME: f64 = 0.01;
+const TIME_SPREAD: f64 = 1.0;
+/// Dead time of driver and pilot stage, s: a few milliseconds, seldom ten.
+const DEAD_TIME: (f64, f64) = (0.003, 0.004);
+/// Hysteresis of solenoid valves as a fraction of their range: friction and magnetic remanence make one to six percent.
+const HYSTERESIS: (f64, f64) = (0.02, 0.03);
+/// A rate limit crosses the range in some tens of milliseconds.
+const CROSSES: f64 = 0.03;
+const RATE_SPREAD: f64 = 1.0;
+/// Standard deviation of the error of the force at a level, as a fraction of it.
+const LEVEL_SPREAD: f64 = 0.05;
+/// Largest hysteresis as a fraction of the range. The kernel takes a quarter.
+const MOST_HYSTERESIS: f64 = 0.24;
+
+impl ActuatorNumber {
+    /// The numbers of a form over a grid with this range.
+    pub fn of_form(form: ActuatorForm, range: f64) -> Vec<ActuatorNumber> {
+        let mut numbers = Vec::new();
+        let time = |entries| {
+            let ln = libm::log;
+            ActuatorNumber {
+                entries,
+                is_log: true,
+                start: ln(TIME),
+                step: 0.02,
+                bounds: (ln(2e-4), ln(5.0)),
+                prior: (ln(TIME), TIME_SPREAD),
+            }
+        };
+        let rate = |entries| {
+            let typical = libm::log(range / CROSSES);
+            ActuatorNumber {
+                entries,
+                is_log: true,
+                start: typical,
+                step: 0.02,
+                bounds: (typical - 6.0, typical + 6.0),
+                prior: (typical, RATE_SPREAD),
+            }
+        };
+        match form.lag {
+            Ways::Neither => {}
+            Ways::Shared => numbers.push(time(&["setting_time_up", "setting_time_down"])),
+            Ways::Each => numbers.extend([time(&["setting_time_up"]), time(&["setting_time_down"])]),
+        }
+        if form.dead_time {
+            let (mean, spread) = DEAD_TIME;
+            numbers.push(ActuatorNumber {
+                entries: &["setting_dead_time"],
+                is_log: false,
+                start: mean,
+                step: 2e-4,
+                bounds: (0.0, 0.5),
+                prior: (mean, spread),
+            });
+        }
+        match form.rate {
+            Ways::Neither => {}
+            Ways::Shared => numbers.push(rate(&["setting_rate_up", "setting_rate_down"])),
+            Ways::Each => numbers.extend([rate(&["setting_rate_up"]), rate(&["setting_rate_down"])]),
+        }
+        if form.hysteresis {
+            let (mean, spread) = HYSTERESIS;
+            numbers.push(ActuatorNumber {
+                entries: &["setting_hysteresis"],
+                is_log: false,
+                start: mean * range,
+                step: 1e-3 * range,
+                bounds: (0.0, MOST_HYSTERESIS * range),
+                prior: (mean * range, spread * range),
+            });
+        }
+        numbers
+    }
+
+    /// The value that a free number stands for.
+    pub fn value(&self, free: f64) -> f64 {
+        if self.is_log { libm::exp(free) } else { free }
+    }
+}
+
+/// What is given of a damper whose actuator is identified.
+pub struct ActuatorContext<'a> {
+    /// The damper over constant settings.
+    pub definition: &'a Definition,
+    /// What the rig adds, at `rig_theta`.
+    pub rig: &'a Hypothesis,
+    /// The numbers of `rig`.
+    pub rig_theta: &'a [f64],
+    /// Tests whose setting changes.
+    pub tests: &'a [Test],
+}
+
+/// An actuator with its free numbers.
+pub struct ActuatorProblem<'a> {
+    context: &'a ActuatorContext<'a>,
+    numbers: Vec<ActuatorNumber>,
+}
+
+/// Where a refit of an actuator ended.
+#[derive(Debug, Clone)]
+pub struct ActuatorRefit {
+    /// The form.
+    pub form: ActuatorForm,
+    /// Its numbers.
+    pub numbers: Vec<ActuatorNumber>,
+    /// Values of the free numbers, and behind them the errors of the force at each level as fractions of it.
+    pub theta: Vec<f64>,
+    /// Derivatives and weighted residuals of each test, computed less measured.
+    pub blocks: Vec<(DMatrix<f64>, Vec<f64>)>,
+    /// Half the squares of the distance from the priors, each over its variance.
+    pub negative_log_prior: f64,
+}
+
+/// An actuator at one point of the search.
+pub struct ActuatorPoint {
+    family: Box<Family>,
+    x: Vec<f64>,
+    moved: OnceLock<Option<Vec<(Box<Family>, f64)>>>,
+}
+
+/// The family with numbers of the actuator; `None` where the kernel rejects them.
+fn family_with(definition: &Definition, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Box<Family>> {
+    let axis = axis_with(&definition.axis, numbers, x)?;
+    let mut family = Box::new(Family::OFF);
+    family.set(&definition.params, &axis).ok()?;
+    Some(family)
+}
+
+/// The axis with numbers of the actuator.
+pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Axis> {
+    let mut axis = *axis;
+    for (number, value) in numbers.iter().zip(x) {
+        for entry in number.entries {
+            axis.set_number(index_of(entry.as_bytes())?, number.value(*value)).ok()?;
+        }
+    }
+    Some(axis)
+}
+
+/// Weights of the levels at a setting in one direction: a straight line between the settings of the grid.
+fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2] {
+    let right = dashpot_records::restrict(grid.partition_point(|value| *value <= setting), 1, grid.len() - 1);
+    let (low, high) = (grid[right - 1], grid[right]);
+    let part = dashpot_records::restrict((setting - low) / (high - low), 0.0, 1.0);
+    let first = if velocity < 0.0 { grid.len() } else { 0 };
+    [(first + right - 1, 1.0 - part), (first + right, part)]
+}
+
+impl<'a> ActuatorProblem<'a> {
+    /// The problem of an actuator of a form.
+    pub fn new(context: &'a ActuatorContext<'a>, form: ActuatorForm) -> ActuatorProblem<'a> {
+        let (low, high) = context.definition.axis.range();
+        ActuatorProblem { context, numbers: ActuatorNumber::of_form(form, high - low) }
+    }
+
+    fn grid(&self) -> &[f64] {
+        self.context.definition.axis.grid()
+    }
+
+    /// Forces at the scored samples of a test, and their derivatives over the levels where they are wanted.
+    fn forces(&self, test: &Test, family: &Family, x: &[f64], with_levels: bool) -> (Vec<f64>, DMatrix<f64>) {
+        let (grid, levels) = (self.grid(), &x[self.numbers.len()..]);
+        let count = if with_levels { levels.len() } else { 0 };
+        let found = RefCell::new((DMatrix::zeros(0, 0), 1));
+        let along = |segment: &crate::segment::Segment| {
+            let (mut forces, settings) = run(family, segment);
+            let mut columns = DMatrix::zeros(forces.len(), count);
+            for (i, (force, setting)) in forces.iter_mut().zip(&settings).enumerate() {
+                let mut gain = 1.0;
+                for (level, weight) in level_weights(grid, *setting, segment.input[i].velocity) {
+                    gain += weight * levels[level];
+                    if with_levels {
+                        columns[(i, level)] += weight * *force;
+                    }
+                }
+                *force *= gain;
+            }
+            *found.borrow_mut() = (columns, forces.len());
+            forces
+        };
+        let forces = self.context.rig.measured_forces(test, None, self.context.rig_theta, &along);
+        let (columns, length) = found.into_inner();
+        if !with_levels {
+            return (forces, columns);
+        }
+        // A filtered force channel takes several steps a sample.
+        let every = ((length - 1) / (test.segment.input.len() - 1).max(1)).max(1);
+        let at = |row: usize, level: usize| columns[((row + test.segment.from) * every, level)];
+        let scored = DMatrix::from_fn(forces.len(), count, at);
+        (forces, scored)
+    }
+
+    fn weighted(&self, test: &Test, forces: &[f64]) -> Option<Vec<f64>> {
+        let each = forces.iter().zip(test.forces()).zip(&test.allowed);
+        let residual: Vec<f64> = each.map(|((computed, measured), allowed)| (computed - measured) / allowed).collect();
+        residual.iter().all(|r| r.is_finite()).then_some(residual)
+    }
+
+    /// Refits the numbers from a start; without one from what valves show.
+    pub fn refit(
+        &self,
+        form: ActuatorForm,
+        start: Option<&[f64]>,
+        steps: usize,
+        tolerance: f64,
+    ) -> Option<ActuatorRefit> {
+        let levels = 2 * self.grid().len();
+        let mut from: Vec<f64> = self.numbers.iter().map(|number| number.start).collect();
+        from.extend(std::iter::repeat_n(0.0, levels));
+        if let Some(start) = start {
+            from.copy_from_slice(start);
+        }
+        let priors: Vec<Prior> = self
+            .numbers
+            .iter()
+            .map(|number| Prior { mean: number.prior.0, spread: number.prior.1 })
+            .chain(std::iter::repeat_n(Prior { mean: 0.0, spread: LEVEL_SPREAD }, levels))
+            .collect();
+        let bounds = Bounds {
+            low: self.numbers.iter().map(|n| n.bounds.0).chain(std::iter::repeat_n(-0.5, levels)).collect(),
+            high: self.numbers.iter().map(|n| n.bounds.1).chain(std::iter::repeat_n(0.5, levels)).collect(),
+        };
+        let options = Options {
+            steps,
+            tolerance,
+            loss: Loss::Huber(HUBER),
+            priors: priors.iter().copied().map(Some).collect(),
+            derivatives: Derivatives::Fresh,
+            damping: 1e-2,
+            quiet: 1,
+        };
+        let found = solve_knowing(self, &from, None, &bounds, &options);
+        if !found.cost.is_finite() {
+            return None;
+        }
+        let distances = found.x.iter().zip(&priors).map(|(x, prior)| ((x - prior.mean) / prior.spread).powi(2));
+        let negative_log_prior = 0.5 * distances.sum::<f64>();
+        let blocks = |Rows { residual, jacobian }| (jacobian, Vec::from(residual.data));
+        Some(ActuatorRefit {
+            form,
+            numbers: self.numbers.clone(),
+            theta: found.x,
+            blocks: found.rows.into_iter().map(blocks).collect(),
+            negative_log_prior,
+        })
+    }
+}
+
+impl ActuatorRefit {
+    /// Precisions of the priors of all numbers.
+    pub fn precisions(&self) -> Vec<f64> {
+        let own = self.numbers.iter().map(|number| number.prior.1);
+        let levels = std::iter::repeat_n(LEVEL_SPREAD, self.theta.len() - self.numbers.len());
+        own.chain(levels).map(|spread| 1.0 / (spread * spread)).collect()
+    }
+
+    /// A start for another form: numbers of the same entries, and the levels.
+    pub fn start_of(&self, form: ActuatorForm, range: f64) -> Vec<f64> {
+        let own = |number: &ActuatorNumber| {
+            let known =
+                self.numbers.iter().position(|of| of.entries.iter().any(|entry| number.entries.contains(entry)));
+            known.map_or(number.start, |place| self.theta[place])
+        };
+        let numbers = ActuatorNumber::of_form(form, range);
+        numbers.iter().map(own).chain(self.theta[self.numbers.len()..].iter().copied()).collect()
+    }
+}
+
+impl Residuals for ActuatorProblem<'_> {
+    type At = ActuatorPoint;
+
+    fn prepare(&self, x: &[f64]) -> Option<ActuatorPoint> {
+        let family = family_with(self.context.definition, &self.numbers, x)?;
+        Some(ActuatorPoint { family, x: x.to_vec(), moved: OnceLock::new() })
+    }
+
+    fn blocks(&self) -> usize {
+        self.context.tests.len()
+    }
+
+    fn residuals(&self, block: usize, at: &ActuatorPoint) -> Option<Vec<f64>> {
+        let test = &self.context.tests[block];
+        self.weighted(test, &self.forces(test, &at.family, &at.x, false).0)
+    }
+
+    fn jacobian(&self, block: usize, at: &ActuatorPoint) -> Option<(Vec<f64>, DMatrix<f64>)> {
+        let test = &self.context.tests[block];
+        let moved = at.moved.get_or_init(|| {
+            let of = |(place, number): (usize, &ActuatorNumber)| {
+                let mut x = at.x.clone();
+                let step = if x[place] + number.step > number.bounds.1 { -number.step } else { number.step };
+                x[place] += step;
+                Some((family_with(self.context.definition, &self.numbers, &x)?, step))
+            };
+            self.numbers.iter().enumerate().map(of).collect()
+        });
+        let (forces, levels) = self.forces(test, &at.family, &at.x, true);
+        let mut jacobian = DMatrix::zeros(forces.len(), at.x.len());
+        for (column, (family, step)) in moved.as_ref()?.iter().enumerate() {
+            let (near, _) = self.forces(test, family, &at.x, false);
+            for (row, (near, force)) in near.iter().zip(&forces).enumerate() {
+                jacobian[(row, column)] = (near - force) / step / test.allowed[row];
+            }
+        }
+        for (level, column) in levels.column_iter().enumerate() {
+            for (row, value) in column.iter().enumerate() {
+                jacobian[(row, self.numbers.len() + level)] = value / test.allowed[row];
+            }
+        }
+        Some((self.weighted(test, &forces)?, jacobian))
+    }
+}

@@ -1,0 +1,157 @@
+//! The search for the most probable actuator: none, a lag, one for each way, with dead time, rate limit or hysteresis.
+
+use super::actuator::{ActuatorContext, ActuatorForm, ActuatorProblem, ActuatorRefit, Ways};
+use crate::cancel;
+use crate::structure::evidence::{Evidence, mean_squares};
+use nalgebra::DVector;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Prior log odds of a lag: every valve has one, but the records of slow loggers do not see it.
+const LAG: f64 = 1.0;
+/// Prior log odds that rising and falling take different times.
+const EACH_WAY: f64 = -0.5;
+/// Prior log odds of a dead time.
+const DEAD_TIME: f64 = 0.0;
+/// Prior log odds of hysteresis over the setting.
+const HYSTERESIS: f64 = -1.0;
+/// Prior log odds of a rate limit, which is hard to tell from a lag.
+const RATE: f64 = -2.0;
+/// Rise of the log posterior below which a move is not made.
+const RISE: f64 = 0.5;
+/// Starts of the time constant, s.
+const STARTS: [f64; 3] = [0.003, 0.012, 0.08];
+/// Steps and tolerance of a refit that is compared, and of the result.
+const COMPARE: (usize, f64) = (8, 1e-3);
+const FINE: (usize, f64) = (20, 1e-5);
+
+/// A part of an actuator, and how probable it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ActuatorPart {
+    /// Name in files: `lag`, `lag_each_way`, `dead_time`, `rate_limit`, `hysteresis`.
+    pub name: &'static str,
+    /// Whether the most probable actuator has it.
+    pub is_present: bool,
+    /// Log posterior with it less that without it.
+    pub log_odds: f64,
+}
+
+/// The most probable actuator.
+pub struct ActuatorSearch {
+    /// Its numbers.
+    pub best: ActuatorRefit,
+    /// What it has and has not.
+    pub parts: Vec<ActuatorPart>,
+}
+
+/// A form with one part more or less.
+fn toggled(form: ActuatorForm, part: &str) -> Option<ActuatorForm> {
+    let with = match part {
+        "lag" if form.lag == Ways::Neither => ActuatorForm { lag: Ways::Shared, ..form },
+        "lag" => ActuatorForm { lag: Ways::Neither, ..form },
+        "lag_each_way" => match form.lag {
+            Ways::Neither => return None,
+            Ways::Shared => ActuatorForm { lag: Ways::Each, ..form },
+            Ways::Each => ActuatorForm { lag: Ways::Shared, ..form },
+        },
+        "dead_time" => ActuatorForm { dead_time: !form.dead_time, ..form },
+        "rate_limit" => {
+            ActuatorForm { rate: if form.rate == Ways::Neither { Ways::Each } else { Ways::Neither }, ..form }
+        }
+        _ => ActuatorForm { hysteresis: !form.hysteresis, ..form },
+    };
+    Some(with)
+}
+
+const PARTS: [&str; 5] = ["lag", "lag_each_way", "dead_time", "rate_limit", "hysteresis"];
+
+fn has(form: ActuatorForm, part: &str) -> bool {
+    match part {
+        "lag" => form.lag != Ways::Neither,
+        "lag_each_way" => form.lag == Ways::Each,
+        "dead_time" => form.dead_time,
+        "rate_limit" => form.rate != Ways::Neither,
+        _ => form.hysteresis,
+    }
+}
+
+fn log_prior(form: ActuatorForm) -> f64 {
+    let odds = [LAG, EACH_WAY, DEAD_TIME, RATE, HYSTERESIS];
+    PARTS.iter().zip(odds).map(|(part, odds)| if has(form, part) { odds } else { 0.0 }).sum()
+}
+
+fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext) -> f64 {
+    let residual: Vec<f64> = refit.blocks.iter().flat_map(|(_, residual)| residual.iter().copied()).collect();
+    let squares = mean_squares(context.tests, &DVector::from_vec(residual));
+    let evidence = Evidence {
+        weights: context.tests.iter().map(|test| test.weight).collect(),
+        mean_squares: squares,
+        numbers: refit.numbers.len() as f64,
+        negative_log_prior: refit.negative_log_prior,
+        relief: 0.0,
+    };
+    evidence.log_evidence() + log_prior(refit.form)
+}
+
+/// Finds the most probable actuator; `None` where nothing makes a finite force.
+pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync)) -> Option<ActuatorSearch> {
+    let (low, high) = context.definition.axis.range();
+    let range = high - low;
+    let mut known: BTreeMap<ActuatorForm, Option<(f64, ActuatorRefit)>> = BTreeMap::new();
+    let fit = |form: ActuatorForm, from: Option<&ActuatorRefit>| {
+        let problem = ActuatorProblem::new(context, form);
+        let starts: Vec<Option<Vec<f64>>> = match from {
+            Some(from) if from.form.lag == Ways::Neither && form.lag != Ways::Neither => {
+                let base = from.start_of(form, range);
+                STARTS
+                    .iter()
+                    .map(|time| {
+                        let mut start = base.clone();
+                        start[0] = libm::log(*time);
+                        Some(start)
+                    })
+                    .collect()
+            }
+            Some(from) => vec![Some(from.start_of(form, range))],
+            None => vec![None],
+        };
+        let found: Vec<ActuatorRefit> = starts
+            .into_par_iter()
+            .filter_map(|start| problem.refit(form, start.as_deref(), COMPARE.0, COMPARE.1))
+            .collect();
+        let scored = found.into_iter().map(|refit| (log_posterior(&refit, context), refit));
+        scored.reduce(|best, next| if next.0 > best.0 { next } else { best })
+    };
+    let (mut best_posterior, mut best) = fit(ActuatorForm::NONE, None)?;
+    known.insert(ActuatorForm::NONE, Some((best_posterior, best.clone())));
+    for done in 0..2 * PARTS.len() {
+        progress(done as f64 / (2 * PARTS.len()) as f64);
+        if cancel::asked() {
+            break;
+        }
+        let moves: Vec<ActuatorForm> = PARTS.iter().filter_map(|part| toggled(best.form, part)).collect();
+        for form in moves {
+            known.entry(form).or_insert_with(|| fit(form, Some(&best)));
+        }
+        let near = PARTS.iter().filter_map(|part| known.get(&toggled(best.form, part)?)?.as_ref());
+        let next = near.reduce(|best, next| if next.0 > best.0 { next } else { best });
+        match next {
+            Some((posterior, refit)) if *posterior > best_posterior + RISE => {
+                (best_posterior, best) = (*posterior, refit.clone());
+            }
+            _ => break,
+        }
+    }
+    let parts = PARTS
+        .iter()
+        .filter_map(|part| {
+            let is_present = has(best.form, part);
+            let other = known.get(&toggled(best.form, part)?)?.as_ref()?.0;
+            let log_odds = if is_present { best_posterior - other } else { other - best_posterior };
+            Some(ActuatorPart { name: part, is_present, log_odds })
+        })
+        .collect();
+    let start = best.theta.clone();
+    let best = ActuatorProblem::new(context, best.form).refit(best.form, Some(&start), FINE.0, FINE.1)?;
+    Some(ActuatorSearch { best, parts })
+}

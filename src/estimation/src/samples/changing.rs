@@ -1,0 +1,137 @@
+//! A test whose setting changes: short steps of the model while the valve answers a command, long ones between.
+
+use super::noise::independence;
+use super::road::ROAD;
+use super::{Test, allowed, segment};
+use dashpot_core::Input;
+use dashpot_records::smoothing::Motion;
+use dashpot_records::{Record, SettingSignal};
+
+/// Largest step of the model where nothing changes, s: between two steps the internal state advances.
+const STEP: f64 = 2e-3;
+/// Largest step of the model while the valve answers a command, s: a fraction of its response.
+const ANSWER_STEP: f64 = 5e-4;
+/// Time for which a valve may answer a change of its command, s.
+const ANSWER: f64 = 0.3;
+/// One of so many samples counts where the valve has answered.
+const SCORED: usize = 5;
+/// Most steps of a test. A record of more samples has longer ones.
+const MOST: usize = 40_000;
+/// Part of the test that leads in.
+const LEAD: usize = 20;
+
+/// Samples that become steps of the model, and whether the valve answers a command there.
+fn picks(record: &Record, signal: &SettingSignal, stride: usize) -> Vec<(usize, bool)> {
+    let n = record.time.len();
+    let fine = ((ANSWER_STEP / step(record)) as usize).max(n.div_ceil(MOST)).max(1);
+    let mut picks = vec![(0, false)];
+    let mut answers_until = f64::NEG_INFINITY;
+    let mut at = 0;
+    while at + 1 < n {
+        let near = at + fine.min(n - 1 - at);
+        if signal.swing(at..(at + stride + 1).min(n)) > 0.0 {
+            answers_until = record.time[at] + ANSWER;
+        }
+        let answers = record.time[near] <= answers_until;
+        at = if answers { near } else { at + stride.min(n - 1 - at) };
+        picks.push((at, answers));
+    }
+    picks
+}
+
+/// Time between samples, s.
+fn step(record: &Record) -> f64 {
+    let n = record.time.len();
+    ((record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64).max(1e-9)
+}
+
+/// Command of each step between picked samples: the mean over those that it passes.
+fn commands(signal: &SettingSignal, picks: &[(usize, bool)]) -> Vec<f64> {
+    let first = picks.first().map(|(first, _)| signal.command(*first));
+    let mean = |pair: &[(usize, bool)]| {
+        let passed = pair[0].0 + 1..=pair[1].0;
+        let count = passed.clone().count().max(1) as f64;
+        passed.map(|sample| signal.command(sample)).sum::<f64>() / count
+    };
+    first.into_iter().chain(picks.windows(2).map(mean)).collect()
+}
+
+/// The test of a record whose setting changes.
+pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSignal) -> Test {
+    let n = record.time.len();
+    let stride = ((STEP / step(record)) as usize).max(n.div_ceil(MOST)).max(1);
+    let picks = picks(record, signal, stride);
+    let lead = (picks.len() / LEAD).max(1);
+    let apart = |pair: &[(usize, bool)]| record.time[pair[1].0] - record.time[pair[0].0];
+    let dt = std::iter::once(0.0).chain(picks.windows(2).map(apart)).collect();
+    let (input, force) = picks
+        .iter()
+        .map(|(i, _)| {
+            let input = Input {
+                displacement: Some(motion.displacement[*i]),
+                velocity: motion.velocity[*i],
+                side_force: record.side_force.as_ref().map_or(0.0, |c| c[*i]),
+                temperature: record.temperature.as_ref().map_or(20.0, |c| c[*i]),
+            };
+            (input, record.force[*i])
+        })
+        .unzip();
+    let lag1 = record.noise.lag1.clamp(0.0, 0.99);
+    let mean_noise = record.noise.force_rms;
+    let thinned = independence(lag1.powi((stride * SCORED) as i32));
+    let noise = mean_noise.powi(2) / thinned;
+    let clock = record.clock_s + 0.5 * (record.time[0] + record.time[n - 1]);
+    let mut segment = segment(record, clock, dt, input, force, lead, noise);
+    segment.setting = Some(commands(signal, &picks));
+    let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
+    let answers = |k: usize| picks.get(lead + k).is_some_and(|(_, answers)| *answers);
+    for (k, allowed) in allowed.iter_mut().enumerate() {
+        if k % SCORED != 0 && !answers(k) {
+            *allowed = f64::INFINITY;
+        }
+    }
+    let fraction = allowed.iter().filter(|a| a.is_finite()).count() as f64 / allowed.len().max(1) as f64;
+    Test {
+        record: place,
+        allowed,
+        segment,
+        mean_noise,
+        independence: thinned * fraction,
+        growth: 0.0,
+        noise_freedom: n as f64 * independence(lag1),
+        frequency: 0.0,
+        weight: ROAD,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_records::smoothing::smooth;
+
+    #[test]
+    fn steps_are_short_where_the_valve_answers_and_no_command_is_lost() {
+        let n = 8000;
+        let time: Vec<f64> = (0..n).map(|k| 2.5e-4 * k as f64).collect();
+        let current: Vec<f64> = (0..n).map(|k| if k < 4000 { 0.2 } else { 1.4 }).collect();
+        let signal = SettingSignal::new("current", "A", &current);
+        let record = Record {
+            displacement: time.iter().map(|t| 0.02 * libm::sin(5.0 * t)).collect(),
+            velocity: time.iter().map(|t| 0.1 * libm::cos(5.0 * t)).collect(),
+            force: vec![100.0; n],
+            amplitude: 0.02,
+            peak_velocity: 0.1,
+            time,
+            ..Record::default()
+        };
+        let test = test(0, &record, &smooth(&record), &signal);
+        let (dt, setting) = (&test.segment.dt, test.segment.setting.as_ref().unwrap());
+        assert!((dt.iter().sum::<f64>() - record.time[n - 1]).abs() < 1e-9);
+        let mean: f64 = dt.iter().zip(setting).map(|(dt, s)| dt * s).sum::<f64>() / record.time[n - 1];
+        let true_mean = (1..n).map(|k| signal.command(k)).sum::<f64>() / (n - 1) as f64;
+        assert!((mean - true_mean).abs() < 1e-9, "{mean} {true_mean}");
+        let shortest = dt.iter().skip(1).fold(1.0, |m: f64, dt| m.min(*dt));
+        let longest = dt.iter().fold(0.0, |m: f64, dt| m.max(*dt));
+        assert!(shortest < 0.6e-3 && longest > 1.9e-3, "{shortest} {longest}");
+    }
+}

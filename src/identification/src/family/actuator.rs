@@ -1,0 +1,144 @@
+//! The actuator of a family, identified from tests whose setting changes.
+
+use super::left_out::SettingReport;
+use crate::intervals::{Estimate, Standing, Z};
+use crate::{TEMPERATURE, phrases};
+use dashpot_core::family::Definition;
+use dashpot_core::family::axis::{ENTRIES, index_of};
+use dashpot_estimation::deviations::robust_covariance;
+use dashpot_estimation::family::actuator::{ActuatorContext, ActuatorRefit, axis_with};
+use dashpot_estimation::family::actuator_search::{ActuatorSearch, search_actuator};
+use dashpot_estimation::family::structure::FamilyStructure;
+use dashpot_estimation::samples::{self, Test};
+use dashpot_records::{Record, Sentence};
+use serde::Serialize;
+
+/// Root mean square over mean absolute value of a normal error.
+const RMS_OF_MEAN: f64 = 1.25;
+/// Fraction of the prior's standard deviation below which the records determine a number.
+const NARROWED: f64 = 0.7;
+
+/// A part of an actuator, and how probable it is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ActuatorDecision {
+    /// Name: `lag`, `lag_each_way`, `dead_time`, `rate_limit` or `hysteresis`.
+    pub name: &'static str,
+    /// Whether the model has it.
+    pub is_present: bool,
+    /// Probability that the valve has it.
+    pub probability: f64,
+}
+
+/// An actuator identified from records.
+#[derive(Debug, Clone, Serialize)]
+pub struct ActuatorFit {
+    /// Its numbers with their 95 % intervals. A number that both ways share stands once for each.
+    pub estimates: Vec<Estimate>,
+    /// What it has and has not.
+    pub parts: Vec<ActuatorDecision>,
+    /// Tests that it was identified from.
+    pub tests: Vec<String>,
+}
+
+/// The tests as they are weighed here: the family itself misses the force at a constant setting by `fraction` of the largest one.
+fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
+    let weighed = |mut test: Test| {
+        let form = fraction * test.segment.top;
+        test.mean_noise = libm::hypot(test.mean_noise, form);
+        test.allowed.iter_mut().for_each(|allowed| *allowed = libm::hypot(*allowed, form));
+        test
+    };
+    tests.into_iter().map(weighed).collect()
+}
+
+/// Identifies the actuator of a damper over a setting, which is given, and puts it into its axis.
+///
+/// `None` where no test has a setting that changes, or nothing makes a finite force.
+pub fn identify_actuator(
+    damper: &mut Definition,
+    family: &FamilyStructure,
+    reports: &[SettingReport],
+    records: &[&Record],
+    progress: &(dyn Fn(f64) + Sync),
+) -> Option<ActuatorFit> {
+    if records.is_empty() {
+        return None;
+    }
+    let percent = reports.iter().map(|of| of.family.error_percent).sum::<f64>() / reports.len().max(1) as f64;
+    let tests = with_form_error(samples::tests(records), RMS_OF_MEAN * percent / 100.0);
+    let rig = &family.hypothesis.template;
+    let rig_theta = family.hypothesis.theta_at(&family.refit.theta, 0);
+    let context = ActuatorContext { definition: damper, rig, rig_theta: &rig_theta, tests: &tests };
+    let ActuatorSearch { best, parts } = search_actuator(&context, progress)?;
+    let axis = axis_with(&damper.axis, &best.numbers, &best.theta)?;
+    damper.axis = axis;
+    let decision = |of: &dashpot_estimation::family::actuator_search::ActuatorPart| ActuatorDecision {
+        name: of.name,
+        is_present: of.is_present,
+        probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
+    };
+    Some(ActuatorFit {
+        estimates: estimates(&best, damper),
+        parts: parts.iter().map(decision).collect(),
+        tests: records.iter().map(|record| record.name.clone()).collect(),
+    })
+}
+
+/// The numbers with their intervals.
+fn estimates(refit: &ActuatorRefit, damper: &Definition) -> Vec<Estimate> {
+    let Some((covariance, _)) = robust_covariance(&refit.blocks, &refit.precisions()) else { return Vec::new() };
+    let unit = damper.axis.unit();
+    let mut all = Vec::new();
+    for (place, number) in refit.numbers.iter().enumerate() {
+        let deviation = covariance[(place, place)].max(0.0).sqrt();
+        let (low, high) = number.bounds;
+        let at = |z: f64| number.value(dashpot_records::restrict(refit.theta[place] + z * deviation, low, high));
+        let is_at_bound = refit.theta[place] <= low || refit.theta[place] >= high;
+        let standing = match deviation < NARROWED * number.prior.1 {
+            false => Standing::NotIdentified,
+            true if is_at_bound && at(0.0) != 0.0 => Standing::AtBound,
+            true => Standing::Identified,
+        };
+        let is_identified = standing != Standing::NotIdentified;
+        for name in number.entries {
+            let Some(entry) = index_of(name.as_bytes()).and_then(|index| ENTRIES.get(index)) else { continue };
+            all.push(Estimate {
+                name: entry.name,
+                index: None,
+                value: number.value(refit.theta[place]),
+                low: is_identified.then(|| at(-Z)),
+                high: is_identified.then(|| at(Z)),
+                unit: entry_unit(entry.unit, unit),
+                from: phrases::CHANGING_SETTING.into(),
+                standing: standing.clone(),
+            });
+        }
+    }
+    all
+}
+
+/// Unit of a number of the axis. That of the setting itself is the user's, and one of a few where units are words of the program.
+fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
+    match (unit, of_setting) {
+        ("*", "A") => "A",
+        ("*/s", "A") => "A/s",
+        ("*", "V") => "V",
+        ("*/s", "V") => "V/s",
+        ("*" | "*/s", _) => "",
+        (unit, _) => unit,
+    }
+}
+
+/// What the engineer should know of the actuator.
+pub fn notes(fit: &ActuatorFit, name: &str) -> Vec<Sentence> {
+    let mut notes = Vec::new();
+    let open: Vec<&str> =
+        fit.estimates.iter().filter(|e| e.standing == Standing::NotIdentified).map(|e| e.name).collect();
+    if fit.estimates.is_empty() {
+        notes.push(Sentence::from(phrases::NO_ACTUATOR).with("setting", name).with("count", fit.tests.len()));
+    }
+    if !open.is_empty() {
+        notes.push(Sentence::from(phrases::ACTUATOR_OPEN).with_names("names", open, phrases::COMMA));
+    }
+    notes
+}

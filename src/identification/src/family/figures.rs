@@ -1,0 +1,60 @@
+//! The figures of a family's fit, as `dashpot fit --setting --json` writes them and Python reads them.
+
+use super::actuator::ActuatorFit;
+use super::fit::{FamilyEstimate, FamilyFit, SettingDependence};
+use super::left_out::SettingReport;
+use crate::{InventoryItem, Measured};
+use dashpot_records::{Campaign, Sentence, SignFinding, Unusable};
+use serde::Serialize;
+use std::path::Path;
+
+/// The setting of a family.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct SettingFigures<'a> {
+    name: &'a str,
+    unit: &'a str,
+    grid: &'a [f64],
+}
+
+/// All figures of a fit.
+#[derive(Debug, Clone, Serialize)]
+pub struct FamilyFigures<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    model: Option<&'a Path>,
+    setting: SettingFigures<'a>,
+    tests: &'a [String],
+    /// A number that depends on the setting stands once for each of its values.
+    parameters: &'a [FamilyEstimate],
+    depends_on_setting: &'a [SettingDependence],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    actuator: Option<&'a ActuatorFit>,
+    inventory: &'a [InventoryItem],
+    measured: &'a [Measured],
+    /// Errors at each value of the setting, also of the family without it.
+    settings: &'a [SettingReport],
+    notes: &'a [Sentence],
+    misfit: f64,
+    sign: &'a SignFinding,
+    unusable: &'a [Unusable],
+}
+
+impl<'a> FamilyFigures<'a> {
+    /// Figures of a fit to a campaign; `model` is the file that it was written to.
+    pub fn new(fit: &'a FamilyFit, campaign: &'a Campaign, model: Option<&'a Path>) -> FamilyFigures<'a> {
+        FamilyFigures {
+            model,
+            setting: SettingFigures { name: &fit.setting.name, unit: &fit.setting.unit, grid: fit.settings_grid() },
+            tests: &fit.tests,
+            parameters: &fit.estimates,
+            depends_on_setting: &fit.dependences,
+            actuator: fit.actuator.as_ref(),
+            inventory: &fit.inventory,
+            measured: &fit.measured,
+            settings: &fit.settings,
+            notes: &fit.notes,
+            misfit: fit.misfit,
+            sign: &campaign.sign,
+            unusable: &campaign.unusable,
+        }
+    }
+}

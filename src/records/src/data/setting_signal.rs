@@ -1,0 +1,210 @@
+//! A setting that changes within a test: steps of the current of a valve, or a current that never stays.
+
+use serde::{Deserialize, Serialize};
+
+use crate::numbers::median;
+
+/// Tolerance of a level as a fraction of the range of the signal: a step of less than three times it is none.
+const LEVEL: f64 = 0.03;
+/// Tolerance of a level in standard deviations of the noise.
+const NOISE: f64 = 4.0;
+/// Tolerances by which successive levels differ at least: levels of a ramp differ by less.
+const APART: f64 = 3.0;
+/// Fewest samples of a level. A supply that is on its way shows fewer.
+const STAYS: usize = 5;
+/// Fraction of the samples that levels hold at least. A slow supply spends the others on its way.
+const COVERED: f64 = 0.9;
+
+/// How a setting changes within a test.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SettingPattern {
+    /// From level to level.
+    Steps,
+    /// In any other way.
+    Varying,
+}
+
+/// A change from one level to the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SettingStep {
+    /// First sample that is not at the level before.
+    pub index: usize,
+    /// End of the level after, exclusive.
+    pub end: usize,
+    /// Level before.
+    pub from: f64,
+    /// Level after.
+    pub to: f64,
+}
+
+/// A setting that changes within a test, as a channel shows it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SettingSignal {
+    /// What is set, such as `current`.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// How it changes.
+    pub pattern: SettingPattern,
+    /// Lowest and highest value.
+    pub range: [f64; 2],
+    /// Its value at each sample of the record. At a level it is that of the level, without noise.
+    #[serde(skip)]
+    pub values: Vec<f64>,
+}
+
+/// A stretch at one level.
+#[derive(Debug, Clone, Copy)]
+struct Level {
+    from: usize,
+    end: usize,
+    value: f64,
+}
+
+impl SettingSignal {
+    /// The signal of a channel. Missing values are those before them.
+    pub fn new(name: &str, unit: &str, channel: &[f64]) -> SettingSignal {
+        let mut values = channel.to_vec();
+        let mut last = channel.iter().copied().find(|v| v.is_finite()).unwrap_or(0.0);
+        for value in &mut values {
+            if value.is_finite() {
+                last = *value;
+            }
+            *value = last;
+        }
+        let found = levels(&values);
+        let pattern = if found.is_some() { SettingPattern::Steps } else { SettingPattern::Varying };
+        for level in found.iter().flatten() {
+            values[level.from..level.end].fill(level.value);
+        }
+        let range = extremes(&values);
+        SettingSignal { name: name.to_owned(), unit: unit.to_owned(), pattern, range, values }
+    }
+
+    /// The changes from level to level; none where it does not stay.
+    pub fn steps(&self) -> Vec<SettingStep> {
+        let of = |pair: &[Level]| SettingStep {
+            index: pair[0].end,
+            end: pair[1].end,
+            from: pair[0].value,
+            to: pair[1].value,
+        };
+        levels(&self.values).map_or_else(Vec::new, |levels| levels.windows(2).map(of).collect())
+    }
+
+    /// The command in the step that ends at a sample. A change is as likely in the first half of it as in the second.
+    pub fn command(&self, sample: usize) -> f64 {
+        let at = |index: usize| self.values.get(index).copied().unwrap_or(0.0);
+        0.5 * (at(sample.saturating_sub(1)) + at(sample))
+    }
+
+    /// Largest and smallest value of a range of samples have this distance.
+    pub fn swing(&self, range: std::ops::Range<usize>) -> f64 {
+        let [low, high] = extremes(self.values.get(range).unwrap_or(&[]));
+        (high - low).max(0.0)
+    }
+
+    /// The signal at other samples, each the one of an index here.
+    #[must_use]
+    pub fn select(&self, indices: impl IntoIterator<Item = usize>) -> SettingSignal {
+        let values = indices.into_iter().filter_map(|index| self.values.get(index).copied()).collect();
+        SettingSignal { values, ..self.clone() }
+    }
+
+    /// The signal with other values for the samples of its record.
+    #[must_use]
+    pub fn with_values(&self, values: Vec<f64>) -> SettingSignal {
+        SettingSignal { values, ..self.clone() }
+    }
+}
+
+fn extremes(values: &[f64]) -> [f64; 2] {
+    let (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
+    let (low, high) = values.iter().fold((low, high), |(low, high), v| (low.min(*v), high.max(*v)));
+    [low, high]
+}
+
+/// Standard deviation of white noise on levels, from differences of neighboring samples; the median makes steps harmless.
+fn noise(values: &[f64]) -> f64 {
+    let mut differences: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    // √2 is the gain of the difference, 0.6745 the median of |normal|.
+    if differences.is_empty() { 0.0 } else { median(&mut differences) / (0.6745 * std::f64::consts::SQRT_2) }
+}
+
+/// The levels of a signal that stays at levels.
+fn levels(values: &[f64]) -> Option<Vec<Level>> {
+    let [low, high] = extremes(values);
+    let tolerance = (LEVEL * (high - low)).max(NOISE * noise(values));
+    let mut levels: Vec<Level> = Vec::new();
+    let mut from = 0;
+    while from < values.len() {
+        let (mut sum, mut end) = (0.0, from);
+        while end < values.len() && (end == from || (values[end] - sum / (end - from) as f64).abs() <= tolerance) {
+            sum += values[end];
+            end += 1;
+        }
+        if end - from >= STAYS {
+            let value = median(&mut values[from..end].to_vec());
+            levels.push(Level { from, end, value });
+            from = end;
+        } else {
+            from += 1;
+        }
+    }
+    let covered: usize = levels.iter().map(|level| level.end - level.from).sum();
+    let are_apart = levels.windows(2).all(|pair| (pair[1].value - pair[0].value).abs() >= APART * tolerance);
+    let stays = levels.len() > 1 && are_apart && covered as f64 >= COVERED * values.len() as f64;
+    stays.then_some(levels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scatter(k: usize) -> f64 {
+        let bits = (k as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
+        bits as f64 / f64::from(1u32 << 24) - 0.5
+    }
+
+    #[test]
+    fn steps_are_told_from_what_never_stays() {
+        let stepped: Vec<f64> =
+            (0..2000).map(|k| if (k / 400) % 2 == 0 { 0.2 } else { 1.4 } + 0.01 * scatter(k)).collect();
+        let signal = SettingSignal::new("current", "A", &stepped);
+        assert_eq!(signal.pattern, SettingPattern::Steps);
+        let steps = signal.steps();
+        assert_eq!(steps.iter().map(|s| s.index).collect::<Vec<_>>(), [400, 800, 1200, 1600]);
+        assert!((steps[0].from - 0.2).abs() < 1e-3 && (steps[0].to - 1.4).abs() < 1e-3);
+        // A level is free of noise.
+        assert!(signal.swing(0..400) == 0.0 && signal.swing(390..410) > 1.0);
+        let ramp: Vec<f64> = (0..2000).map(|k| 1e-3 * k as f64).collect();
+        let sine: Vec<f64> = (0..2000).map(|k| 0.8 + 0.8 * libm::sin(0.01 * k as f64)).collect();
+        for varying in [ramp, sine] {
+            let signal = SettingSignal::new("current", "A", &varying);
+            assert_eq!(signal.pattern, SettingPattern::Varying);
+            assert!(signal.steps().is_empty() && signal.values == varying);
+        }
+    }
+
+    #[test]
+    fn a_supply_that_takes_a_few_samples_makes_a_step() {
+        let slow: Vec<f64> =
+            (0..1000).map(|k| if k < 500 { 0.0 } else { 1.0 - libm::exp(-(k as f64 - 500.0) / 3.0) }).collect();
+        let signal = SettingSignal::new("current", "A", &slow);
+        assert_eq!(signal.pattern, SettingPattern::Steps);
+        assert_eq!(signal.steps().len(), 1);
+        // On its way it is as measured.
+        assert!((signal.values[502] - slow[502]).abs() < 1e-12);
+    }
+
+    #[test]
+    fn missing_values_are_those_before_them() {
+        let mut values = vec![0.5; 40];
+        values.extend([f64::NAN; 3]);
+        values.extend([1.5; 40]);
+        let signal = SettingSignal::new("current", "A", &values);
+        assert_eq!((signal.values[41], signal.steps()[0].index), (0.5, 43));
+        assert_eq!(signal.command(43), 1.0);
+    }
+}

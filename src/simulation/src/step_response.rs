@@ -1,0 +1,187 @@
+//! How fast the force follows a step of the setting: measured and by the model, up and down.
+//!
+//! Along the motion of the test the force at the setting before and at the one after the step are known from the model. The response is the fraction
+//! of the way from the one to the other that the force has gone. So a step counts during a sine as well as at constant speed.
+
+use crate::prediction::{predict, predict_family};
+use dashpot_core::family::Definition;
+use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
+use dashpot_identification::validation::{ResponseTimes, StepResponse};
+use dashpot_records::smoothing::smooth;
+use dashpot_records::{Record, SettingPattern, is_same_setting};
+use std::collections::BTreeMap;
+
+/// Time before a step that a response shows, and most time behind it, s.
+const BEFORE: f64 = 0.01;
+const BEHIND: f64 = 0.3;
+/// Points of a response.
+const POINTS: usize = 400;
+/// Shortest level behind a step that shows where the response ends, s.
+const SHORTEST: f64 = 0.03;
+/// Fraction of a level at its end that shows where the response ends.
+const SETTLED: f64 = 0.25;
+/// Fraction of the largest difference of force below which an instant of a step says nothing.
+const LEAST: f64 = 0.2;
+
+/// One step with the forces around it.
+#[derive(Debug, Clone)]
+pub struct StepForces {
+    /// Time since the step, s.
+    pub time: Vec<f64>,
+    /// Force, N.
+    pub force: Vec<f64>,
+    /// Force at the setting before the step along the same motion, N.
+    pub before: Vec<f64>,
+    /// Force at the setting after it, N.
+    pub after: Vec<f64>,
+}
+
+/// The mean response to steps of one kind on a grid of times since the step, from 0 before to 1 at its end.
+pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
+    let most =
+        steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let mut sums = vec![[0.0; 2]; grid.len()];
+    for of in steps {
+        for (sum, t) in sums.iter_mut().zip(grid) {
+            let right = of.time.partition_point(|time| time < t);
+            if right == 0 || right >= of.time.len() {
+                continue;
+            }
+            let part = (t - of.time[right - 1]) / (of.time[right] - of.time[right - 1]);
+            let at = |values: &[f64]| values[right - 1] + part * (values[right] - values[right - 1]);
+            let (force, before, after) = (at(&of.force), at(&of.before), at(&of.after));
+            let way = after - before;
+            if way.abs() >= LEAST * most {
+                sum[0] += (force - before) * way;
+                sum[1] += way * way;
+            }
+        }
+    }
+    let raw: Vec<f64> = sums.iter().map(|[product, square]| product / square).collect();
+    // What the model misses at the levels is no part of the response.
+    let mean = |wanted: &dyn Fn(f64) -> bool| {
+        let own = raw.iter().zip(grid).filter(|(r, t)| r.is_finite() && wanted(**t)).map(|(r, _)| *r);
+        let (sum, count) = own.fold((0.0, 0), |(sum, count), r| (sum + r, count + 1));
+        (count > 0).then(|| sum / f64::from(count))
+    };
+    let end = grid.last().copied().unwrap_or(0.0);
+    let zero = mean(&|t| t < 0.0).unwrap_or(0.0);
+    let one = mean(&|t| t > (1.0 - SETTLED) * end).unwrap_or(1.0);
+    raw.iter().map(|r| (r - zero) / (one - zero)).collect()
+}
+
+/// Steps of one kind: measured and by the model.
+#[derive(Default)]
+struct Kind {
+    levels: [f64; 2],
+    tests: Vec<String>,
+    measured: Vec<StepForces>,
+    model: Vec<StepForces>,
+    shortest: f64,
+    sample: f64,
+}
+
+/// Settings in hundredths, by which steps of one kind are found.
+fn key(setting: f64) -> i64 {
+    (setting * 50.0).round() as i64
+}
+
+/// The responses to the steps of records whose setting steps, by the settings before and after.
+///
+/// # Errors
+/// Parameters that make no model.
+pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Vec<StepResponse>, NoModel> {
+    let mut kinds: BTreeMap<(i64, i64), Kind> = BTreeMap::new();
+    let family = prepared_family(definition)?;
+    for record in records {
+        let Some(signal) = record.setting_signal.as_ref().filter(|s| s.pattern == SettingPattern::Steps) else {
+            continue;
+        };
+        let motion = smooth(record);
+        let model = predict_family(&family, record, &motion);
+        let mut levels: Vec<(f64, Vec<f64>)> = Vec::new();
+        let mut starts_at = 0.0;
+        for step in signal.steps() {
+            for level in [step.from, step.to] {
+                if !levels.iter().any(|(known, _)| is_same_setting(*known, level)) {
+                    let damper = prepared(&definition.params_at(level))?;
+                    levels.push((level, predict(&damper, record, &motion, 0.0)));
+                }
+            }
+            let level = |wanted: f64| levels.iter().find(|(known, _)| is_same_setting(*known, wanted)).map(|(_, f)| f);
+            let (Some(before), Some(after)) = (level(step.from), level(step.to)) else { continue };
+            // A change is as likely in the first half of a sample as in the second.
+            let instant = 0.5 * (record.time[step.index] + record.time[step.index.saturating_sub(1)]);
+            let end = record.time[step.end.min(record.time.len()) - 1];
+            let has_settled = instant - starts_at >= SHORTEST && end - instant >= SHORTEST;
+            starts_at = instant;
+            if !has_settled {
+                continue;
+            }
+            let from = record.time.partition_point(|t| *t < instant - BEFORE);
+            let to = record.time.partition_point(|t| *t < end.min(instant + BEHIND));
+            let cut = |values: &[f64]| values[from..to].to_vec();
+            let forces = |force: &[f64]| StepForces {
+                time: record.time[from..to].iter().map(|t| t - instant).collect(),
+                force: cut(force),
+                before: cut(before),
+                after: cut(after),
+            };
+            let kind = kinds.entry((key(step.from), key(step.to))).or_insert_with(|| Kind {
+                levels: [step.from, step.to],
+                shortest: BEHIND,
+                sample: BEHIND,
+                ..Kind::default()
+            });
+            kind.shortest = kind.shortest.min(end - instant);
+            kind.sample = kind.sample.min((end - record.time[from]) / (step.end - from).max(1) as f64);
+            if kind.tests.last() != Some(&record.name) {
+                kind.tests.push(record.name.clone());
+            }
+            kind.measured.push(forces(&record.force));
+            kind.model.push(forces(&model));
+        }
+    }
+    let response = |kind: Kind| {
+        let span = kind.shortest + BEFORE;
+        // Not finer than the samples: noise between them is none.
+        let points = (span / kind.sample.max(1e-6)).min(POINTS as f64).max(8.0) as usize;
+        let grid: Vec<f64> = (0..=points).map(|k| span * k as f64 / points as f64 - BEFORE).collect();
+        let [measured, model] = [&kind.measured, &kind.model].map(|steps| mean_response(steps, &grid));
+        StepResponse {
+            from: kind.levels[0],
+            to: kind.levels[1],
+            steps: kind.measured.len(),
+            tests: kind.tests,
+            measured: ResponseTimes::measure(&grid, &measured),
+            model: ResponseTimes::measure(&grid, &model),
+            time: grid,
+            measured_response: measured,
+            model_response: model,
+        }
+    };
+    Ok(kinds.into_values().map(response).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_step_during_a_sine_counts_as_one_at_constant_speed() {
+        let grid: Vec<f64> = (0..300).map(|k| 1e-3 * f64::from(k) - 0.01).collect();
+        let step = |phase: f64| {
+            let speed: Vec<f64> = grid.iter().map(|t| libm::cos(8.0 * t + phase)).collect();
+            let way = |t: f64| if t < 0.0 { 0.0 } else { 1.0 - libm::exp(-t / 0.012) };
+            StepForces {
+                force: grid.iter().zip(&speed).map(|(t, v)| (200.0 + 800.0 * way(*t)) * v + 3.0).collect(),
+                before: speed.iter().map(|v| 200.0 * v).collect(),
+                after: speed.iter().map(|v| 1000.0 * v).collect(),
+                time: grid.clone(),
+            }
+        };
+        let mean = mean_response(&[step(0.0), step(2.0), step(-0.7)], &grid[1..299]);
+        let found = ResponseTimes::measure(&grid[1..299], &mean).unwrap();
+        assert!((found.t63_s - 0.012).abs() < 5e-4, "{found:?}");
+    }
+}
