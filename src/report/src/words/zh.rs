@@ -180,7 +180,7 @@ pub const ZH: Words = Words {
     plot_step_up: "上升阶跃的响应",
     plot_step_down: "下降阶跃的响应",
     axis_since_step: "阶跃后的时间, ms",
-    axis_way: "已走比例，-",
+    axis_way: "已走比例, -",
     actuator_table: "执行器的数值，以及拟合留下的 95 % 区间。",
     actuator_parts: "阀具有的特性及其概率。",
     col_has_it: "具有",
