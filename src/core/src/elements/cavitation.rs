@@ -65,6 +65,8 @@ const CLOSED: f64 = 1e-5;
 const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
+/// Longest void at rest, m. No damper has such a stroke. Without it a lasting force at the cap leaves one of 10^12 m, which never closes.
+const LONGEST: f64 = 1.0;
 /// Most steps for the void at the end of a stage, all of them halves, and the relative change that is the last.
 const STEPS: usize = 80;
 const CLOSE: f64 = 1e-9;
@@ -247,7 +249,8 @@ impl Cavitation {
         if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {
             return 0.0;
         }
-        (self.short_at_onset / (1.0 - share) - 1.0) / self.per_expansion
+        let void = (self.short_at_onset / (1.0 - share) - 1.0) / self.per_expansion;
+        if void < LONGEST { void } else { 0.0 }
     }
 
     /// The void at the end of an implicit stage that is `known` with what lags behind: e − g de/dt = E.

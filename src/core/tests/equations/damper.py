@@ -629,7 +629,8 @@ class Damper:
             without = lambda w: w + self.beside(n(w), x, states) - v
             if "cavitation" in on:
                 w = root_of(without, v) if self.flows() else v
-                states["cavitation_void"] = self.resting_void(n(w))
+                void = self.resting_void(n(w))
+                states["cavitation_void"] = void if void < 1.0 else 0.0
             whole = lambda w: without(w) + self.sigma * self.into_void(n(w), v, states)
             w = root_of(whole, v) if self.flows() else v
             a_2, a_3, _, f_h = self.valves(w, x, temperature, states)
