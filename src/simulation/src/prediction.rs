@@ -4,6 +4,7 @@ use crate::warm_starts::warm;
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model, State};
+use dashpot_estimation::samples::input_at;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
@@ -13,12 +14,7 @@ use dashpot_records::smoothing::Motion;
 /// ([`WarmStarts`](crate::warm_starts::WarmStarts)).
 pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Vec<f64> {
     let n = record.time.len();
-    let input = |i: usize| Input {
-        displacement: Some(motion.displacement[i]),
-        velocity: motion.velocity[i],
-        side_force: record.side_force.as_ref().map_or(0.0, |c| c[i]),
-        temperature: record.temperature.as_ref().map_or(20.0, |c| c[i]),
-    };
+    let input = |i: usize| input_at(record, motion, i);
     let run = |start: State, range: std::ops::Range<usize>, forces: &mut Vec<f64>| {
         let (mut state, mut force) = (start, 0.0);
         for i in range {
@@ -49,12 +45,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
 /// The command between two samples is the mean of both, since the change is as likely in the first half as in the second.
 pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<f64> {
     let n = record.time.len();
-    let input = |i: usize| Input {
-        displacement: Some(motion.displacement[i]),
-        velocity: motion.velocity[i],
-        side_force: record.side_force.as_ref().map_or(0.0, |c| c[i]),
-        temperature: record.temperature.as_ref().map_or(20.0, |c| c[i]),
-    };
+    let input = |i: usize| input_at(record, motion, i);
     let command = |i: usize| record.setting_signal.as_ref().map(|signal| signal.command(i));
     let mut state = family.steady_state(&input(0), command(0));
     let mut delay = family.steady_delay(command(0));

@@ -1,9 +1,8 @@
 //! A test whose setting changes: short steps of the model while the valve answers a command, long ones between.
 
-use super::noise::independence;
+use super::Test;
 use super::road::ROAD;
-use super::{Test, allowed, segment};
-use dashpot_core::Input;
+use super::sampling::Sampling;
 use dashpot_records::smoothing::Motion;
 use dashpot_records::{Record, SettingSignal};
 
@@ -62,46 +61,12 @@ pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSign
     let stride = ((STEP / step(record)) as usize).max(n.div_ceil(MOST)).max(1);
     let picks = picks(record, signal, stride);
     let lead = (picks.len() / LEAD).max(1);
-    let apart = |pair: &[(usize, bool)]| record.time[pair[1].0] - record.time[pair[0].0];
-    let dt = std::iter::once(0.0).chain(picks.windows(2).map(apart)).collect();
-    let (input, force) = picks
-        .iter()
-        .map(|(i, _)| {
-            let input = Input {
-                displacement: Some(motion.displacement[*i]),
-                velocity: motion.velocity[*i],
-                side_force: record.side_force.as_ref().map_or(0.0, |c| c[*i]),
-                temperature: record.temperature.as_ref().map_or(20.0, |c| c[*i]),
-            };
-            (input, record.force[*i])
-        })
-        .unzip();
-    let lag1 = record.noise.lag1.clamp(0.0, 0.99);
-    let mean_noise = record.noise.force_rms;
-    let thinned = independence(lag1.powi((stride * SCORED) as i32));
-    let noise = mean_noise.powi(2) / thinned;
-    let clock = record.clock_s + 0.5 * (record.time[0] + record.time[n - 1]);
-    let mut segment = segment(record, clock, dt, input, force, lead, noise);
-    segment.setting = Some(commands(signal, &picks));
-    let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
     let answers = |k: usize| picks.get(lead + k).is_some_and(|(_, answers)| *answers);
-    for (k, allowed) in allowed.iter_mut().enumerate() {
-        if k % SCORED != 0 && !answers(k) {
-            *allowed = f64::INFINITY;
-        }
-    }
-    let fraction = allowed.iter().filter(|a| a.is_finite()).count() as f64 / allowed.len().max(1) as f64;
-    Test {
-        record: place,
-        allowed,
-        segment,
-        mean_noise,
-        independence: thinned * fraction,
-        growth: 0.0,
-        noise_freedom: n as f64 * independence(lag1),
-        frequency: 0.0,
-        weight: ROAD,
-    }
+    let samples: Vec<usize> = picks.iter().map(|(sample, _)| *sample).collect();
+    let clock = record.clock_s + 0.5 * (record.time[0] + record.time[n - 1]);
+    let sampling = Sampling { picks: &samples, lead, apart: stride * SCORED, clock, weight: ROAD };
+    let setting = Some(commands(signal, &picks));
+    sampling.test(place, record, motion, setting, |k| k % SCORED == 0 || answers(k))
 }
 
 #[cfg(test)]

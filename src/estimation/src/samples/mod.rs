@@ -9,9 +9,11 @@ mod cycle;
 mod lead_in;
 mod noise;
 pub mod road;
+mod sampling;
 mod whole;
 
 pub use lead_in::as_long_as_remembered;
+pub use sampling::input_at;
 pub use whole::segments;
 
 use crate::segment::Segment;

@@ -3,12 +3,11 @@
 //! A long road repeats itself, and every step of it costs as much as one of a mean cycle. Besides many tests it is therefore run in a few
 //! stretches that together visit the displacements and velocities that it visits, rare ones first.
 
-use super::noise::independence;
-use super::{Test, allowed, segment};
-use dashpot_core::Input;
+use super::Test;
+use super::sampling::Sampling;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// Largest step of the model, s: between two scored samples the internal state advances.
@@ -25,6 +24,9 @@ const LEAD: usize = 100;
 const CELLS: f64 = 10.0;
 /// Tests that a record without cycles counts as: it visits amplitudes and speeds of several sines.
 pub const ROAD: f64 = 4.0;
+
+/// Place in the grid of displacement and velocity.
+type Cell = (i64, i64);
 
 /// How much of a road is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,7 +72,7 @@ pub fn tests(place: usize, record: &Record, motion: &Motion, extent: Extent) -> 
         let road = road(stride);
         let all = road.stretches();
         if most < all.len() {
-            let chosen = choose(&all.iter().map(|range| road.cells(range)).collect::<Vec<_>>(), most);
+            let chosen = choose(&road.cells(&all), most);
             let weight = ROAD / chosen.len() as f64;
             return chosen.into_iter().map(|k| road.test(all[k].clone(), LEAD, 1, weight)).collect();
         }
@@ -88,65 +90,34 @@ impl Road<'_> {
         (0..count).map(|k| LEAD + k * STRETCH..LEAD + (k + 1) * STRETCH).collect()
     }
 
-    /// Cells of displacement and velocity that a stretch visits.
-    fn cells(&self, range: &Range<usize>) -> BTreeSet<(i64, i64)> {
+    /// Cells of displacement and velocity that each stretch visits.
+    fn cells(&self, stretches: &[Range<usize>]) -> Vec<BTreeSet<Cell>> {
         let (x, v) = (&self.motion.displacement, &self.motion.velocity);
         let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
         let top = v.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         let cell = |value: f64, low: f64, high: f64| (CELLS * (value - low) / (high - low).max(1e-12)) as i64;
-        self.picks[range.clone()].iter().map(|i| (cell(x[*i], low, high), cell(v[*i], -top, top))).collect()
+        let visited = |i: &usize| (cell(x[*i], low, high), cell(v[*i], -top, top));
+        stretches.iter().map(|range| self.picks[range.clone()].iter().map(visited).collect()).collect()
     }
 
     /// The test of a range of steps, led in by `lead` steps, of which one in `every` is scored.
     fn test(&self, range: Range<usize>, lead: usize, every: usize, weight: f64) -> Test {
-        let Road { place, record, motion, stride, .. } = *self;
         let picks = &self.picks[range.start - lead..range.end];
-        let dt = std::iter::once(0.0).chain(picks.windows(2).map(|w| record.time[w[1]] - record.time[w[0]])).collect();
-        let (input, force) = picks
-            .iter()
-            .map(|i| {
-                let input = Input {
-                    displacement: Some(motion.displacement[*i]),
-                    velocity: motion.velocity[*i],
-                    side_force: record.side_force.as_ref().map_or(0.0, |c| c[*i]),
-                    temperature: record.temperature.as_ref().map_or(20.0, |c| c[*i]),
-                };
-                (input, record.force[*i])
-            })
-            .unzip();
-        let lag1 = record.noise.lag1.clamp(0.0, 0.99);
-        let mean_noise = record.noise.force_rms;
-        let thinned = independence(lag1.powi((stride * every) as i32));
-        let noise = mean_noise.powi(2) / thinned;
-        let clock = record.clock_s + 0.5 * (record.time[picks[lead]] + record.time[picks[picks.len() - 1]]);
-        let segment = segment(record, clock, dt, input, force, lead, noise);
-        let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
-        // The model goes through all of it; samples between the scored ones count nothing.
-        for (k, allowed) in allowed.iter_mut().enumerate() {
-            if k % every != 0 {
-                *allowed = f64::INFINITY;
-            }
-        }
-        let fraction = allowed.iter().filter(|a| a.is_finite()).count() as f64 / allowed.len().max(1) as f64;
-        Test {
-            record: place,
-            allowed,
-            segment,
-            mean_noise,
-            independence: thinned * fraction,
-            growth: 0.0,
-            noise_freedom: record.time.len() as f64 * independence(lag1),
-            frequency: 0.0,
-            weight,
-        }
+        let time = &self.record.time;
+        let clock = self.record.clock_s + 0.5 * (time[picks[lead]] + time[picks[picks.len() - 1]]);
+        let sampling = Sampling { picks, lead, apart: self.stride * every, clock, weight };
+        sampling.test(self.place, self.record, self.motion, None, |k| k % every == 0)
     }
 }
 
 /// The stretches whose cells cover the most that the others do not visit, in their order. A cell counts the more the fewer stretches visit it.
-fn choose(cells: &[BTreeSet<(i64, i64)>], most: usize) -> Vec<usize> {
-    let visits = |cell: &(i64, i64)| cells.iter().filter(|own| own.contains(cell)).count() as f64;
-    let values: Vec<Vec<((i64, i64), f64)>> =
-        cells.iter().map(|own| own.iter().map(|cell| (*cell, 1.0 / visits(cell))).collect()).collect();
+fn choose(cells: &[BTreeSet<Cell>], most: usize) -> Vec<usize> {
+    let mut visits: BTreeMap<Cell, f64> = BTreeMap::new();
+    for cell in cells.iter().flatten() {
+        *visits.entry(*cell).or_default() += 1.0;
+    }
+    let values: Vec<Vec<(Cell, f64)>> =
+        cells.iter().map(|own| own.iter().map(|cell| (*cell, 1.0 / visits[cell])).collect()).collect();
     let (mut chosen, mut covered) = (BTreeSet::new(), BTreeSet::new());
     while chosen.len() < most {
         let gain =
@@ -168,7 +139,7 @@ fn choose(cells: &[BTreeSet<(i64, i64)>], most: usize) -> Vec<usize> {
 mod tests {
     use super::*;
     use crate::sensitivity::forces;
-    use dashpot_core::{Model, Params};
+    use dashpot_core::{Input, Model, Params};
     use dashpot_records::smoothing::smooth;
 
     /// A record of the kernel itself, sampled at 1 kHz for half a minute: at coarser steps the model would miss its own forces.
