@@ -116,7 +116,7 @@ pub fn diagnose_groups(
     let mut options = Options { reference, ..options };
     let mut compared_with = name.clone();
     let count = groups.len() as f64;
-    let mut one = |(k, Group { name, records }): (usize, Group)| {
+    let one = |(k, Group { name, records }): (usize, Group)| {
         let all: Vec<&Record> = records.iter().collect();
         let left = choose(&all, seed);
         let told = |done: f64, text: Template| {
@@ -130,6 +130,6 @@ pub fn diagnose_groups(
         }
         Ok(answer)
     };
-    let groups = groups.into_iter().enumerate().map(&mut one).collect::<Result<_, _>>()?;
+    let groups = groups.into_iter().enumerate().map(one).collect::<Result<_, _>>()?;
     Ok(GroupResults { reference: name, left_aside, without_test, unusable, as_the_fit_saw, groups })
 }

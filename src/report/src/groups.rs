@@ -155,13 +155,13 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
 
 /// Every number that changed in any group, of the reference and of all groups.
 fn numbers(answers: &GroupResults, words: &Words) -> Table {
-    let mut numbers: BTreeMap<String, (&Change, String)> = BTreeMap::new();
-    for one in answers.groups.iter().flat_map(|a| &a.diagnosis.changes) {
-        numbers.entry(one.label()).or_insert_with(|| (one, changed_name(one, words)));
+    let mut numbers: BTreeMap<String, (&Change, &str, String)> = BTreeMap::new();
+    for (answer, one) in answers.groups.iter().flat_map(|a| a.diagnosis.changes.iter().map(move |one| (a, one))) {
+        numbers.entry(one.label()).or_insert_with(|| (one, &answer.reference, changed_name(one, words)));
     }
     let mut rows = Vec::new();
-    for (name, (change, called)) in &numbers {
-        let first = [answers.reference.as_str().into(), Cell::measured(change.reference, change.unit), Cell::none()];
+    for (name, (change, reference, called)) in &numbers {
+        let first = [(*reference).into(), Cell::measured(change.reference, change.unit), Cell::none()];
         rows.push([Cell::from(called.as_str())].into_iter().chain(first).collect());
         for answer in &answers.groups {
             let there = answer.diagnosis.changes.iter().find(|c| c.label() == *name);

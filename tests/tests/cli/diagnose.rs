@@ -448,7 +448,20 @@ fn groups_are_compared_with_one_reference() {
     }
     let told = done(
         dir,
-        &["diagnose", "plain.toml", "fleet", "--group", "folders", "--chain", "--json", "h.json", "--report", "h.html"],
+        &[
+            "diagnose",
+            "plain.toml",
+            "fleet",
+            "--group",
+            "folders",
+            "--chain",
+            "--json",
+            "h.json",
+            "--report",
+            "h.html",
+            "--excel",
+            "h.xlsx",
+        ],
     );
     assert!(told.contains("Compared with the group before each, the first with a:"), "{told}");
     let all = json(&dir.join("h.json"));
@@ -457,7 +470,12 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(compared, [("b", "a"), ("c", "b"), ("d", "c")]);
     let changed: Vec<bool> = steps.iter().map(|g| !list(&g["diagnosis"], "changes").is_empty()).collect();
     assert_eq!(changed, [false, true, false]);
-    assert!(std::fs::read_to_string(dir.join("h.html")).unwrap().contains("d, against c"));
+    let page = std::fs::read_to_string(dir.join("h.html")).unwrap();
+    assert!(page.contains("d, against c"));
+    // The value before a change is that of the group before it.
+    let book = excel::sheets(&dir.join("h.xlsx"));
+    let before = excel::column(excel::sheet(&book, "Numbers that changed"), "group");
+    assert_eq!(before.first().map(ToString::to_string).as_deref(), Some("b"), "{before:?}");
     std::fs::remove_dir_all(dir.join("fleet/d")).unwrap();
     let group = ["diagnose", "plain.toml", "fleet", "--group", "folders", "--candidates", "channel_delay"];
     // Every result takes the place of its own older version.
