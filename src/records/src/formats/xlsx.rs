@@ -16,9 +16,9 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::source::{Budget, Exhausted, Source};
 
-/// Work of opening a sheet, of a cell, and of a place in a row, in steps of the budget.
+/// Work of opening a sheet, of a cell beside its tags, and of a place in a row, in steps of the budget.
 const SHEET: u64 = 50_000;
-const CELL: u64 = 200;
+const CELL: u64 = 100;
 const PLACE: u64 = 20;
 /// Columns beyond this are left unread; rigs have fewer channels.
 const COLUMNS: u32 = 1000;
