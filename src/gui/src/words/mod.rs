@@ -73,6 +73,7 @@ impl Words {
             Channel::SideForce => self.side_force,
             Channel::Temperature => self.temperature,
             Channel::Current => self.current,
+            Channel::Setting => self.setting,
         }
     }
 }
