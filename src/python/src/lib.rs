@@ -66,7 +66,7 @@ mod _native {
     #[pymodule_export]
     use crate::examine::{Diagnosed, diagnose, diagnose_family};
     #[pymodule_export]
-    use crate::explain::explain;
+    use crate::explain::{explain, explain_family};
     #[pymodule_export]
     use crate::export::export_fmu;
     #[pymodule_export]
