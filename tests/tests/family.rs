@@ -334,7 +334,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     // Without its column the test says no pressure; a slip in the name of the column is named.
     let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
     let told = refused(dir, &fit);
-    assert!(told.contains("pressure") && told.contains("steps"), "{told}");
+    assert!(told.contains("no test says its pressure") && told.contains("--column setting=HEADING"), "{told}");
     let told = refused(dir, &[&fit[..], &["--column", "setting=p pilo"]].concat());
     assert!(told.contains("no test has a column 'p pilo' for the setting"), "{told}");
     let told = done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());

@@ -1,8 +1,8 @@
 //! Which physical effect a model lacks.
 
 use crate::campaign::Campaign;
+use crate::dimensions::priors;
 use crate::errors::{DiagnosisError, raise};
-use crate::explain::priors;
 use crate::family::Family;
 use crate::model::Model;
 use crate::work;

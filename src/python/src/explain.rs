@@ -3,17 +3,10 @@
 use crate::errors::{DimensionsError, raise};
 use crate::family::Family;
 use crate::model::Model;
-use dashpot_estimation::prior_set::PriorSet;
 use dashpot_identification::family::at_setting;
 use dashpot_identification::model_file::ModelFile;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
-
-/// The priors that a file of dimensions gives; none without one.
-pub fn priors(path: Option<&Path>) -> PyResult<PriorSet> {
-    let Some(path) = path else { return Ok(PriorSet::default()) };
-    Ok(dashpot_dimensions::forward::priors(&dashpot_dimensions::read(path).map_err(raise::<DimensionsError>)?))
-}
 
 /// Explains a family at a setting by a file of dimensions, as [`explain`] does a model.
 #[pyfunction]

@@ -2,8 +2,8 @@
 
 use crate::campaign::Campaign;
 use crate::compare::figures;
+use crate::dimensions::priors;
 use crate::errors::{FitError, ModelError, MotionError, ValidationError, raise, say};
-use crate::explain::priors;
 use crate::limits;
 use crate::model::Model;
 use crate::work;

@@ -1,8 +1,8 @@
 //! From records to a model.
 
 use crate::campaign::Campaign;
+use crate::dimensions::priors;
 use crate::errors::{FitError, raise, say};
-use crate::explain::priors;
 use crate::work;
 use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Estimate, Family, Fit, FitOptions, InventoryItem, Kind, Measured, model_file};

@@ -22,8 +22,9 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     tell(records, notes);
 }
 
-/// Takes settings from names for the tests of which neither the user nor a channel says one, where each of these names does. Beside a channel only what
-/// it sets counts: a campaign may step the current in some tests and name it in the others.
+/// Takes settings from names where the user and the channels say none, and every such name does.
+///
+/// Beside a channel only what it sets counts: a campaign may step the current in some tests and name it in the others.
 fn name_settings(records: &mut [Record]) {
     let of_channel = |record: &Record| {
         let constant = record.setting.as_ref().map(|of| of.name.clone());
