@@ -36,7 +36,7 @@ impl SettingColumn {
     }
 }
 
-/// What the damper was set to, by the column that the user named or that of its current: a value, or a signal where it changes.
+/// What the damper was set to: a value, or a signal where it changes. The column that the user named goes before that of the current.
 pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
     let (channel, name, unit) = match (samples.setting.take(), samples.current.take()) {
         (Some(mut values), _) => {
