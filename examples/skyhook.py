@@ -1,7 +1,9 @@
-"""The quarter car of skyhook.c, in Python: the same loop with the same numbers.
+"""The quarter cars of skyhook.c, in Python: the same loop, which prints the same lines.
 
-    python skyhook.py target/release/libdashpot.so examples/semi_active.toml
+    python skyhook.py target/release/libdashpot.so examples/semi_active.toml 1        quarter car
+    python skyhook.py target/release/libdashpot.so examples/semi_active.toml 4        four corners
 """
+import cmath
 import ctypes as c
 import math
 import sys
@@ -10,6 +12,8 @@ from dashpot_damper import Damper
 
 BODY, WHEEL, SPRING, TIRE = 400.0, 45.0, 22e3, 210e3  # kg, N/m
 STEP, SKY, STEPS = 1e-3, 2200.0, 20000  # s, N s/m
+EDGES = (0.5, 3.0, 8.0, 25.0)  # Hz
+LENGTH = 16384  # samples of the spectrum, a power of two
 
 
 def command(damper: Damper, motion: tuple[float, float], body_rate: float, setting: float, force: float,
@@ -25,17 +29,38 @@ def command(damper: Damper, motion: tuple[float, float], body_rate: float, setti
     return min(max(chosen, low), high)
 
 
-def drive(damper: Damper, controlled: bool, setting: float, low: float, high: float) -> tuple[float, float]:
-    """Rms of the body's acceleration (m/s^2) and of the tire's deflection (m)."""
+def fourier(values: list[complex]) -> list[complex]:
+    """The discrete Fourier transform of a power of two of values."""
+    half = len(values) // 2
+    if half == 0:
+        return values
+    even, odd = fourier(values[::2]), fourier(values[1::2])
+    turned = [cmath.exp(-1j * math.pi * k / half) * odd[k] for k in range(half)]
+    return [a + b for a, b in zip(even, turned)] + [a - b for a, b in zip(even, turned)]
+
+
+def bands(acceleration: list[float]) -> list[float]:
+    """Rms of the acceleration between the edges, over the last 16.384 s."""
+    lines = fourier([complex(a) for a in acceleration[-LENGTH:]])
+
+    def rms(low: float, high: float) -> float:
+        own = range(math.ceil(low * LENGTH * STEP), math.ceil(high * LENGTH * STEP))
+        return math.sqrt(sum(2.0 * abs(lines[k]) ** 2 for k in own)) / LENGTH
+
+    return [rms(low, high) for low, high in zip(EDGES, EDGES[1:])]
+
+
+def drive(damper: Damper, seed: int, controlled: bool, setting: float, low: float, high: float) -> tuple[list[float], float]:
+    """Accelerations of the body (m/s^2) and the rms of the tire's deflection (m) of one corner."""
     start = damper.motion(0.0, 0.0, setting)
     damper.check(damper.library.dashpot_state_init_motion(c.byref(damper.model), c.byref(start), c.byref(damper.state)))
     force = rest = damper.try_step(0.0, 0.0, 0.0, setting)[0]
-    body = body_rate = wheel = wheel_rate = road = squares = tires = 0.0
-    seed = 1
+    body = body_rate = wheel = wheel_rate = road = tires = 0.0
+    accelerations = []
     for _ in range(STEPS):
         spring, damping, tire = -SPRING * (body - wheel), force - rest, -TIRE * (wheel - road)
         acceleration = (spring - damping) / BODY
-        squares += acceleration * acceleration / STEPS
+        accelerations.append(acceleration)
         tires += (tire / TIRE) * (tire / TIRE) / STEPS
         body_rate += STEP * acceleration
         wheel_rate += STEP * (tire - spring + damping) / WHEEL
@@ -47,14 +72,21 @@ def drive(damper: Damper, controlled: bool, setting: float, low: float, high: fl
         if controlled:
             setting = command(damper, motion, body_rate, setting, damping, low, high)
         force = damper.step(*motion, STEP, setting)
-    return math.sqrt(squares), math.sqrt(tires)
+    return accelerations, math.sqrt(tires)
 
 
 def main() -> None:
+    if len(sys.argv) < 3 or sys.argv[3:] not in ([], ["1"], ["4"]):
+        raise SystemExit("usage: python skyhook.py LIBRARY MODEL.toml [1 or 4 corners]")
+    corners = int(sys.argv[3]) if sys.argv[3:] else 1
     damper = Damper(sys.argv[1], sys.argv[2])
     for name, controlled, setting in (("soft", False, 0.0), ("start", False, 0.6), ("skyhook", True, 0.6)):
-        acceleration, tire = drive(damper, controlled, setting, 0.0, 1.6)
-        print(f"{name:8} acceleration {acceleration:.4f} m/s^2  tire {1e3 * tire:.4f} mm")
+        for corner in range(1, corners + 1):
+            accelerations, tire = drive(damper, corner, controlled, setting, 0.0, 1.6)
+            whole = math.sqrt(sum(a * a for a in accelerations) / STEPS)
+            one, two, three = bands(accelerations)
+            print(f"{name:8} corner {corner}  acceleration {whole:.4f} m/s^2 ({one:.4f}, {two:.4f}, {three:.4f} in 0.5-3, 3-8, 8-25 Hz)"
+                  f"  tire {1e3 * tire:.4f} mm")
 
 
 if __name__ == "__main__":

@@ -95,6 +95,65 @@ fn a_slip_in_the_drawing_is_named_and_nothing_is_written() {
     assert!(told.contains("--dimensions gives priors to --model thesis"), "{told}");
 }
 
+/// A damper over a current of which only the friction varies.
+const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0]\n\
+     setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 150.0\ncoulomb_force = [20.0, 60.0]\n\
+     fv_velocity = [-1.0, -0.1, 0.0, 0.1, 1.0]\n\
+     fv_force = [[-900.0, -200.0, 0.0, 400.0, 1500.0], [-1500.0, -500.0, 0.0, 900.0, 3000.0]]\n";
+
+#[test]
+fn a_family_is_explained_at_a_setting_with_the_intervals_there() {
+    let intervals = "\n[identification.intervals]\ngas_force = [140.0, 160.0]\n";
+    let folder = folder(&format!("{FAMILY}{intervals}"), "rod_mm = 12\n");
+    let explain = ["explain", "m.toml", "--dimensions", "d.toml"];
+    let told = refused(folder.path(), &explain);
+    assert!(told.contains("m.toml is a damper over a setting: say at which to explain it, as --setting 0"), "{told}");
+    let told = refused(folder.path(), &[&explain[..], &["--setting", "1.5"]].concat());
+    assert!(told.contains("outside those of m.toml, 0 to 1"), "{told}");
+    done(folder.path(), &[&explain[..], &["--setting", "0.5", "--json", "e.json"]].concat());
+    let found = json(&folder.path().join("e.json"));
+    let pressure = quantity(&found, "gas_pressure");
+    assert!((pressure["value"].as_f64().unwrap() / 13.26 - 1.0).abs() < 0.01, "{found}");
+    // An ordinary damper has no setting to be explained at.
+    std::fs::write(folder.path().join("m.toml"), MODEL).unwrap();
+    let told = refused(folder.path(), &[&explain[..], &["--setting", "0.5"]].concat());
+    assert!(told.contains("depends on no setting"), "{told}");
+}
+
+/// Dimensions make priors of a family too: the gas is one number of all settings, and a wrong drawing is contradicted.
+#[test]
+fn a_family_is_fitted_and_diagnosed_with_dimensions() {
+    let folder = folder(FAMILY, "rod_mm = 12\ngas_pressure_bar = 60\n");
+    let dir = folder.path();
+    std::fs::create_dir(dir.join("records")).unwrap();
+    for (name, amplitude, frequency) in [("slow", 0.02, 0.04), ("middle", 0.02, 1.5), ("fast", 0.02, 6.0)] {
+        let step = 1.0 / (200.0 * frequency);
+        let rows = (0..=800).map(|k| f64::from(k) * step).map(|t| {
+            let phase = std::f64::consts::TAU * frequency * t;
+            format!("{t},{},{}\n", amplitude * phase.sin(), amplitude * std::f64::consts::TAU * frequency * phase.cos())
+        });
+        let text = format!("time_s,displacement_m,velocity_m_s\n{}", rows.collect::<String>());
+        std::fs::write(dir.join(format!("{name}.csv")), text).unwrap();
+        for current in ["0.0", "1.0"] {
+            let record = format!("records/{name}_{current}A.csv");
+            done(dir, &["simulate", "m.toml", &format!("{name}.csv"), "--setting", current, "-o", &record]);
+        }
+    }
+    let fit = ["fit", "records", "--setting", "current", "-o", "family.toml", "--dimensions", "d.toml"];
+    let told = done(dir, &fit);
+    assert!(told.contains("note: gas_force contradicts the dimensions of the damper"), "{told}");
+    std::fs::write(dir.join("d.toml"), "rod_mm = 12\ngas_pressure_bar = 13\n").unwrap();
+    let told = done(dir, &fit);
+    assert!(told.contains("note: gas_force was expected at 147.0 N"), "{told}");
+    let explained = done(dir, &["explain", "family.toml", "--dimensions", "d.toml", "--setting", "1"]);
+    assert!(explained.contains("the fit had a prior of the dimensions for it"), "{explained}");
+    done(dir, &["diagnose", "family.toml", "records", "--dimensions", "d.toml", "--json", "diagnosis.json"]);
+    let found = json(&dir.join("diagnosis.json"));
+    assert_eq!(found["settings"].as_array().map(Vec::len), Some(2), "{found}");
+    let told = refused(dir, &["diagnose", "family.toml", "records", "--dimensions", "absent.toml"]);
+    assert!(told.contains("cannot read the dimensions absent.toml"), "{told}");
+}
+
 /// A short campaign is fitted with a drawing; the model file says what was expected, and that of a wrong one.
 #[test]
 fn a_fit_says_what_the_dimensions_made_it_expect_and_what_its_records_contradict() {

@@ -13,8 +13,10 @@ use dashpot_identification::{FitOptions, Standing};
 use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, random, sines, steps};
 use dashpot_proving::semi_active::evaluate_tests;
 use dashpot_records::{Noise, Options, Record, Setting, SettingSignal, load};
+use dashpot_tests::cli::{done, json, refused};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::f64::consts::TAU;
+use std::path::Path;
 
 /// Currents, A, that are measured, and one between them that is not.
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
@@ -272,4 +274,82 @@ fn stepped(damper: &Definition) -> Record {
     }
     record.setting_signal = Some(SettingSignal::new("current", "A", &current));
     record
+}
+
+/// A damper over a pilot pressure whose valve takes 12 ms up and 20 ms down.
+const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [2.0, 10.0]\n\
+     setting_name = \"pressure\"\nsetting_unit = \"bar\"\nsetting_time_up = 0.012\nsetting_time_down = 0.020\ngas_force = 150.0\n\
+     coulomb_force = 25.0\nfv_velocity = [-1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0]\n\
+     fv_force = [[-700.0, -300.0, -150.0, 0.0, 250.0, 500.0, 1100.0], [-1700.0, -900.0, -500.0, 0.0, 900.0, 1700.0, 3000.0]]\n";
+
+/// Runs the damper through a sine at commanded pressures and writes a record of it, with a column of the pressure where it changes.
+fn measure_piloted(dir: &Path, name: &str, (amplitude, frequency, step): (f64, f64, f64), commands: &[(f64, f64)]) {
+    let count = (4.0 / frequency / step) as usize;
+    let rows = (0..=count).map(|k| k as f64 * step).map(|t| {
+        let phase = TAU * frequency * t;
+        format!("{t},{},{}\n", amplitude * phase.sin(), amplitude * TAU * frequency * phase.cos())
+    });
+    std::fs::write(dir.join("m.csv"), format!("time_s,displacement_m,velocity_m_s\n{}", rows.collect::<String>()))
+        .unwrap();
+    let setting: Vec<String> = commands.iter().map(|(time, value)| format!("{time}:{value}")).collect();
+    done(dir, &["simulate", "piloted.toml", "m.csv", "--setting", &setting.join(","), "-o", "f.csv"]);
+    let text = std::fs::read_to_string(dir.join("f.csv")).unwrap();
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let place = |name: &str| header.iter().position(|h| *h == name).unwrap();
+    let wanted = ["time_s", "displacement_m", "velocity_m_s", "force_N"].map(place);
+    let has_column = commands.len() > 1;
+    let mut out =
+        format!("time_s,displacement_m,velocity_m_s,force_N{}\n", if has_column { ",p pilot [bar]" } else { "" });
+    for (k, line) in lines.enumerate() {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
+        let [time, x, v, force] = wanted.map(|place| cells[place]);
+        // 3 N of made-up noise, the same every time.
+        let noise = 6.0 * (((k * 7919) % 1000) as f64 / 1000.0 - 0.5);
+        out += &format!("{time},{x},{v},{}", force + noise);
+        if has_column {
+            let now =
+                commands.iter().rev().find(|(from, _)| *from <= time + 1e-9).map_or(commands[0].1, |(_, value)| *value);
+            out += &format!(",{now}");
+        }
+        out += "\n";
+    }
+    std::fs::write(dir.join("records").join(format!("{name}.csv")), out).unwrap();
+}
+
+#[test]
+fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_column_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    std::fs::write(dir.join("piloted.toml"), PILOTED).unwrap();
+    std::fs::create_dir(dir.join("records")).unwrap();
+    for (name, amplitude, frequency) in [("slow", 0.02, 0.04), ("middle", 0.02, 1.0), ("fast", 0.02, 4.0)] {
+        for pressure in [2.0, 10.0] {
+            let motion = (amplitude, frequency, 1.0 / (200.0 * frequency));
+            measure_piloted(dir, &format!("{name}_{pressure}bar"), motion, &[(0.0, pressure)]);
+        }
+    }
+    let steps: Vec<(f64, f64)> = (0..20).map(|k| (0.21 * f64::from(k), if k % 2 == 0 { 2.0 } else { 10.0 })).collect();
+    measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps);
+    // Without its column the test says no pressure; a slip in the name of the column is named.
+    let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
+    let told = refused(dir, &fit);
+    assert!(told.contains("no test says its pressure") && told.contains("--column setting=HEADING"), "{told}");
+    let told = refused(dir, &[&fit[..], &["--column", "setting=p pilo"]].concat());
+    assert!(told.contains("no test has a column 'p pilo' for the setting"), "{told}");
+    let told = done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());
+    assert!(told.contains("actuator from 1 tests"), "{told}");
+    let found = json(&dir.join("fit.json"));
+    let number = |name: &str| {
+        let all = found["actuator"]["estimates"].as_array().unwrap();
+        all.iter().find(|e| e["name"] == name).unwrap_or_else(|| panic!("{name}: {found}"))["value"].as_f64().unwrap()
+    };
+    for (name, truth) in [("setting_time_up", 0.012), ("setting_time_down", 0.020)] {
+        // A command is known to half a sample.
+        assert!((number(name) - truth).abs() < 1e-3, "{name} {}", number(name));
+    }
+    done(dir, &["validate", "family.toml", "records", "--column", "setting=p pilot", "--json", "errors.json"]);
+    let errors = json(&dir.join("errors.json"));
+    let responses = errors["step_responses"].as_array().unwrap();
+    assert!(responses.len() == 2 && responses.iter().all(|of| of["measured"]["t63_s"].is_number()), "{errors}");
 }

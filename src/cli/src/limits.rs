@@ -45,7 +45,7 @@ pub fn table(found: &Certificate) -> String {
 }
 
 fn row(one: &Checked) -> String {
-    let Limit { name, velocity_m_s, low_n, high_n, setting, .. } = &one.limit;
+    let Limit { name, velocity_m_s, low, high, setting, .. } = &one.limit;
     let (unit, factor) = one.limit.quantity.display();
     let known =
         |value: Option<f64>, decimals: usize| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.decimals$}"));
@@ -63,9 +63,9 @@ fn row(one: &Checked) -> String {
         "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}\n",
         named.chars().take(27).collect::<String>(),
         known(*velocity_m_s, 4),
-        known(low_n.map(|low| factor * low), 1),
-        known(high_n.map(|high| factor * high), 1),
-        known(one.measured.as_ref().map(|v| factor * v.value_n), 1),
-        known(one.model.as_ref().map(|v| factor * v.value_n), 1),
+        known(low.map(|low| factor * low), 1),
+        known(high.map(|high| factor * high), 1),
+        known(one.measured.as_ref().map(|v| factor * v.value), 1),
+        known(one.model.as_ref().map(|v| factor * v.value), 1),
     )
 }

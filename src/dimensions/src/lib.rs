@@ -20,6 +20,7 @@ pub mod geometry;
 pub mod inverse;
 pub mod oil;
 pub mod orifice;
+mod phrases;
 pub mod read;
 pub mod uncertain;
 
@@ -27,4 +28,5 @@ pub use dimensions::{Design, Dimensions};
 pub use entry::Entry;
 pub use error::DimensionsError;
 pub use inverse::{Explanation, explain};
+pub use phrases::texts;
 pub use read::read;

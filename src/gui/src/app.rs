@@ -9,7 +9,8 @@ use crate::units::Units;
 use crate::views::choosing::Choosing;
 use crate::views::plots::{self, Which};
 use crate::views::{
-    Corner, Side, View, bar, choosing, closing, matrix, records, replacing, results, status, study, tables, tests, tune,
+    Corner, Side, View, bar, choosing, closing, drawing, matrix, records, replacing, results, status, study, tables,
+    tests, tune, valve,
 };
 use crate::words;
 use dashpot_output::Kind;
@@ -110,6 +111,9 @@ impl App {
         if let Some(Work::Fit | Work::Validate | Work::Diagnose) = self.session.arrived.take() {
             self.view.side = Side::Result;
         }
+        if std::mem::take(&mut self.session.is_drawing_new) {
+            self.view.side = Side::Drawing;
+        }
         bar::keys(ui, &mut self.session, &mut self.view);
         let (session, view) = (&mut self.session, &mut self.view);
         Panel::top("bar").show(ui, |ui| bar::show(ui, session, view));
@@ -157,6 +161,9 @@ impl App {
             Ask::Folder | Ask::Files => session.open_records(paths, dashpot_records::Options::default()),
             Ask::Reference => session.open_reference(paths),
             Ask::Model => session.replace(Replacement::File(first)),
+            Ask::Dimensions => {
+                session.open_drawing(&first);
+            }
             Ask::SaveModel => {
                 session.save(&first);
             }
@@ -220,7 +227,14 @@ fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
 
 fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
-    let sides = [(Side::Tune, w.tune), (Side::Result, w.result), (Side::Records, w.records), (Side::Study, w.study)];
+    let always = [(Side::Tune, w.tune), (Side::Result, w.result), (Side::Records, w.records), (Side::Study, w.study)];
+    // Behind the others, so that those stay where they are.
+    let valve = session.has_valve().then_some((Side::Valve, w.valve));
+    let drawing = session.drawing.is_some().then_some((Side::Drawing, w.drawing));
+    let sides: Vec<_> = always.into_iter().chain(valve).chain(drawing).collect();
+    if !sides.iter().any(|(side, _)| *side == view.side) {
+        view.side = Side::Tune;
+    }
     ui.horizontal_wrapped(|ui| {
         for (side, text) in sides {
             ui.selectable_value(&mut view.side, side, text);
@@ -232,6 +246,8 @@ fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
         Side::Result => results::show(ui, session, view),
         Side::Records => records::show(ui, session, view),
         Side::Study => study::show(ui, session, view),
+        Side::Valve => valve::show(ui, session, view),
+        Side::Drawing => drawing::show(ui, session, view),
     });
 }
 

@@ -20,6 +20,8 @@ pub enum Ask {
     Reference,
     /// A model file.
     Model,
+    /// A file of dimensions.
+    Dimensions,
     /// Where to save the model.
     SaveModel,
     /// Where to export to.
@@ -38,7 +40,7 @@ impl Ask {
         match self {
             Ask::Folder | Ask::Reference => ("", &[]),
             Ask::Files => ("", &dashpot_records::EXTENSIONS),
-            Ask::Model => ("", &["toml"]),
+            Ask::Model | Ask::Dimensions => ("", &["toml"]),
             Ask::SaveModel => ("damper.toml", &["toml"]),
             Ask::Export(Host::Property) => (Host::Property.proposed(), &["dpr", "xml"]),
             Ask::Export(host) => (host.proposed(), &["fmu"]),
@@ -57,7 +59,7 @@ impl Ask {
 
     /// Whether something that exists is asked for.
     pub fn is_of_input(&self) -> bool {
-        matches!(self, Ask::Folder | Ask::Reference | Ask::Files | Ask::Model)
+        matches!(self, Ask::Folder | Ask::Reference | Ask::Files | Ask::Model | Ask::Dimensions)
     }
 }
 
@@ -126,7 +128,7 @@ impl Dialogs for Native {
             let paths: Vec<PathBuf> = match &ask {
                 Ask::Folder | Ask::Reference => dialog.pick_folder().into_iter().collect(),
                 Ask::Files => dialog.pick_files().unwrap_or_default(),
-                Ask::Model => dialog.pick_file().into_iter().collect(),
+                Ask::Model | Ask::Dimensions => dialog.pick_file().into_iter().collect(),
                 _ => dialog.set_file_name(name).save_file().into_iter().collect(),
             };
             let failed = paths.is_empty() && began.elapsed() < SHOWN && !cfg!(any(windows, target_os = "macos"));

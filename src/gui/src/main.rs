@@ -11,8 +11,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 const HELP: &str = "The window of dashpot: records and a model, looked at, tuned, fitted and exported\n\n\
-    Usage: dashpot-window [CAMPAIGN] [MODEL]\n\n\
-    CAMPAIGN is a folder of records or record files, MODEL a model file; both can be opened or dropped later.\n\
+    Usage: dashpot-window [CAMPAIGN] [MODEL] [D.toml]\n\n\
+    CAMPAIGN is a folder of records or record files, MODEL a model file, D.toml the dimensions of the damper; all can be opened or dropped later.\n\
     Example: dashpot-window campaign/ damper.toml";
 
 fn main() -> ExitCode {

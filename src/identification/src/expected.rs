@@ -10,19 +10,20 @@ use dashpot_records::Sentence;
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {
     let own = |estimate: &Estimate| {
         let row = priors.rows().iter().find(|row| row.number.name() == estimate.name)?;
-        Some(if contradicts(row, estimate) { contradiction(row, estimate) } else { expectation(row) })
+        Some(if is_contradiction(row, estimate) { contradiction(row, estimate) } else { expectation(row) })
     };
     estimates.iter().filter_map(own).collect()
 }
 
 /// Whether the interval of the records and that of the prior do not meet.
-fn contradicts(row: &DamperPrior, estimate: &Estimate) -> bool {
+pub(crate) fn is_contradiction(row: &DamperPrior, estimate: &Estimate) -> bool {
     let (low, high) = row.interval();
     let is_outside = |(from, to): (f64, f64)| to < low || from > high;
     estimate.standing == Standing::Identified && estimate.low.zip(estimate.high).is_some_and(is_outside)
 }
 
-fn expectation(row: &DamperPrior) -> Sentence {
+/// What was expected.
+pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
     let (low, high) = row.interval();
     Sentence::from(phrases::EXPECTED)
         .with("name", row.number)
@@ -33,7 +34,8 @@ fn expectation(row: &DamperPrior) -> Sentence {
         .with("facts", row.facts())
 }
 
-fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
+/// By how much the records contradict it.
+pub(crate) fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
     Sentence::from(phrases::CONTRADICTS)
         .with("name", row.number)
         .with("value", in_words(estimate.value))

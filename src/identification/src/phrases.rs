@@ -63,7 +63,7 @@ dashpot_records::phrases! {
     NO_ACTUATOR: "the {count} tests whose {setting} changes show no actuator: the force follows the command within their samples and their noise";
     ACTUATOR_OPEN: "the records do not determine {names}: the values are those that valves usually show";
     FAMILY_STORES: "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host";
-    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of the tests (800mA, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them";
+    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), or write setting and [settings] into campaign.toml beside them";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
     FAMILY_WITHOUT: "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, or give it in campaign.toml under settings";
     FAMILY_ONE: "all tests have the same {name}, {value}: fit them without --setting";

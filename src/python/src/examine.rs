@@ -1,6 +1,7 @@
 //! Which physical effect a model lacks.
 
 use crate::campaign::Campaign;
+use crate::dimensions::priors;
 use crate::errors::{DiagnosisError, raise};
 use crate::family::Family;
 use crate::model::Model;
@@ -19,6 +20,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
+use std::path::PathBuf;
 
 /// What `dashpot diagnose --json` writes.
 #[derive(Serialize)]
@@ -67,7 +69,7 @@ pub struct Diagnosed {
 /// Diagnoses a damper over a setting at each setting of the records. Returns what `dashpot diagnose --json` writes of it, and the mean cycles of
 /// every test at each setting.
 #[pyfunction]
-#[pyo3(signature = (family, campaign, given=None, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None))]
+#[pyo3(signature = (family, campaign, given=None, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None, dimensions=None))]
 #[allow(clippy::too_many_arguments)]
 pub fn diagnose_family<'py>(
     py: Python<'py>,
@@ -80,7 +82,9 @@ pub fn diagnose_family<'py>(
     candidates: Option<Vec<String>>,
     seed: u64,
     progress: Option<Py<PyAny>>,
+    dimensions: Option<PathBuf>,
 ) -> PyResult<(String, Vec<Vec<Bound<'py, PyDict>>>)> {
+    let priors = priors(dimensions.as_deref())?;
     let (file, mut read) = (&family.get().file, campaign.get().read.clone());
     let held_out = match hold_out.is_empty() {
         true => None,
@@ -117,7 +121,7 @@ pub fn diagnose_family<'py>(
                 max_effects,
                 candidates: candidates.clone(),
                 reference: part.reference,
-                ..Options::default()
+                priors: priors.clone(),
             };
             let say = |done: f64, text: Template| progress.say((place as f64 + done) / count, text.english());
             let one = dashpot_diagnosis::diagnose(&records, &left_out, &part.params, &options, &say)?;
@@ -152,7 +156,7 @@ pub fn diagnose_family<'py>(
 /// Diagnoses a model against records, against a reference where one is given. Returns what `dashpot diagnose --json` writes, the text of the
 /// model file with the named effects added, the mean cycle of every test, and what papers are made from.
 #[pyfunction]
-#[pyo3(signature = (model, campaign, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None))]
+#[pyo3(signature = (model, campaign, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None, dimensions=None))]
 #[allow(clippy::too_many_arguments)]
 pub fn diagnose<'py>(
     py: Python<'py>,
@@ -164,6 +168,7 @@ pub fn diagnose<'py>(
     candidates: Option<Vec<String>>,
     seed: u64,
     progress: Option<Py<PyAny>>,
+    dimensions: Option<PathBuf>,
 ) -> PyResult<(String, String, Vec<Bound<'py, PyDict>>, Diagnosed)> {
     let (file, of_damper) = (&model.get().file, campaign.get());
     let mut about = of_damper.about();
@@ -180,7 +185,8 @@ pub fn diagnose<'py>(
     } else {
         select_hold_out(&of_damper.read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?
     };
-    let options = Options { max_effects, candidates, reference: good, ..Options::default() };
+    let priors = priors(dimensions.as_deref())?;
+    let options = Options { max_effects, candidates, reference: good, priors };
     let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let say = |done: f64, text: Template| progress.say(done, text.english());
         let found = dashpot_diagnosis::diagnose(&records, &left_out, &file.params, &options, &say)?;

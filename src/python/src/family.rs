@@ -2,6 +2,7 @@
 
 use crate::campaign::Campaign;
 use crate::compare::figures;
+use crate::dimensions::priors;
 use crate::errors::{FitError, ModelError, MotionError, ValidationError, raise, say};
 use crate::limits;
 use crate::model::Model;
@@ -181,7 +182,7 @@ impl Family {
 
 /// Fits a damper over a setting; returns the text of its model file and the figures as JSON.
 #[pyfunction]
-#[pyo3(signature = (campaign, setting, elements=None, hold_out=Vec::new(), progress=None))]
+#[pyo3(signature = (campaign, setting, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
 pub fn fit_family(
     py: Python<'_>,
     campaign: &Campaign,
@@ -189,12 +190,13 @@ pub fn fit_family(
     elements: Option<Vec<String>>,
     hold_out: Vec<String>,
     progress: Option<Py<PyAny>>,
+    dimensions: Option<PathBuf>,
 ) -> PyResult<(String, String)> {
     if setting.is_empty() {
         return Err(say::<FitError>("setting is the name of what the tests were set to, such as current; it is empty"));
     }
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
-    let options = FitOptions { elements, ..FitOptions::default() };
+    let options = FitOptions { elements, priors: priors(dimensions.as_deref())?, ..FitOptions::default() };
     let found = work::run(py, progress, |progress| {
         fit(&records, setting, &options, |stage| progress.say(stage.done, stage.text.english()))
     })?;

@@ -1,6 +1,7 @@
 //! From records to a model.
 
 use crate::campaign::Campaign;
+use crate::dimensions::priors;
 use crate::errors::{FitError, raise, say};
 use crate::work;
 use dashpot_identification::validation::Deviation;
@@ -10,6 +11,7 @@ use dashpot_records::{Sentence, SignFinding, Unusable};
 use dashpot_simulation::whole_records;
 use pyo3::prelude::*;
 use serde::Serialize;
+use std::path::PathBuf;
 
 /// What `dashpot fit --json` writes, but for the name of the file.
 #[derive(Serialize)]
@@ -38,7 +40,8 @@ pub struct Fitted {
 
 /// Fits a model; returns the text of its model file, the figures as JSON, and what its tables are made from.
 #[pyfunction]
-#[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None))]
+#[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
+#[allow(clippy::needless_pass_by_value)]
 pub fn fit(
     py: Python<'_>,
     campaign: &Campaign,
@@ -46,6 +49,7 @@ pub fn fit(
     elements: Option<Vec<String>>,
     hold_out: Vec<String>,
     progress: Option<Py<PyAny>>,
+    dimensions: Option<PathBuf>,
 ) -> PyResult<(String, String, Fitted)> {
     let family = match Kind::named(family) {
         Some(Kind::Model(family)) => family,
@@ -62,8 +66,12 @@ pub fn fit(
     if elements.is_some() && family != Family::Thesis {
         return Err(say::<FitError>("elements chooses the elements of the family thesis; the others have no choice"));
     }
+    if dimensions.is_some() && family != Family::Thesis {
+        return Err(say::<FitError>("dimensions gives priors to the family thesis; leave one of the two out"));
+    }
+    let priors = priors(dimensions.as_deref())?;
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
-    let options = FitOptions { family, elements, ..FitOptions::default() };
+    let options = FitOptions { family, elements, priors };
     let found = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let found =
             dashpot_identification::fit(&records, &options, |stage| progress.say(stage.done, stage.text.english()))?;

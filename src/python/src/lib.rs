@@ -9,6 +9,7 @@
 //! | `model` | model files, and the force for a motion |
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
 //! | `family` | dampers over a setting: fit, validate, simulate |
+//! | `dimensions` | priors from the dimensions of a damper |
 //! | `explain` | what a model says of gas, oil and valves |
 //! | `literature` | models of the literature as files |
 //! | `groups` | diagnose many dampers against one |
@@ -28,6 +29,7 @@ mod campaign;
 mod check;
 mod compare;
 mod damper;
+mod dimensions;
 mod errors;
 mod examine;
 mod explain;
@@ -66,7 +68,7 @@ mod _native {
     #[pymodule_export]
     use crate::examine::{Diagnosed, diagnose, diagnose_family};
     #[pymodule_export]
-    use crate::explain::explain;
+    use crate::explain::{explain, explain_family};
     #[pymodule_export]
     use crate::export::export_fmu;
     #[pymodule_export]

@@ -21,8 +21,8 @@ pub fn of_rows(rows: Vec<Row>) -> PyResult<Vec<Limit>> {
                 quantity,
                 velocity_m_s,
                 amplitude_m,
-                low_n: low.filter(|low| *low != f64::NEG_INFINITY),
-                high_n: high.filter(|high| *high != f64::INFINITY),
+                low: low.filter(|low| *low != f64::NEG_INFINITY),
+                high: high.filter(|high| *high != f64::INFINITY),
                 setting,
                 line: k as u64 + 1,
             };
@@ -43,12 +43,12 @@ fn quantity_name(of: Quantity) -> &'static str {
 pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
     let found = limits::read(&path).map_err(raise::<ValidationError>)?;
     let row = |limit: Limit| {
-        let Limit { name, quantity, velocity_m_s, amplitude_m, low_n, high_n, setting, .. } = limit;
+        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, .. } = limit;
         let quantity = quantity_name(quantity);
         // A limit without a name is called by its quantity, as the file writes it.
         let name =
             if Quantity::named(&name).is_ok_and(|q| quantity_name(q) == quantity) { String::new() } else { name };
-        (name, quantity.to_owned(), velocity_m_s, low_n, high_n, amplitude_m, setting)
+        (name, quantity.to_owned(), velocity_m_s, low, high, amplitude_m, setting)
     };
     Ok(found.into_iter().map(row).collect())
 }

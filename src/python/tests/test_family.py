@@ -113,3 +113,45 @@ def test_fit_and_validation_are_those_of_the_command(command: Command) -> None:
         dashpot.diagnose(family.at(0.8), campaign, setting=0.8)  # type: ignore[call-overload]
     again = pickle.loads(pickle.dumps(family))
     assert again.fit == family.fit and again.text == family.text
+
+
+def test_dimensions_are_those_of_the_command(command: Command) -> None:
+    write_records(command.folder / "semi_active", dashpot.Family.read(FILE), [0.0, 1.6])
+    drawing = command.folder / "dimensions.toml"
+    drawing.write_text("rod_mm = 11\ngas_pressure_bar = 9\n")
+    command("fit", "semi_active", "--setting", "current", "--dimensions", "dimensions.toml", "-o", "family.toml")
+    campaign = dashpot.Campaign.read(command.folder / "semi_active")
+    family = dashpot.fit(campaign, setting="current", dimensions=drawing)
+    assert family.text == (command.folder / "family.toml").read_text() and any("gas_pressure_bar" in note for note in family.fit.notes)
+    command("explain", "family.toml", "--dimensions", "dimensions.toml", "--setting", "0.8", "--json", "explained.json")
+    said = command.json("explained.json")
+    del said["model"], said["dimensions"]
+    assert dashpot.explain(family, drawing, setting=0.8).to_dict() == said
+    with pytest.raises(TypeError, match="give setting"):
+        dashpot.explain(family, drawing)
+    with pytest.raises(ValueError, match="outside those of the model, 0 to 1.6"):
+        dashpot.explain(family, drawing, setting=2.0)
+    with pytest.raises(TypeError, match="depends on none"):
+        dashpot.explain(family.at(0.8), drawing, setting=0.8)
+    command("fit", "semi_active", "--hold-out", "*_1.6A", "--dimensions", "dimensions.toml", "-o", "soft.toml")
+    soft = dashpot.fit(campaign, hold_out=["*_1.6A"], dimensions=drawing)
+    assert soft.text == (command.folder / "soft.toml").read_text()
+    command("diagnose", "soft.toml", "semi_active", "--max-effects", "1", "--candidates", "aeration", "--dimensions", "dimensions.toml", "--json", "found.json")
+    found = dashpot.diagnose(soft, campaign, max_effects=1, candidates=["aeration"], dimensions=drawing)
+    assert found.to_dict() == command.json("found.json")
+    with pytest.raises(dashpot.DimensionsError, match="absent.toml"):
+        dashpot.fit(campaign, dimensions=command.folder / "absent.toml")
+    with pytest.raises(dashpot.FitError, match="thesis"):
+        dashpot.fit(campaign, family="fv", dimensions=drawing)
+
+
+def test_a_limit_of_a_time_is_in_seconds() -> None:
+    said = {
+        "name": "response_time_up", "quantity": "response_time_up", "velocity_m_s": None, "amplitude_m": None, "low_s": None, "high_s": 0.011, "line": 2,
+        "measured": {"value_s": 0.012, "tests": ["steps"]}, "model": None, "verdict": "fail", "model_verdict": "not_tested",
+    }  # fmt: skip
+    checked = dashpot.results.Checked.from_dict(said)
+    assert checked.to_dict() == said and checked.measured is not None and checked.measured.value == 0.012
+    assert checked.missed == "response_time_up: 0.012 s is above 0.011 s"
+    untested = dashpot.results.Checked.from_dict({**said, "measured": None, "verdict": "not_tested"})
+    assert untested.missed == "response_time_up: not tested, there is no such step of the setting"

@@ -278,6 +278,10 @@ pub enum RecordError {
         near: Option<Sentence>,
     },
 
+    NoSettingColumn {
+        wanted: String,
+    },
+
     MissingUnit {
         at: Place,
         line: usize,
@@ -568,6 +572,9 @@ impl RecordError {
                     .with_word("channel", channel.name())
                     .with("found", found)
                     .with_any("near", near.clone())
+            }
+            RecordError::NoSettingColumn { wanted } => {
+                Sentence::from(phrases::NO_SETTING_COLUMN).with("wanted", wanted)
             }
             RecordError::MissingUnit { at, line, columns, headed } => match &columns[..] {
                 [(channel, column)] if *headed => in_line(phrases::MISSING_UNIT, at, line)

@@ -62,6 +62,7 @@ pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
         side_force: None,
         temperature: None,
         current: None,
+        setting: None,
         headings: Vec::new(),
         about: crate::data::test_metadata::TestMetadata::default(),
         units: Vec::new(),
@@ -161,6 +162,7 @@ impl SineTest {
             temperature: None,
 
             current: None,
+            setting: None,
             headings: Vec::new(),
             units: Vec::new(),
             notes: Vec::new(),

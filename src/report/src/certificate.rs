@@ -80,9 +80,8 @@ fn headline(found: &Certificate, words: &Words) -> String {
 }
 
 fn table(found: &Certificate, words: &Words) -> Table {
-    let value = |of: Quantity, v: Option<&Value>| {
-        Cell::known(v.map(|v| of.display().1 * v.value_n), |v| Cell::number(v, error))
-    };
+    let value =
+        |of: Quantity, v: Option<&Value>| Cell::known(v.map(|v| of.display().1 * v.value), |v| Cell::number(v, error));
     let bound = |of: Quantity, v: Option<f64>| Cell::known(v.map(|v| of.display().1 * v), |v| Cell::number(v, error));
     let verdict = |v: Verdict| match v {
         Verdict::Pass => words.pass,
@@ -99,8 +98,8 @@ fn table(found: &Certificate, words: &Words) -> Table {
             label(one, words).into(),
             // As every velocity of a report, and of its figures.
             Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
-            bound(limit.quantity, limit.low_n),
-            bound(limit.quantity, limit.high_n),
+            bound(limit.quantity, limit.low),
+            bound(limit.quantity, limit.high),
             value(limit.quantity, one.measured.as_ref()),
             verdict(one.verdict).into(),
             value(limit.quantity, one.model.as_ref()),

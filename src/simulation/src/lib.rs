@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`prediction`] | the forces a model gives for a record |
 //! | [`step_response`] | how fast the force follows a step of the setting |
+//! | [`valve_response`] | how fast the valve does, by the numbers of its actuator |
 //! | [`warm_starts`] | how warm the damper is when each record begins |
 //! | [`comparison`] | a model and its FV curve beside a campaign |
 //! | [`against`] | models of the literature beside them |
@@ -25,6 +26,7 @@ mod limit;
 pub mod prediction;
 pub mod step_response;
 pub mod stiffness;
+pub mod valve_response;
 pub mod vehicle;
 pub mod warm_starts;
 pub mod whole_records;

@@ -52,7 +52,6 @@ fn check(args: &Args, what: &str) -> anyhow::Result<()> {
         ("-o", args.output.is_some(), "writes an improved damper, and each setting may need another"),
         ("--next-tests", args.next_tests.is_some(), "writes a test matrix, which has no column for the setting"),
         ("--svg", args.svg.is_some(), "writes the figures of one diagnosis"),
-        ("--dimensions", args.dimensions.is_some(), "gives priors to one damper"),
         ("--group", args.group.is_some(), "splits the tests itself"),
     ] {
         if is_given {
@@ -90,8 +89,9 @@ pub fn of_data(args: &Args, setting: &str) -> anyhow::Result<()> {
     let campaign = data.load_over_setting_like(&data.data)?;
     let records: Vec<&Record> = campaign.records.iter().collect();
     let progress = Progress::new("fitting");
-    let found =
-        fit_family(&records, setting, &FitOptions::default(), |stage| progress.say(stage.done, stage.text.english()))?;
+    let options =
+        FitOptions { priors: super::dimensions::priors(args.dimensions.as_deref())?, ..FitOptions::default() };
+    let found = fit_family(&records, setting, &options, |stage| progress.say(stage.done, stage.text.english()))?;
     drop(progress);
     let name = format!("family over {setting}");
     let model = family_of_text(&model_file::write(&found), Path::new(&name))?;
@@ -118,13 +118,14 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     campaign.notes.extend(note);
     let parts = split(args, &model, &campaign, good.as_ref(), given)?;
     let unit = model.axis.unit();
+    let priors = super::dimensions::priors(args.dimensions.as_deref())?;
     let mut found: Vec<(Part, Diagnosed)> = Vec::new();
     for mut part in parts {
         let options = Options {
             max_effects: args.max_effects,
             candidates: args.candidates.clone(),
             reference: std::mem::take(&mut part.reference),
-            ..Options::default()
+            priors: priors.clone(),
         };
         let diagnosed = examine(&part.model, &part.campaign, part.left_out.clone(), &options)
             .map_err(|error| error.context(format!("at {}", format_setting(part.setting, unit))))?;

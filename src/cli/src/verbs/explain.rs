@@ -1,7 +1,10 @@
 //! `dashpot explain`: what a model says of gas, oil and valves of its damper.
 
 use super::model;
+use anyhow::bail;
 use dashpot_dimensions::{Explanation, explain, read};
+use dashpot_identification::family::at_setting;
+use dashpot_identification::model_file::ModelFile;
 use dashpot_output::Kind;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -22,6 +25,9 @@ pub struct Args {
     /// Dimensions of the damper, a TOML file with the unit in every key
     #[arg(long, value_name = "D.toml")]
     dimensions: PathBuf,
+    /// Setting at which a damper over a setting is explained
+    #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
+    setting: Option<f64>,
     /// Quantities, gaps and contradictions as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
@@ -35,11 +41,34 @@ struct Json<'a> {
     explanation: &'a Explanation,
 }
 
+/// The damper that is explained: of one over a setting that at the setting.
+fn damper(args: &Args) -> anyhow::Result<ModelFile> {
+    let file = model::read_family(&args.model)?;
+    let path = args.model.display();
+    let Some(setting) = args.setting else {
+        if file.axis.is_some() {
+            let (low, high) = file.axis.range();
+            bail!(
+                "{path} is a damper over a setting: say at which to explain it, as --setting {low} or another up to {high}"
+            );
+        }
+        return Ok(file);
+    };
+    if !file.axis.is_some() {
+        bail!("{path} depends on no setting; leave --setting out");
+    }
+    let (low, high) = file.axis.range();
+    if !(low..=high).contains(&setting) {
+        bail!("the setting {setting} lies outside those of {path}, {low} to {high}");
+    }
+    Ok(at_setting(&file, setting))
+}
+
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let json = args.json.as_deref();
     dashpot_output::check_kinds([(json, Kind::Figures)])?;
-    let file = model::read(&args.model)?;
+    let file = damper(args)?;
     let explanation = explain(&file, &read(&args.dimensions)?);
     for line in explanation.lines() {
         dashpot_output::say(json, &line)?;

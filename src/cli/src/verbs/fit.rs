@@ -184,8 +184,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.setting.is_some() && excel.is_some() {
         bail!("--excel has the tables of a damper without a setting; those of a family are in --json");
     }
-    if args.dimensions.is_some() && (args.setting.is_some() || args.model != Kind::Model(Family::Thesis)) {
-        bail!("--dimensions gives priors to --model thesis without --setting; leave one of them out");
+    if args.dimensions.is_some() && args.model != Kind::Model(Family::Thesis) {
+        bail!("--dimensions gives priors to --model thesis; leave one of the two out");
     }
     let campaign = if args.setting.is_some() { args.data.load_over_setting()? } else { args.data.load()? };
     let options = FitOptions {

@@ -8,7 +8,7 @@ use std::process::Command;
 ///
 /// The window is a program of its own beside this command, dashpot-window.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  dashpot open campaign/ damper.toml")]
+#[command(after_help = "Examples:\n  dashpot open campaign/ damper.toml\n  dashpot open campaign/ damper.toml dimensions.toml")]
 pub struct Args {
     /// Folder of records, or record files
     #[arg(value_name = "CAMPAIGN")]
@@ -16,13 +16,16 @@ pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
     model: Option<PathBuf>,
+    /// Dimensions of the damper
+    #[arg(value_name = "D.toml")]
+    dimensions: Option<PathBuf>,
 }
 
 const WINDOW: &str = if cfg!(windows) { "dashpot-window.exe" } else { "dashpot-window" };
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    let paths: Vec<&PathBuf> = args.campaign.iter().chain(&args.model).collect();
+    let paths: Vec<&PathBuf> = args.campaign.iter().chain(&args.model).chain(&args.dimensions).collect();
     if let Some(missing) = paths.iter().find(|p| !p.exists()) {
         bail!("{}: there is no such file or folder; check the path", missing.display());
     }

@@ -5,8 +5,10 @@ use super::report::{Contradiction, Explanation, digits};
 use crate::dimensions::Dimensions;
 use crate::entry::ENTRIES;
 use crate::forward::{Expectation, expectations};
+use crate::phrases;
 use crate::uncertain::Uncertain;
 use dashpot_core::number;
+use dashpot_records::Sentence;
 
 /// Adds what contradicts: numbers whose interval does not meet that of the drawing.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
@@ -42,20 +44,18 @@ fn contradiction(own: Uncertain, expectation: &Expectation, drawing: &Dimensions
         let digits = digits(value);
         if unit == "-" { digits } else { format!("{digits} {unit}") }
     };
-    let give = if expectation.from.len() == 1 && expectation.number != number!("gas_force") { "gives" } else { "give" };
-    let text = format!(
-        "The {} of the model, {}, is {} times the {} that {} {give}.",
-        expectation.noun,
-        with_unit(model),
-        two_digits(model / dimensions),
-        with_unit(dimensions),
-        facts(expectation, drawing),
-    );
+    let is_one = expectation.from.len() == 1 && expectation.number != number!("gas_force");
+    let text = Sentence::from(if is_one { phrases::CONTRADICTS_ONE } else { phrases::CONTRADICTS_SEVERAL })
+        .with_word("noun", expectation.noun)
+        .with("model", with_unit(model))
+        .with("ratio", two_digits(model / dimensions))
+        .with("dimensions", with_unit(dimensions))
+        .with_sentence("facts", facts(expectation, drawing));
     Contradiction { parameter: expectation.number.name(), model, dimensions, ratio: model / dimensions, unit, text }
 }
 
 /// The entries with their values, as a drawing says them.
-fn facts(expectation: &Expectation, drawing: &Dimensions) -> String {
+fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     let rows = ENTRIES.iter().filter(|row| expectation.from.contains(&row.key));
     let value = |key: &str| {
         let row = ENTRIES.iter().find(|row| row.key == key)?;
@@ -64,10 +64,10 @@ fn facts(expectation: &Expectation, drawing: &Dimensions) -> String {
     if let (true, Some(pressure), Some(rod)) =
         (expectation.number == number!("gas_force"), value("gas_pressure_bar"), value("rod_mm"))
     {
-        return format!("{pressure} bar on a rod of {rod} mm");
+        return Sentence::from(phrases::PRESSURE_ON_ROD).with("pressure", pressure).with("diameter", rod);
     }
     let all: Vec<String> = rows.filter_map(|row| Some(format!("{} = {}", row.key, value(row.key)?))).collect();
-    all.join(", ")
+    Sentence::as_it_is(all.join(", "))
 }
 
 /// A number as it was written, without the digits of its way through SI.

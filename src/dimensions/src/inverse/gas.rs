@@ -6,8 +6,10 @@ use super::report::{Explanation, Gap, Quantity};
 use crate::dimensions::Dimensions;
 use crate::entry::Entry;
 use crate::gas;
+use crate::phrases;
 use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
+use dashpot_records::sentence::Template;
 
 /// Pa of a bar and m³ of a cm³.
 const BAR: f64 = 1e5;
@@ -22,25 +24,25 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
 /// The gas force where the model has one.
 fn pressure(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
     const NAME: &str = "gas_pressure";
-    let gap = |why: &str, parameters: Vec<&'static str>| Gap {
+    let gap = |why: Template, parameters: Vec<&'static str>| Gap {
         name: NAME,
-        why: why.to_owned(),
+        why: why.into(),
         entries: drawing.missing(&[Entry::Rod]),
         parameters,
     };
     let force = match model.number(number!("gas_force")) {
         Standing::Known(force) => force,
         Standing::Off => {
-            to.unknown.push(gap("the model has no gas force; a slow test shows it", vec!["gas_force"]));
+            to.unknown.push(gap(phrases::NO_GAS_FORCE, vec!["gas_force"]));
             return None;
         }
         Standing::Open => {
-            to.unknown.push(gap("the records leave the gas force open; a slow test shows it", vec!["gas_force"]));
+            to.unknown.push(gap(phrases::GAS_FORCE_OPEN, vec!["gas_force"]));
             return None;
         }
     };
     let Some(rod) = drawing.known(Entry::Rod) else {
-        to.unknown.push(gap("the gas pushes on the area of the rod", Vec::new()));
+        to.unknown.push(gap(phrases::GAS_ON_ROD, Vec::new()));
         return None;
     };
     let inputs = [force, rod, Uncertain::within_factor(1.0, errors::GAS_PRESSURE)];
@@ -55,26 +57,26 @@ fn pressure(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> O
 
 fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "gas_volume";
-    let gap = |why: &str, parameters: Vec<&'static str>| Gap {
+    let gap = |why: Template, parameters: Vec<&'static str>| Gap {
         name: NAME,
-        why: why.to_owned(),
+        why: why.into(),
         entries: drawing.missing(&[Entry::Rod]),
         parameters,
     };
     let stiffness = match model.number(number!("gas_stiffness")) {
         Standing::Known(stiffness) => stiffness,
         Standing::Off => {
-            let why = "the model has no gas spring; slow strokes over the whole travel show it";
+            let why = phrases::NO_GAS_SPRING;
             return to.unknown.push(gap(why, vec!["gas_stiffness"]));
         }
         Standing::Open => {
-            let why = "the records leave the gas stiffness open; slow strokes over the whole travel show it";
+            let why = phrases::GAS_SPRING_OPEN;
             return to.unknown.push(gap(why, vec!["gas_stiffness"]));
         }
     };
     let stated = drawing.stated(Entry::GasPressure);
     let (Some(rod), Some(pressure)) = (drawing.known(Entry::Rod), stated.or(pressure)) else {
-        return to.unknown.push(gap("it follows from the pressure and the stiffness of the gas", Vec::new()));
+        return to.unknown.push(gap(phrases::VOLUME_FROM, Vec::new()));
     };
     let inputs = [pressure, stiffness, rod, Uncertain::within_factor(1.0, errors::GAS_VOLUME)];
     let found = through(&inputs, |x| if x[1] > 0.0 { gas::volume(x[0], x[1], x[2]) * x[3] } else { f64::INFINITY });

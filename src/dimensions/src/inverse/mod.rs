@@ -11,10 +11,9 @@ mod valves;
 pub use report::{Contradiction, Explanation, Gap, Quantity};
 
 use crate::dimensions::Dimensions;
+use crate::phrases;
 use dashpot_identification::model_file::ModelFile;
-
-/// What is said of a quantity that does not rest on records alone.
-const PRIOR: &str = "the fit had a prior of the dimensions for it";
+use dashpot_records::Sentence;
 
 /// Explains a model by a drawing.
 ///
@@ -28,8 +27,8 @@ pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {
     contradictions::explain(&model, drawing, &mut to);
     for quantity in &mut to.quantities {
         if quantity.from.iter().any(|name| model.had_prior(name)) {
-            quantity.note =
-                [quantity.note.as_str(), PRIOR].into_iter().filter(|n| !n.is_empty()).collect::<Vec<_>>().join("; ");
+            let all = quantity.note.take().into_iter().chain([phrases::HAD_PRIOR.into()]).collect();
+            quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));
         }
     }
     to

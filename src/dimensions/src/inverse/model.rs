@@ -40,8 +40,10 @@ impl Identified<'_> {
 
     /// Whether the fit of the model had a prior of the dimensions for a parameter: its notes say so.
     pub fn had_prior(&self, name: &str) -> bool {
-        let starts = [format!("{name} was expected at"), format!("{name} contradicts the dimensions")];
-        self.0.identification.notes.iter().any(|note| starts.iter().any(|start| note.starts_with(start)))
+        let said = [format!("{name} was expected at"), format!("{name} contradicts the dimensions")];
+        // That of a damper over a setting begins with the setting.
+        let is_said = |note: &str, said: &str| note.starts_with(said) || note.contains(&format!(": {said}"));
+        self.0.identification.notes.iter().any(|note| said.iter().any(|said| is_said(note, said)))
     }
 
     /// Whether the FV curve of the model is a table.

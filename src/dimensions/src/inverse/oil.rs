@@ -6,8 +6,11 @@ use super::report::{Explanation, Gap, Quantity};
 use crate::dimensions::{Design, Dimensions};
 use crate::entry::Entry;
 use crate::oil;
+use crate::phrases;
 use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
+use dashpot_records::Sentence;
+use dashpot_records::sentence::Template;
 
 /// Pa of a GPa.
 const GPA: f64 = 1e9;
@@ -42,7 +45,7 @@ struct Column {
     /// Modulus of a stiffness, by the entries of the chamber.
     modulus: fn(f64, &[f64]) -> f64,
     error: f64,
-    note: &'static str,
+    note: Option<Template>,
     /// Whether it is a lower bound alone.
     is_bound: bool,
 }
@@ -62,7 +65,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             chamber: BOTH_CHAMBERS,
             modulus: by_compression,
             error: errors::MODULUS,
-            note: "by the column in compression",
+            note: Some(phrases::BY_COMPRESSION),
             is_bound: false,
         });
     }
@@ -74,7 +77,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             chamber: CHAMBER,
             modulus: by_rebound,
             error: errors::MODULUS,
-            note: "",
+            note: None,
             is_bound: false,
         });
     }
@@ -90,7 +93,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             chamber: CHAMBER,
             modulus: by_rebound,
             error: errors::SERIES_MODULUS,
-            note: "the series spring less the eyes",
+            note: Some(phrases::LESS_THE_EYES),
             is_bound: false,
         }),
         _ if is_open => Ok(Column {
@@ -100,7 +103,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             chamber: CHAMBER,
             modulus: by_rebound,
             error: errors::SERIES_MODULUS,
-            note: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them",
+            note: Some(phrases::A_BOUND),
             is_bound: true,
         }),
         _ => Err(vec!["oil_stiffness"]),
@@ -119,12 +122,12 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     let found = match found {
         Ok(found) if missing.is_empty() => found,
         Ok(_) => {
-            let why = "the stiffness of the column is one of a chamber with area and length".to_owned();
+            let why = phrases::COLUMN_FROM.into();
             to.unknown.push(Gap { name: NAME, why, entries: missing, parameters: Vec::new() });
             return None;
         }
         Err(parameters) => {
-            let why = "the model has no oil column and no series spring that the records determine".to_owned();
+            let why = phrases::NO_COLUMN.into();
             to.unknown.push(Gap { name: NAME, why, entries: missing, parameters });
             return None;
         }
@@ -139,7 +142,7 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     }
     let from = found.from.iter().copied().chain(found.chamber.iter().map(|entry| entry.key())).collect();
     let quantity = Quantity::new(NAME, "GPa", interval.scaled(1.0 / GPA), from, found.error);
-    to.quantities.push(Quantity { note: found.note.to_owned(), ..quantity });
+    to.quantities.push(Quantity { note: found.note.map(Sentence::from), ..quantity });
     match interval {
         Interval { value: Some(value), low: Some(low), high: Some(high) } => Some(Uncertain { value, low, high }),
         _ => None,
@@ -153,9 +156,8 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
     let missing: Vec<_> =
         needed.iter().filter(|entry| drawing.stated(**entry).is_none()).map(|entry| entry.key()).collect();
     let (Some(effective), true) = (effective, missing.is_empty()) else {
-        let why =
-            if effective.is_none() { "the effective modulus is not known" } else { "the tube expands with the oil" };
-        return to.unknown.push(Gap { name: NAME, why: why.to_owned(), entries: missing, parameters: Vec::new() });
+        let why = if effective.is_none() { phrases::NO_MODULUS } else { phrases::TUBE_EXPANDS };
+        return to.unknown.push(Gap { name: NAME, why: why.into(), entries: missing, parameters: Vec::new() });
     };
     let Some(mut inputs) = drawing.all(&[Entry::Bore, Entry::TubeWall, Entry::TubeModulus]) else { return };
     inputs.push(effective);
@@ -165,7 +167,7 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
     });
     let from = vec![NAME_OF_EFFECTIVE, Entry::Bore.key(), Entry::TubeWall.key()];
     let quantity = Quantity::new(NAME, "GPa", found.scaled(1.0 / GPA), from, errors::MODULUS);
-    to.quantities.push(Quantity { note: "with the air in it".to_owned(), ..quantity });
+    to.quantities.push(Quantity { note: Some(phrases::WITH_AIR.into()), ..quantity });
 }
 
 const NAME_OF_EFFECTIVE: &str = "oil_modulus_effective";
@@ -176,7 +178,7 @@ fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, t
     let chamber = [Entry::GasPressure, Entry::ReboundChamber];
     if let Standing::Known(stroke) = model.number(number!("aeration_stroke")) {
         let Some(mut inputs) = drawing.all(&chamber) else {
-            let why = "the stroke that air yields goes with its pressure and the length of the chamber".to_owned();
+            let why = phrases::STROKE_FROM.into();
             let entries = drawing.missing(&chamber);
             return to.unknown.push(Gap { name: NAME, why, entries, parameters: Vec::new() });
         };
@@ -192,7 +194,7 @@ fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, t
         missing.insert(0, Entry::OilModulus.key());
     }
     let (Some(effective), true) = (effective, missing.is_empty()) else {
-        let why = "it is what the modulus of the oil lacks, or the stroke of the element aeration".to_owned();
+        let why = phrases::AIR_FROM.into();
         let parameters = if effective.is_none() { vec!["oil_stiffness or aeration_stroke"] } else { Vec::new() };
         return to.unknown.push(Gap { name: NAME, why, entries: missing, parameters });
     };

@@ -1,6 +1,8 @@
 //! What an explanation says: quantities, gaps and contradictions, as JSON and in lines.
 
+use crate::phrases::QUANTITIES;
 use crate::uncertain::Interval;
+use dashpot_records::Sentence;
 use serde::Serialize;
 
 /// A quantity of the damper that the model tells.
@@ -21,8 +23,8 @@ pub struct Quantity {
     /// Factor by which the model's form may be off in 95 of 100 dampers; it is in the interval.
     pub model_error: f64,
     /// What else is to know, or nothing.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub note: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<Sentence>,
 }
 
 /// A quantity that cannot be told.
@@ -31,7 +33,7 @@ pub struct Gap {
     /// Name.
     pub name: &'static str,
     /// Why.
-    pub why: String,
+    pub why: Sentence,
     /// Entries of the drawing that are missing.
     pub entries: Vec<&'static str>,
     /// Parameters of the model that are missing.
@@ -52,7 +54,7 @@ pub struct Contradiction {
     /// Unit of both.
     pub unit: &'static str,
     /// In a sentence.
-    pub text: String,
+    pub text: Sentence,
 }
 
 /// What a model says of its damper.
@@ -84,8 +86,13 @@ impl Explanation {
     }
 }
 
+/// What the quantity of a name is called.
+fn noun(name: &'static str) -> &'static str {
+    QUANTITIES.iter().find(|(known, _)| *known == name).map_or(name, |(_, noun)| *noun)
+}
+
 /// A number with three digits that count.
-pub(super) fn digits(value: f64) -> String {
+pub fn digits(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || !size.is_finite() {
         return format!("{value}");
@@ -106,7 +113,12 @@ impl Quantity {
         let Interval { value, low, high } = found;
         // Where one end is open, a value in the middle would say more than is known.
         let value = value.filter(|_| low.is_some() && high.is_some());
-        Quantity { name, value, low, high, unit, from, model_error, note: String::new() }
+        Quantity { name, value, low, high, unit, from, model_error, note: None }
+    }
+
+    /// What it is called, in English.
+    pub fn noun(&self) -> &'static str {
+        noun(self.name)
     }
 
     fn line(&self) -> String {
@@ -117,7 +129,7 @@ impl Quantity {
             (None, Some(high)) => format!("95 %: at most {}", digits(high)),
             (None, None) => "no bound".to_owned(),
         };
-        let note = if self.note.is_empty() { String::new() } else { format!("; {}", self.note) };
+        let note = self.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
         let name = self.name.replace('_', " ");
         let value = self.value.map_or_else(|| format!("{unit}, "), |value| format!("{} {unit}, ", digits(value)));
         format!("{name:<24} {value}{range}, from {}{note}", self.from.join(", "))
@@ -125,6 +137,11 @@ impl Quantity {
 }
 
 impl Gap {
+    /// What the quantity is called, in English.
+    pub fn noun(&self) -> &'static str {
+        noun(self.name)
+    }
+
     fn line(&self) -> String {
         let mut line = format!("{:<24} cannot be told: {}", self.name.replace('_', " "), self.why);
         if !self.entries.is_empty() {

@@ -10,7 +10,9 @@ use crate::dimensions::{Design, Dimensions};
 use crate::entry::Entry;
 use crate::geometry::{annulus, area};
 use crate::orifice;
+use crate::phrases;
 use crate::uncertain::{Uncertain, through};
+use dashpot_records::sentence::Template;
 
 /// m² of a mm², and m³/(s Pa) of a cm³/(s bar).
 const MM2: f64 = 1e-6;
@@ -85,15 +87,15 @@ impl Stroke {
         if self.sign < 0.0 && drawing.design.is_none() {
             entries.push(crate::entry::DESIGN);
         }
-        let mut cannot = |name, why: &str, entries: &[&'static str], parameters: &[&'static str]| {
+        let mut cannot = |name, why: Template, entries: &[&'static str], parameters: &[&'static str]| {
             let (entries, parameters) = (entries.to_vec(), parameters.to_vec());
-            to.unknown.push(Gap { name, why: why.to_owned(), entries, parameters });
+            to.unknown.push(Gap { name, why: why.into(), entries, parameters });
         };
         let has_table = model.has_table() && !points.is_empty();
         if !has_table || !entries.is_empty() {
             let parameters: &[_] = if has_table { &[] } else { &["fv_force"] };
             for name in self.names {
-                cannot(name, "a passage follows from the FV table and the area of the piston", &entries, parameters);
+                cannot(name, phrases::PASSAGE_FROM, &entries, parameters);
             }
             return;
         }
@@ -121,7 +123,7 @@ impl Stroke {
         };
         let last = 5 + below.len();
         if below.len() < 2 {
-            let why = "fewer than two points of the FV table lie below the knee of this stroke";
+            let why = phrases::FEW_SLOW_POINTS;
             cannot(bleed, why, &[], &["fv_force at two slow speeds"]);
             cannot(leak, why, &[], &["fv_force at two slow speeds"]);
         } else {
@@ -132,21 +134,21 @@ impl Stroke {
             });
             let key = Entry::DischargeCoefficient.key();
             let quantity = Quantity::new(bleed, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLEED);
-            to.quantities.push(bounded(quantity, "no orifice shows beside the leak"));
+            to.quantities.push(bounded(quantity, phrases::NO_ORIFICE));
             let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
             let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
-            to.quantities.push(bounded(quantity, "no leak shows beside the orifice"));
+            to.quantities.push(bounded(quantity, phrases::NO_LEAK));
         }
-        let mut cannot = |why: &str| {
+        let mut cannot = |why: Template| {
             to.unknown.push(Gap {
                 name: blow_off,
-                why: why.to_owned(),
+                why: why.into(),
                 entries: Vec::new(),
                 parameters: vec!["fv_force at a fast speed"],
             });
         };
         if count == points.len() {
-            return cannot("the FV table of this stroke has no knee: no valve has opened");
+            return cannot(phrases::NO_KNEE);
         }
         let (speed, force) = points[points.len() - 1];
         let found = through(&with(errors::BLOW_OFF, &[force]), |x| {
@@ -162,19 +164,19 @@ impl Stroke {
             orifice::passage_area(piston * (speed - bled).max(0.0), x[last] / piston, x[2], x[3]) * x[4]
         });
         if found.low == Some(0.0) && found.high == Some(0.0) {
-            return cannot("the bleed passes all of the flow");
+            return cannot(phrases::BLEED_PASSES_ALL);
         }
         let key = Entry::DischargeCoefficient.key();
         to.quantities.push(Quantity {
-            note: "opening at the largest force of the table".to_owned(),
+            note: Some(phrases::OPENING_AT.into()),
             ..Quantity::new(blow_off, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLOW_OFF)
         });
     }
 }
 
 /// A quantity of which an end may be open: then the value is no number that counts.
-fn bounded(quantity: Quantity, note: &'static str) -> Quantity {
-    if quantity.high.is_some() { quantity } else { Quantity { value: None, note: note.to_owned(), ..quantity } }
+fn bounded(quantity: Quantity, note: Template) -> Quantity {
+    if quantity.high.is_some() { quantity } else { Quantity { value: None, note: Some(note.into()), ..quantity } }
 }
 
 #[cfg(test)]

@@ -2,9 +2,10 @@
 
 use super::pattern::{Site, log_prior as log_prior_of_pattern, numbers, varies, varying_sites};
 use super::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
-use crate::hypothesis::Residual;
+use crate::hypothesis::{Free, Residual};
 use crate::refit::Effort;
-use crate::structure::component::Component;
+use crate::scale::Scale;
+use crate::structure::component::{Component, weight};
 use crate::structure::evidence::Evidence;
 use crate::structure::prior_odds::log_prior;
 
@@ -44,6 +45,7 @@ pub fn evidence(
         all.weights.extend(own.weights);
         all.negative_log_prior = all.negative_log_prior.max(own.negative_log_prior);
     }
+    all.relief = relief(hypothesis, all.per_number());
     all
 }
 
@@ -51,6 +53,18 @@ pub fn evidence(
 pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> f64 {
     let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
     log_prior(&effects, &hypothesis.template.priors) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
+}
+
+/// What the numbers need not cost since more is known of this damper than of others: of one that varies, at each setting.
+fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
+    let FamilyHypothesis { template, varies, .. } = hypothesis;
+    let scale = Scale::from_params(&template.base);
+    let each = template.numbers.iter().zip(varies).map(|(number, varies)| {
+        let Free::Model(unknown) = &number.free else { return 0.0 };
+        let times = if *varies { hypothesis.settings() as f64 } else { 1.0 };
+        times * template.priors.relief(unknown, scale, weight(&number.free) * per_number)
+    });
+    each.sum()
 }
 
 impl FamilyStructure {

@@ -13,9 +13,12 @@
 //! | [`matrix`], [`study`] | the error matrix, one number at several values |
 //! | [`two_ways`] | gas and drag of a cycle |
 //! | [`velocities`] | forces at peak velocities and at given ones |
+//! | [`valve`] | how the valve of a damper over a setting answers a step |
+//! | [`drawing`] | the drawing of the damper, and what the model says by it |
 //! | [`recent`] | campaigns that were open lately |
 
 pub mod campaign;
+pub mod drawing;
 pub mod exports;
 pub mod guarded;
 pub mod history;
@@ -31,6 +34,7 @@ pub mod simulation;
 pub mod study;
 pub mod tasks;
 pub mod two_ways;
+pub mod valve;
 pub mod velocities;
 pub mod verbs;
 
@@ -80,6 +84,12 @@ pub struct Session {
     pub identified: Option<Arc<Simulated>>,
     /// Results of the verbs.
     pub results: Results,
+    /// How the force of the open tests answers steps of the setting.
+    pub responses: valve::Responses,
+    /// The drawing of the damper.
+    pub drawing: Option<drawing::Drawing>,
+    /// Whether it was opened since the window looked last.
+    pub is_drawing_new: bool,
     /// A family of loops.
     pub study: Option<Study>,
     /// What was said last.
@@ -120,6 +130,9 @@ impl Session {
             simulated: None,
             identified: None,
             results: Results::default(),
+            responses: valve::Responses::default(),
+            drawing: None,
+            is_drawing_new: false,
             study: None,
             message: None,
             recent,
@@ -146,19 +159,24 @@ impl Session {
         self.message = Some(Message { text, wrong: true });
     }
 
-    /// Opens whatever was dropped or named: model files, record files and folders.
+    /// Opens whatever was dropped or named: model files, files of dimensions, record files and folders.
     pub fn open(&mut self, paths: &[PathBuf]) {
         let is_model = |p: &PathBuf| {
             p.is_file()
                 && p.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"))
                 && p.file_name().is_none_or(|n| n != dashpot_records::profile::FILE)
         };
-        let (models, records): (Vec<PathBuf>, Vec<PathBuf>) = paths.iter().cloned().partition(is_model);
+        let (files, records): (Vec<PathBuf>, Vec<PathBuf>) = paths.iter().cloned().partition(is_model);
+        let (drawings, models): (Vec<PathBuf>, Vec<PathBuf>) =
+            files.into_iter().partition(|path| drawing::is_drawing(path));
         if let Some(model) = models.last() {
             self.replace(replacing::Replacement::File(model.clone()));
         }
         if !records.is_empty() {
             self.open_records(records, Options::default());
+        }
+        if let Some(drawing) = drawings.last() {
+            self.open_drawing(drawing);
         }
     }
 
@@ -202,7 +220,9 @@ impl Session {
         self.identified = None;
         self.study = None;
         self.see_as_the_fit_saw();
+        self.forget_explanation();
         self.order(false);
+        self.order_responses();
     }
 
     /// Takes out of the open records what the model's fit found them to be off by, as the verbs of the command do.
@@ -350,7 +370,8 @@ impl Session {
                 }
             }
         }
-        self.task.is_some() || self.moving.is_some() || self.simulator.is_busy()
+        let responding = self.poll_responses();
+        responding || self.task.is_some() || self.moving.is_some() || self.simulator.is_busy()
     }
 
     /// The identified model's forces are computed too where the model was tuned before they were there.
@@ -385,6 +406,8 @@ impl Session {
                 self.results.diagnosis = Some(Finding::new(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
+            // They come by a task of their own: see `poll_responses`.
+            Outcome::Responded(_) => {}
             Outcome::Studied(study) => {
                 self.study = Some(study);
                 self.generation += 1;
@@ -445,6 +468,7 @@ impl Session {
         self.see_as_the_fit_saw();
         self.generation += 1;
         self.order(false);
+        self.order_responses();
     }
 
     /// The improved model of the diagnosis takes the place of the model.

@@ -6,6 +6,7 @@ use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
 use dashpot_core::{Model, Params};
 use dashpot_estimation::priors::{self, Distribution};
 use dashpot_estimation::scale::Scale;
+use dashpot_identification::family::at_setting;
 use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
 use dashpot_records::restrict;
 use dashpot_records::sentence::Sentence;
@@ -106,6 +107,11 @@ impl Tuned {
         self.over.as_ref().map(|(damper, setting)| (&damper.axis, *setting))
     }
 
+    /// The damper over a setting, as its file has it.
+    pub fn definition(&self) -> Option<&Definition> {
+        self.over.as_ref().map(|(damper, _)| damper)
+    }
+
     /// Goes to the damper at another setting. Not while it is tuned: the values belong to the setting that they were tuned at.
     pub fn move_to(&mut self, setting: f64) -> bool {
         if self.is_tuned() {
@@ -140,12 +146,12 @@ impl Tuned {
 
     /// As the file it would be saved to reads.
     pub fn file(&self) -> ModelFile {
-        ModelFile {
-            params: *self.params(),
-            axis: Axis::NONE,
-            identification: self.identification.clone(),
-            specified: self.given.clone(),
-        }
+        let (identification, specified) = (self.identification.clone(), self.given.clone());
+        let Some((Definition { params, axis }, setting)) = self.over.as_ref().map(|(damper, at)| (*damper, *at)) else {
+            return ModelFile { params: *self.params(), axis: Axis::NONE, identification, specified };
+        };
+        let whole = ModelFile { params, axis, identification, specified };
+        ModelFile { params: *self.params(), ..at_setting(&whole, setting) }
     }
 
     /// Whether something would be lost by closing.

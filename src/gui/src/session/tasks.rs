@@ -7,7 +7,7 @@ use crate::session::progress::{Progress, Report};
 use crate::session::results::{Basis, Diagnosed, Fitted};
 use crate::session::study::Study;
 use dashpot_estimation::cancel::Cancel;
-use dashpot_identification::validation::Validation;
+use dashpot_identification::validation::{StepResponse, Validation};
 use dashpot_records::Sentence;
 use dashpot_records::sentence::Template;
 use std::path::PathBuf;
@@ -30,6 +30,8 @@ pub enum Kind {
     Diagnose,
     /// A number is studied.
     Study,
+    /// The force of tests is compared after steps of the setting.
+    Respond,
     /// Files for a host, or a report, are written.
     Write,
 }
@@ -48,6 +50,8 @@ pub enum Outcome {
     Diagnosed(Diagnosed, Box<Basis>),
     /// A family of loops.
     Studied(Study),
+    /// Responses to steps of the setting.
+    Responded(Vec<StepResponse>),
     /// A file or folder was written, and what must be known beside it.
     Written(PathBuf, Vec<String>),
 }

@@ -58,6 +58,40 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
     }
 }
 
+/// Writes tests of a damper over a current: two at constant currents, and one whose current steps between them at constant speed, up and down.
+pub fn campaign_of_family(text: &str, folder: &Path) {
+    let file = dashpot_identification::model_file::family_of_text(text, Path::new("family.toml")).unwrap();
+    let family = dashpot_identification::model_file::prepared_family(&file.definition()).unwrap();
+    let (dt, speed, turn) = (1e-3, 0.1, 0.4);
+    for (name, of_half) in [("soft", [0.0; 2]), ("hard", [1.0; 2]), ("steps", [0.0, 1.0])] {
+        let at = |i: usize| {
+            let phase = (i as f64 * dt) % (2.0 * turn);
+            let rises = phase < turn;
+            let x = speed * if rises { phase } else { 2.0 * turn - phase } - 0.5 * speed * turn;
+            (x, if rises { speed } else { -speed })
+        };
+        // Steps lie within the strokes.
+        let current = |i: usize| of_half[usize::from((i + 200) / 400 % 2 == 1)];
+        let input = |i: usize| {
+            let (x, v) = at(i);
+            Input { displacement: Some(x), velocity: v, side_force: 0.0, temperature: 20.0 }
+        };
+        let mut state = family.steady_state(&input(0), Some(current(0)));
+        let mut delay = family.steady_delay(Some(current(0)));
+        let (mut output, _) = family.evaluate(&state, &input(0), Some(current(0)));
+        let mut text = String::from("time_s,displacement_mm,velocity_mps,force_N,current [A]\n");
+        for i in 0..8000 {
+            if i > 0 {
+                family.step_in_place(&mut state, &mut delay, &input(i), Some(current(i)), dt, &mut output, false);
+            }
+            let (x, v) = at(i);
+            let noise = 1e-2 * ((i * 7919) % 1000) as f64 / 1000.0;
+            let _ = writeln!(text, "{},{},{v},{},{}", dt * i as f64, 1e3 * x, output.force + noise, current(i));
+        }
+        std::fs::write(folder.join(format!("{name}.csv")), text).unwrap();
+    }
+}
+
 /// Writes a model file and returns its path.
 pub fn model(folder: &Path) -> PathBuf {
     let path = folder.join("damper.toml");

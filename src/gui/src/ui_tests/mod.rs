@@ -3,10 +3,12 @@
 //! Inside the crate and no tests of their own beside it: those would have cargo build the program too, and with it all of eframe a second
 //! time, for a program may abort where a test has to unwind.
 
+mod drawings;
 mod made_up;
 mod models;
 mod reference;
 mod unusable;
+mod valves;
 
 use crate::app::App;
 use crate::session::model::Tuned;

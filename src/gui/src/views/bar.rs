@@ -178,6 +178,7 @@ fn files(ui: &mut Ui, session: &mut Session, view: &mut View) {
     ask(ui, free, w.open_folder, Ask::Folder);
     ask(ui, free, w.open_files, Ask::Files);
     ask(ui, true, w.open_model, Ask::Model);
+    ask(ui, true, w.open_dimensions, Ask::Dimensions);
     ask(ui, free && session.has_records(), w.compare_campaign, Ask::Reference);
     if session.reference.is_some() && ui.button(w.compare_no_more).clicked() {
         session.reference = None;

@@ -12,12 +12,15 @@
 //! | [`answer`] | what fit, validation and diagnosis found |
 //! | [`records`] | how the records are read, corrected by hand |
 //! | [`study`] | one number at several values, and what an effect would look like |
+//! | [`valve`] | how the valve of a damper over a setting answers a step |
+//! | [`drawing`] | what the model says of gas, oil and valves by the drawing |
 //! | [`choosing`] | a file or folder, where the system shows no dialogs |
 //! | [`closing`], [`replacing`] | asked before anything is lost |
 
 pub mod bar;
 pub mod choosing;
 pub mod closing;
+pub mod drawing;
 mod grid;
 pub mod lines;
 pub mod matrix;
@@ -30,6 +33,7 @@ pub mod study;
 pub mod tables;
 pub mod tests;
 pub mod tune;
+pub mod valve;
 
 use crate::dialogs::Ask;
 use crate::session::matrix::Across;
@@ -50,6 +54,10 @@ pub enum Side {
     Records,
     /// Families of loops.
     Study,
+    /// The valve of a damper over a setting.
+    Valve,
+    /// The drawing of the damper.
+    Drawing,
 }
 
 /// What the place at the lower right shows.

@@ -15,7 +15,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
                 Kind::Fit => w.fitting,
                 Kind::Validate => w.validating,
                 Kind::Diagnose => w.diagnosing,
-                Kind::Study => w.studying,
+                Kind::Study | Kind::Respond => w.studying,
                 Kind::Write => w.writing,
             };
             let progress = task.progress();

@@ -73,6 +73,7 @@ impl Words {
             Channel::SideForce => self.side_force,
             Channel::Temperature => self.temperature,
             Channel::Current => self.current,
+            Channel::Setting => self.setting,
         }
     }
 }
@@ -282,6 +283,25 @@ pub struct Words {
     pub ok: &'static str,
     pub is_there_already: &'static str,
     pub side_force: &'static str,
+    pub open_dimensions: &'static str,
+    pub valve: &'static str,
+    pub of_force: &'static str,
+    pub of_valve: &'static str,
+    pub awaiting: &'static str,
+    pub all_steps: &'static str,
+    pub drawing: &'static str,
+    pub no_explained: &'static str,
+    pub nothing_explained: &'static str,
+    pub contradictions: &'static str,
+    pub quantities: &'static str,
+    pub unknown_quantities: &'static str,
+    pub drawing_lacks: &'static str,
+    pub model_lacks: &'static str,
+    pub at_least: &'static str,
+    pub at_most: &'static str,
+    pub no_bound: &'static str,
+    pub follows_from: &'static str,
+    pub form_error: &'static str,
 }
 
 #[cfg(test)]

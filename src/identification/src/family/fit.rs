@@ -3,6 +3,7 @@
 use super::actuator::{self, ActuatorFit, identify_actuator};
 use super::left_out::{SettingReport, damper_through, reports};
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
+use crate::expected::{contradiction, expectation, is_contradiction};
 use crate::fit::{
     About, check_elements, check_motion, coverage_notes, of_number, search_structure, with_free_measurement,
 };
@@ -18,6 +19,7 @@ use dashpot_estimation::family::pattern::{Site, varying_sites};
 use dashpot_estimation::family::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
 use dashpot_estimation::family::search::{dependences, search_family};
 use dashpot_estimation::family::structure::FamilyStructure;
+use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::{self, Test, segments};
 use dashpot_estimation::structure::context::Structure;
@@ -146,6 +148,7 @@ pub fn fit_family(
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
+    notes.extend(notes_of_priors(&options.priors, &estimates, &axis));
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));
     notes.extend(coverage_notes(&segments(&constant)));
     notes.extend(measured.iter().map(Measured::in_words));
@@ -287,6 +290,28 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Invent
     all
 }
 
+/// What the priors of this damper made the fit expect, and where its records contradict them: of a number that varies, at which setting.
+fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
+    let mut notes = Vec::new();
+    for row in priors.rows() {
+        let own = estimates.iter().filter(|of| of.estimate.name == row.number.name());
+        let (against, with): (Vec<_>, Vec<_>) = own.partition(|of| is_contradiction(row, &of.estimate));
+        if !with.is_empty() {
+            notes.push(expectation(row));
+        }
+        notes.extend(against.iter().map(|of| {
+            let said = contradiction(row, &of.estimate);
+            of.setting.map_or_else(|| said.clone(), |value| at_setting(axis, value, said.clone()))
+        }));
+    }
+    notes
+}
+
+/// What is said of one setting.
+fn at_setting(axis: &SettingAxis, value: f64, said: Sentence) -> Sentence {
+    Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_sentence("why", said)
+}
+
 /// What the engineer should know of the family.
 fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
@@ -303,10 +328,7 @@ fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) 
         };
         notes.push(match setting {
             None => said,
-            Some(value) => Sentence::from(phrases::FAMILY_AT)
-                .with("name", &axis.name)
-                .with("value", value)
-                .with_sentence("why", said),
+            Some(value) => at_setting(axis, *value, said),
         });
     }
     notes

@@ -4,12 +4,16 @@
 //! |---|---|
 //! | [`settings`] | the records sorted by their setting, and what is wrong with them |
 //! | [`actuator`] | the response of the valve, from tests whose setting changes |
+//! | [`at_setting()`] | the ordinary damper at a setting, with its intervals |
+//! | [`actuator_numbers()`] | the numbers of the valve that a model file has |
 //! | [`FamilyFigures`] | the figures of a fit as JSON |
 //! | [`fit`] | the fit: structure, numbers, what depends on the setting |
 //! | [`left_out`] | how well a setting is predicted by the others |
 //! | [`model_file`] | the model file of a family |
 
 mod actuator;
+mod actuator_numbers;
+mod at_setting;
 mod figures;
 mod fit;
 mod left_out;
@@ -17,6 +21,8 @@ pub mod model_file;
 mod settings;
 
 pub use actuator::{ActuatorDecision, ActuatorFit};
+pub use actuator_numbers::{ActuatorNumber, actuator_numbers};
+pub use at_setting::at_setting;
 pub use figures::FamilyFigures;
 pub use fit::{FamilyEstimate, FamilyFit, SettingDependence, fit_family};
 pub use left_out::{SettingError, SettingReport};

@@ -4,6 +4,7 @@
 //! were kept. [`judge_over_settings`] judges a damper over a setting. The verdict is that of the measurement. Where forces of a model are given, they are judged by the same rules beside it: a model that stands in
 //! for a damper in a vehicle must keep the windows too.
 
+mod json;
 mod measured;
 mod over_settings;
 mod table;
@@ -51,19 +52,18 @@ impl Overall {
 }
 
 /// A figure and the test or tests that it comes from.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     /// The figure, N; of a time, s.
-    pub value_n: f64,
+    pub value: f64,
     /// Where it comes from.
     pub tests: Vec<String>,
 }
 
 /// One limit with what was found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Checked {
     /// The limit.
-    #[serde(flatten)]
     pub limit: Limit,
     /// What the rig measured, where the records can tell.
     pub measured: Option<Value>,
@@ -121,7 +121,7 @@ impl Figures {
 fn answers(limits: &[Limit], measured: &Figures, simulated: Option<&Figures>) -> Certificate {
     let verdict = |limit: &Limit, value: Option<&Value>| match value {
         None => Verdict::NotTested,
-        Some(value) if limit.holds(value.value_n) => Verdict::Pass,
+        Some(value) if limit.holds(value.value) => Verdict::Pass,
         Some(_) => Verdict::Fail,
     };
     let limits: Vec<Checked> = limits
@@ -199,7 +199,7 @@ mod tests {
              hysteresis,0.52,0,60\n",
             1.0,
         );
-        let value = |k: usize| found.limits[k].measured.as_ref().unwrap().value_n;
+        let value = |k: usize| found.limits[k].measured.as_ref().unwrap().value;
         // The mean over the samples within 2 % of the peak lies 0.7 % below it.
         assert!((value(0) - (2000.0 * 0.5206 + 30.0 - 150.0)).abs() < 6.0, "{}", value(0));
         assert!((value(1) + 800.0 * 0.5206 + 30.0 + 150.0).abs() < 4.0, "{}", value(1));

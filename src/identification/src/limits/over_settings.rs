@@ -105,15 +105,15 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
     let slowest = |times: fn(&StepResponse) -> Option<ResponseTimes>| -> Option<Value> {
         let value = |of: &&StepResponse| {
             let times = times(of)?;
-            let value_n = if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
-            Some(Value { value_n, tests: of.tests.clone() })
+            let value = if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
+            Some(Value { value, tests: of.tests.clone() })
         };
-        own.iter().filter_map(value).max_by(|a, b| a.value_n.total_cmp(&b.value_n))
+        own.iter().filter_map(value).max_by(|a, b| a.value.total_cmp(&b.value))
     };
     let (measured, model) = (slowest(|of| of.measured), slowest(|of| of.model));
     let verdict = |value: Option<&Value>| match value {
         None => Verdict::NotTested,
-        Some(value) if limit.holds(value.value_n) => Verdict::Pass,
+        Some(value) if limit.holds(value.value) => Verdict::Pass,
         Some(_) => Verdict::Fail,
     };
     Checked {
@@ -192,7 +192,11 @@ mod tests {
         let verdicts: Vec<Verdict> = found.limits.iter().map(|l| l.verdict).collect();
         assert_eq!(verdicts, [Verdict::Fail, Verdict::Pass, Verdict::Pass, Verdict::NotTested]);
         assert_eq!(found.limits[0].measured.as_ref().unwrap().tests, ["0 1.6"]);
-        assert!((found.limits[2].measured.as_ref().unwrap().value_n - 0.037).abs() < 1e-12);
+        assert!((found.limits[2].measured.as_ref().unwrap().value - 0.037).abs() < 1e-12);
+        // Its figures are seconds in JSON, and their keys say so.
+        let json = serde_json::to_value(&found.limits[0]).unwrap();
+        assert_eq!((&json["high_s"], &json["measured"]["value_s"]), (&0.011.into(), &0.012.into()));
+        assert!(json.get("high_n").is_none() && json["measured"].get("value_n").is_none(), "{json}");
     }
 
     #[test]

@@ -47,6 +47,11 @@ impl Quantity {
         )
     }
 
+    /// Keys of its low end, its high end and its value in JSON: with the unit, as every key there.
+    pub fn keys(self) -> [&'static str; 3] {
+        if self.is_time() { ["low_s", "high_s", "value_s"] } else { ["low_n", "high_n", "value_n"] }
+    }
+
     /// Unit in which people read it, and the factor to that.
     pub fn display(self) -> (&'static str, f64) {
         if self.is_time() { ("ms", 1e3) } else { ("N", 1.0) }
@@ -68,7 +73,7 @@ impl Quantity {
 }
 
 /// One window.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
     /// Name given in the file; the quantity where it gives none.
     pub name: String,
@@ -79,11 +84,10 @@ pub struct Limit {
     /// Stroke at which, m; the longest that reaches the speed where none is given.
     pub amplitude_m: Option<f64>,
     /// Smallest value allowed, N; of a time, s.
-    pub low_n: Option<f64>,
+    pub low: Option<f64>,
     /// Largest value allowed, N; of a time, s.
-    pub high_n: Option<f64>,
+    pub high: Option<f64>,
     /// Setting of the damper at which, where it depends on one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub setting: Option<f64>,
     /// Line of the file.
     pub line: u64,
@@ -98,8 +102,8 @@ impl Limit {
         let numbers = [
             ("velocity_m_s", self.velocity_m_s),
             ("amplitude_m", self.amplitude_m),
-            ("low", self.low_n),
-            ("high", self.high_n),
+            ("low", self.low),
+            ("high", self.high),
             ("setting", self.setting),
         ];
         if let Some((name, value)) = numbers.iter().find(|(_, value)| value.is_some_and(|v| !v.is_finite())) {
@@ -110,7 +114,7 @@ impl Limit {
                 "a time of the response is that of all tests with steps; leave velocity_m_s and amplitude_m out".into(),
             );
         }
-        match (self.low_n, self.high_n) {
+        match (self.low, self.high) {
             (None, None) => return Err("neither low nor high is given; write at least one".into()),
             (Some(low), Some(high)) if low > high && self.quantity.is_time() => {
                 return Err(format!("low ({low} s) is above high ({high} s)"));
@@ -128,7 +132,7 @@ impl Limit {
                 Some(0.0) => {
                     return Err("there is no peak force at velocity 0; limit friction or gas_force instead".into());
                 }
-                Some(v) if v < 0.0 && self.low_n.is_some_and(|low| low > 0.0) => {
+                Some(v) if v < 0.0 && self.low.is_some_and(|low| low > 0.0) => {
                     return Err("the force is positive at a negative velocity; compression has a negative velocity and a negative force here".into());
                 }
                 Some(_) => {}
@@ -141,8 +145,8 @@ impl Limit {
     }
 
     /// Whether a value lies in the window.
-    pub fn holds(&self, value_n: f64) -> bool {
-        self.low_n.is_none_or(|low| value_n >= low) && self.high_n.is_none_or(|high| value_n <= high)
+    pub fn holds(&self, value: f64) -> bool {
+        self.low.is_none_or(|low| value >= low) && self.high.is_none_or(|high| value <= high)
     }
 }
 
@@ -295,8 +299,8 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
         quantity,
         velocity_m_s: value("velocity_m_s")?,
         amplitude_m: value("amplitude_m")?,
-        low_n: low,
-        high_n: high,
+        low,
+        high,
         setting: value("setting")?,
         line,
     };
@@ -316,16 +320,16 @@ mod tests {
         let limits = of("\u{feff}# front\nname,quantity,velocity_m_s,low,high,nominal,tolerance,unit\n\
                          R0.5,force,0.524,0.9,,,,kN\nC0.5,force,-0.524,,,-600,10 %,N\n,friction,,,,30,5,\n")
         .unwrap();
-        assert_eq!((limits[0].low_n, limits[0].high_n, limits[0].line), (Some(900.0), None, 3));
-        assert_eq!((limits[1].low_n, limits[1].high_n), (Some(-660.0), Some(-540.0)));
-        assert_eq!((limits[2].name.as_str(), limits[2].low_n, limits[2].high_n), ("friction", Some(25.0), Some(35.0)));
+        assert_eq!((limits[0].low, limits[0].high, limits[0].line), (Some(900.0), None, 3));
+        assert_eq!((limits[1].low, limits[1].high), (Some(-660.0), Some(-540.0)));
+        assert_eq!((limits[2].name.as_str(), limits[2].low, limits[2].high), ("friction", Some(25.0), Some(35.0)));
         assert!(limits[1].holds(-660.0) && !limits[1].holds(-661.0));
         let times = of("quantity,setting,high,unit\nresponse_time_up,1.6,15,ms\nrise time down,,0.02,\n").unwrap();
-        assert_eq!((times[0].high_n, times[0].setting, times[1].high_n), (Some(0.015), Some(1.6), Some(0.02)));
+        assert_eq!((times[0].high, times[0].setting, times[1].high), (Some(0.015), Some(1.6), Some(0.02)));
         let german = of("quantity;velocity_m_s;low;high\nforce;0,524;900,5;1000\n").unwrap();
         let tabs = of("# from a spreadsheet\nquantity\tvelocity_m_s\tlow\thigh\nforce\t0,524\t900,5\t1000\n").unwrap();
         assert_eq!(tabs, german.iter().map(|l| Limit { line: l.line + 1, ..l.clone() }).collect::<Vec<_>>());
-        assert_eq!((german[0].velocity_m_s, german[0].low_n), (Some(0.524), Some(900.5)));
+        assert_eq!((german[0].velocity_m_s, german[0].low), (Some(0.524), Some(900.5)));
     }
 
     #[test]

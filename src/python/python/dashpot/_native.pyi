@@ -141,6 +141,7 @@ def fit(
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
+    dimensions: str | None = None,
 ) -> tuple[str, str, Fitted]: ...
 def fit_family(
     campaign: Campaign,
@@ -148,6 +149,7 @@ def fit_family(
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
+    dimensions: str | None = None,
 ) -> tuple[str, str]: ...
 def fit_literature(campaign: Campaign, name: str, hold_out: Sequence[str] = ..., progress: _Progress = None) -> tuple[str, str]: ...
 def validate(
@@ -168,6 +170,7 @@ def diagnose(
     candidates: Sequence[str] | None = None,
     seed: int = 0,
     progress: _Progress = None,
+    dimensions: str | None = None,
 ) -> tuple[str, str, list[dict[str, _Array]], Diagnosed]: ...
 def diagnose_family(
     family: Family,
@@ -179,6 +182,7 @@ def diagnose_family(
     candidates: Sequence[str] | None = None,
     seed: int = 0,
     progress: _Progress = None,
+    dimensions: str | None = None,
 ) -> tuple[str, list[list[dict[str, _Array]]]]: ...
 def diagnose_groups(
     model: Model,
@@ -237,4 +241,5 @@ def import_peaks(
 ) -> tuple[str, str, bool]: ...
 def check(model: Model, host_step: float, wheel_mass: float, for_step: float | None = None) -> tuple[str, list[str], str]: ...
 def explain(model: Model, dimensions: str) -> tuple[str, list[str]]: ...
+def explain_family(family: Family, dimensions: str, setting: float) -> tuple[str, list[str]]: ...
 def set_threads(count: int) -> None: ...

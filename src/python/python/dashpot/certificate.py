@@ -11,10 +11,23 @@ from ._result import Result, Row
 
 @dataclass(frozen=True, repr=False)
 class LimitValue(Result):
-    """A figure that a limit speaks of, N, and the test or tests that it comes from."""
+    """A figure that a limit speaks of, and the test or tests that it comes from."""
 
-    value_n: float
     tests: tuple[str, ...]
+    value_n: float | None = field(default=None, metadata={"omitted": True})
+    """Of a force, N; None of a time."""
+    value_s: float | None = field(default=None, metadata={"omitted": True})
+    """Of a time of response, s; None of a force."""
+
+    @property
+    def value(self) -> float:
+        """The figure, N or s."""
+        value = self.value_n if self.value_s is None else self.value_s
+        return float("nan") if value is None else value
+
+
+#: Quantities that are times, s; all others are forces, N.
+_TIMES = ("response_time_up", "response_time_down", "rise_time_up", "rise_time_down")
 
 
 def missed(said: Mapping[str, Any]) -> str | None:
@@ -26,13 +39,16 @@ def missed(said: Mapping[str, Any]) -> str | None:
     # A limit without a name is called by its quantity, as the file writes it.
     if name.lower().replace(" ", "_").replace("-", "_") != quantity:
         words = f"{name}, {words}"
+    if said["measured"] is None and quantity in _TIMES:
+        return f"{words}: not tested, there is no such step of the setting"
     if said["measured"] is None:
         slow = quantity in ("gas_force", "friction")
         return f"{words}: not tested, there is no {'slow test (below 6 mm/s)' if slow else 'test at this speed'}"
-    value, low = said["measured"]["value_n"], said["low_n"]
+    unit = "s" if quantity in _TIMES else "N"
+    value, low, high = said["measured"][f"value_{unit.lower()}"], said[f"low_{unit.lower()}"], said[f"high_{unit.lower()}"]
     if low is not None and value < low:
-        return f"{words}: {value:.4g} N is below {low:g} N"
-    return f"{words}: {value:.4g} N is above {said['high_n']:g} N"
+        return f"{words}: {value:.4g} {unit} is below {low:g} {unit}"
+    return f"{words}: {value:.4g} {unit} is above {high:g} {unit}"
 
 
 @dataclass(frozen=True, repr=False)
@@ -44,8 +60,6 @@ class Checked(Result):
     quantity: str
     velocity_m_s: float | None
     amplitude_m: float | None
-    low_n: float | None
-    high_n: float | None
     line: int
     """Line of the table, or place among those given."""
     measured: LimitValue | None
@@ -56,11 +70,34 @@ class Checked(Result):
     model_verdict: str | None
     setting: float | None = field(default=None, metadata={"omitted": True})
     """Setting of the damper at which, for one that depends on a setting."""
+    low_n: float | None = None
+    """Smallest force allowed, N; None of a time."""
+    high_n: float | None = None
+    """Largest force allowed, N; None of a time."""
+    low_s: float | None = None
+    """Smallest time of response allowed, s; None of a force."""
+    high_s: float | None = None
+    """Largest time of response allowed, s; None of a force."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """As plain dictionaries, lists and numbers, with the keys of the command's JSON: those of the quantity's unit."""
+        other = ("low_n", "high_n") if self.quantity in _TIMES else ("low_s", "high_s")
+        return {key: value for key, value in super().to_dict().items() if key not in other}
 
     @property
     def missed(self) -> str | None:
         """A sentence where the damper misses the limit, or it was not tested."""
         return missed(self.to_dict())
+
+
+def times_of(limit: Checked) -> Row:
+    """Columns of a limit of a time, s; None of a force."""
+    return {
+        "low_s": limit.low_s,
+        "high_s": limit.high_s,
+        "measured_s": limit.measured.value_s if limit.measured else None,
+        "model_s": limit.model.value_s if limit.model else None,
+    }
 
 
 @dataclass(frozen=True, repr=False)
@@ -104,6 +141,7 @@ class Certificate(Result):
                 "high_n": c.high_n,
                 "measured_n": c.measured.value_n if c.measured else None,
                 "model_n": c.model.value_n if c.model else None,
+                **(times_of(c) if any(c.quantity in _TIMES for c in self.limits) else {}),
                 "verdict": c.verdict,
                 "model_verdict": c.model_verdict,
                 "line": c.line,

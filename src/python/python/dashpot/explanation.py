@@ -9,7 +9,9 @@ from . import _native
 from ._arguments import loads
 from ._files import needs
 from ._result import Result, Row, folded, table
+from ._numbers import real
 from .campaign import Path
+from .family import Family
 from .model import Model
 
 
@@ -85,15 +87,27 @@ class Explanation(Result):
         return table("Explained by its dimensions", self._rows(), said) + folded({"unknown": [gap.to_dict() for gap in self.unknown]})
 
 
-def explain(model: Model, dimensions: Path) -> Explanation:
+def explain(model: Model | Family, dimensions: Path, *, setting: float | None = None) -> Explanation:
     """Explains a model by the dimensions of its damper: gas pressure, air, moduli, passages of the valves; as ``dashpot explain``.
 
+    :param setting: setting at which a :class:`Family` is explained.
     :param dimensions: path of a TOML file with the unit in every key; the command's ``--dimensions``.
     :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
     :raises FileNotFoundError: the same error, where there is no such file.
     """
+    if isinstance(model, Family):
+        if setting is None:
+            raise TypeError("a damper over a setting is explained at one: give setting")
+        real("setting", setting)
+        if not model.grid[0] <= setting <= model.grid[-1]:
+            raise ValueError(f"the setting {setting:g} lies outside those of the model, {model.grid[0]:g} to {model.grid[-1]:g}")
+        with needs(dimensions):
+            said, lines = _native.explain_family(model._native, os.fspath(dimensions), setting)
+        return replace(Explanation.from_dict(loads(said)), lines=tuple(lines))
     if not isinstance(model, Model):
-        raise TypeError(f"model is a dashpot.Model, not a {type(model).__name__}")
+        raise TypeError(f"model is a dashpot.Model or a dashpot.Family, not a {type(model).__name__}")
+    if setting is not None:
+        raise TypeError("setting is that of a damper that depends on one; this model depends on none")
     with needs(dimensions):
         said, lines = _native.explain(model._native, os.fspath(dimensions))
     return replace(Explanation.from_dict(loads(said)), lines=tuple(lines))

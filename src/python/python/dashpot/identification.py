@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, overload
@@ -28,6 +29,11 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
+def _dimensions(path: str | None) -> list[str]:
+    """The option of the command that names a file of dimensions; nothing without one."""
+    return [] if path is None else ["--dimensions", path]
+
+
 @overload
 def fit(
     campaign: Sequence[Record],
@@ -36,6 +42,7 @@ def fit(
     family: str = "thesis",
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = (),
+    dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> FittedFamily: ...
 @overload
@@ -46,6 +53,7 @@ def fit(
     family: str = "thesis",
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = (),
+    dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> FittedModel: ...
 def fit(
@@ -55,6 +63,7 @@ def fit(
     family: str = "thesis",
     elements: Sequence[str] | None = None,
     hold_out: Sequence[str] = (),
+    dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> FittedModel | FittedFamily:
     """Identifies a damper from records; as ``dashpot fit``.
@@ -68,22 +77,25 @@ def fit(
         which no host runs, are identified by :func:`fit_literature`.
     :param elements: elements that the fit may use; all of the model's if not given.
     :param hold_out: tests to leave out, by name; ``*`` stands for anything.
+    :param dimensions: path of a TOML file with the dimensions of the damper, which make priors of what follows from them; the command's ``--dimensions``.
     :param progress: is told the share done and what is being done.
+    :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
     :raises FitError: where no model can be fitted to these records.
     """
     wanted = None if elements is None else words(elements)
+    drawing = None if dimensions is None else os.fspath(dimensions)
     if setting is not None:
         if not isinstance(setting, str):
             raise TypeError(f'setting is the name of what the tests were set to, such as "current", not a {type(setting).__name__}')
         if family != "thesis":
             raise ValueError(f"setting fits the family thesis over the setting, not {family}; leave one of the two out")
-        with watched(progress) as told:
-            text, said = _native.fit_family(native_of(campaign, "campaign"), setting, wanted, words(hold_out), told)
+        with needs(dimensions), watched(progress) as told:
+            text, said = _native.fit_family(native_of(campaign, "campaign"), setting, wanted, words(hold_out), told, drawing)
         return FittedFamily(text, "family.toml", FamilyFitResult.from_dict(loads(said)))
-    with watched(progress) as told:
-        text, said, found = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told)
+    with needs(dimensions), watched(progress) as told:
+        text, said, found = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told, drawing)
     chosen = [] if family == "thesis" else ["--model", family]
-    made_from = origin(campaign, chosen, option("elements", wanted or ()), option("hold-out", words(hold_out)))
+    made_from = origin(campaign, chosen, option("elements", wanted or ()), option("hold-out", words(hold_out)), _dimensions(drawing))
     return FittedModel(text, "damper.toml", replace(FitResult.from_dict(loads(said)), _made_from=(found, made_from)))
 
 
@@ -98,6 +110,7 @@ def diagnose(
     max_effects: int = 3,
     candidates: Sequence[str] | None = None,
     seed: int = 0,
+    dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> Diagnosis: ...
 @overload
@@ -111,6 +124,7 @@ def diagnose(
     max_effects: int = 3,
     candidates: Sequence[str] | None = None,
     seed: int = 0,
+    dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> FamilyDiagnosis: ...
 def diagnose(
@@ -123,6 +137,7 @@ def diagnose(
     max_effects: int = 3,
     candidates: Sequence[str] | None = None,
     seed: int = 0,
+    dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> Diagnosis | FamilyDiagnosis:
     """Says where a model and records disagree, and which physical effect is missing; as ``dashpot diagnose``.
@@ -136,28 +151,31 @@ def diagnose(
     :param max_effects: most effects to add.
     :param candidates: effects that may be named; all if not given.
     :param seed: chooses which tests are left out.
+    :param dimensions: path of a TOML file with the dimensions of the damper, which narrow the priors; the command's ``--dimensions``.
     :param progress: is told the share done and what is being done.
+    :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
     :raises DiagnosisError: where there is nothing to look at.
     """
     own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
+    drawing = None if dimensions is None else os.fspath(dimensions)
     if isinstance(model, Family):
         real("setting", setting)
-        with watched(progress) as told:
+        with needs(dimensions), watched(progress) as told:
             said, cycles = _native.diagnose_family(
-                model._native, own, setting, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
+                model._native, own, setting, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told, drawing
             )
         over = FamilyDiagnosis.from_dict(loads(said))
         return replace(over, settings=tuple(replace(one, _curves=tuple(of_one)) for one, of_one in zip(over.settings, cycles, strict=True)))
     _check(model)
     if setting is not None:
         raise TypeError("setting is that of tests that say none, for a damper that depends on one; this model depends on none")
-    with watched(progress) as told:
+    with needs(dimensions), watched(progress) as told:
         said, improved, curves, made_from = _native.diagnose(
-            model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told
+            model._native, own, good, words(hold_out), max_effects, None if candidates is None else words(candidates), seed, told, drawing
         )
     found = Diagnosis.from_dict(loads(said))
     compared_with = _compared_with(campaign, reference)
-    came_from = origin(campaign, compared_with, option("hold-out", words(hold_out)), _bounds(candidates, max_effects, seed))
+    came_from = origin(campaign, compared_with, option("hold-out", words(hold_out)), _dimensions(drawing), _bounds(candidates, max_effects, seed))
     return replace(found, _improved=Model(improved, "improved.toml"), _curves=tuple(curves), _made_from=(made_from, model, came_from))
 
 

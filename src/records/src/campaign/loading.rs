@@ -159,6 +159,10 @@ pub fn load(
     let unusable = sieve.report(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
+    let is_without = records.iter().all(|record| record.setting.is_none() && record.setting_signal.is_none());
+    if let Some(wanted) = options.columns.get(&Channel::Setting).filter(|_| is_without && !records.is_empty()) {
+        return Err(RecordError::NoSettingColumn { wanted: wanted.clone() });
+    }
     assignment::assign_settings(&mut records, &options.settings, &mut notes);
     common_clock::settle(&mut records, &mut notes);
     unit_magnitude::refuse(&records, options)?;

@@ -12,6 +12,7 @@ mod missing;
 mod order;
 mod outliers;
 mod rests;
+mod set_to;
 mod settings;
 mod stairs;
 mod still;
@@ -23,14 +24,12 @@ use crate::data::cycle::Cycle;
 use crate::data::measurement_error::MeasurementError;
 use crate::data::record::Record;
 use crate::data::samples::Samples;
-use crate::data::setting_signal::{SettingPattern, SettingSignal};
 use crate::error::RecordError;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::numbers::{range, sample_time};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::Setting;
 use crate::signal::measurement_correction::correct_inertia;
 use crate::signal::{consistency, derivative, noise};
 
@@ -80,7 +79,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
     let (displacement, velocity, cycles) = complete(&mut samples, options)?;
-    let (setting, setting_signal) = set_to(&mut samples);
+    let (setting, setting_signal) = set_to::take(&mut samples, &options.settings);
     let mut motion = Motion {
         at: samples.at,
         name: samples.name,
@@ -119,24 +118,6 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         motion.cycles = cycles::find(&motion.time, &motion.displacement);
     }
     Ok(motion)
-}
-
-/// What the damper was set to, by the channel of its current: a value, or a signal where it changes.
-fn set_to(samples: &mut Samples) -> (Option<Setting>, Option<SettingSignal>) {
-    let Some(current) = samples.current.take() else { return (None, None) };
-    match Setting::of_current(&current) {
-        Ok(setting) => (setting, None),
-        Err((low, high)) => {
-            let signal = SettingSignal::new("current", "A", &current);
-            let text = match signal.pattern {
-                SettingPattern::Steps => Sentence::from(phrases::CURRENT_STEPS).with("count", signal.steps().len()),
-                SettingPattern::Varying => phrases::CURRENT_VARIES.into(),
-            };
-            let text = text.with("low", format!("{low:.2}")).with("high", format!("{high:.2}"));
-            samples.note("settings", text);
-            (None, Some(signal))
-        }
-    }
 }
 
 fn enough(samples: &Samples) -> Result<(), RecordError> {
@@ -331,6 +312,7 @@ mod tests {
 
     use super::*;
     use crate::data::record::NoiseSource;
+    use crate::data::setting_signal::SettingPattern;
     use crate::data::test_metadata::TestMetadata;
     use crate::error::Place;
     use crate::fixtures::SineTest;
@@ -485,6 +467,7 @@ mod tests {
                 side_force: None,
                 temperature: None,
                 current: None,
+                setting: None,
                 notes: Vec::new(),
             };
             let options = Options::default();

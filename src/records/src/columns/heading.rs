@@ -178,6 +178,8 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "电流",
             "電流",
         ],
+        // A pressure or a voltage may be that of anything.
+        Channel::Setting => &[],
     }
 }
 /// What a column heading says.
@@ -663,6 +665,11 @@ fn bracketed(text: &str) -> Option<(&str, &str)> {
     None
 }
 
+/// The unit that a heading carries in brackets, as it is written.
+pub(crate) fn written_unit(text: &str) -> Option<&str> {
+    bracketed(text).map(|(_, unit)| unit).filter(|unit| !unit.is_empty())
+}
+
 /// Words of a heading in lower case.
 pub(crate) fn words(text: &str) -> Vec<String> {
     plain(text).split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).map(str::to_lowercase).collect()
@@ -672,7 +679,9 @@ pub(crate) fn words(text: &str) -> Vec<String> {
 pub(crate) fn vocabulary() -> String {
     let some = |c: Channel| headings(c).iter().take(6).copied().collect::<Vec<_>>().join(", ");
     let units = |c: Channel| c.units_understood();
-    let channels = Channel::ALL.map(|c| format!("{} ({}) in {}", c.name(), some(c), units(c))).join("; ");
+    let by_heading = Channel::ALL.into_iter().filter(|c| !headings(*c).is_empty());
+    let channels: Vec<String> = by_heading.map(|c| format!("{} ({}) in {}", c.name(), some(c), units(c))).collect();
+    let channels = channels.join("; ");
     format!("{channels}; the names also in German, French, Italian, Spanish and Chinese")
 }
 

@@ -260,9 +260,14 @@ impl Layout {
             if options.ignore.contains(&channel) {
                 continue;
             }
+            if channel == Channel::Setting && !options.columns.contains_key(&channel) {
+                continue;
+            }
             let index = if let Some(wanted) = options.columns.get(&channel) {
                 match wanted_column(wanted, &header)[..] {
                     [index] => Some(index),
+                    // A test at a constant setting that its name states has no such column.
+                    [] if channel == Channel::Setting => None,
                     [] => {
                         return Err(RecordError::NoSuchColumn {
                             at: at.clone(),
@@ -416,6 +421,9 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
         unit: unit.to_string(),
         channel,
     };
+    if channel == Channel::Setting {
+        return Ok(Some(Unit::AsWritten));
+    }
     if let Some(&unit) = options.units.get(&channel) {
         return if unit.dimension() == channel.dimension() { Ok(Some(unit)) } else { Err(unknown(unit.name())) };
     }
@@ -620,6 +628,7 @@ impl Rows {
                 side_force: take(Channel::SideForce),
                 temperature: take(Channel::Temperature),
                 current: take(Channel::Current),
+                setting: take(Channel::Setting),
                 headings: self.layout.columns.iter().map(|c| (c.channel, c.heading.clone())).collect(),
                 units: self.layout.columns.iter().map(|c| (c.channel, c.unit)).collect(),
                 notes: notes.clone(),

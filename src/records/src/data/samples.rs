@@ -33,6 +33,8 @@ pub(crate) struct Samples {
     pub temperature: Option<Vec<f64>>,
     /// Current of an adjustable damper's valve, A.
     pub current: Option<Vec<f64>>,
+    /// What else the damper is set to, in the unit of its column.
+    pub setting: Option<Vec<f64>>,
     /// Headings of the channels that are there, as the file writes them.
     pub headings: Vec<(Channel, String)>,
     /// The units that the channels were read in.
@@ -75,6 +77,7 @@ impl Samples {
             Channel::SideForce => self.side_force.as_deref(),
             Channel::Temperature => self.temperature.as_deref(),
             Channel::Current => self.current.as_deref(),
+            Channel::Setting => self.setting.as_deref(),
         }
     }
 
@@ -88,6 +91,7 @@ impl Samples {
             Channel::SideForce => self.side_force.as_mut(),
             Channel::Temperature => self.temperature.as_mut(),
             Channel::Current => self.current.as_mut(),
+            Channel::Setting => self.setting.as_mut(),
         }
     }
 
@@ -118,6 +122,7 @@ impl Samples {
             side_force: self.side_force.as_deref().map(cut),
             temperature: self.temperature.as_deref().map(cut),
             current: self.current.as_deref().map(cut),
+            setting: self.setting.as_deref().map(cut),
             headings: self.headings.clone(),
             units: self.units.clone(),
             notes: self.notes.clone(),

@@ -119,8 +119,8 @@ crate::phrases! {
     OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}";
     SEVERAL_SETTINGS: "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit them as one damper over {name} with dashpot fit --setting {option}, or each by itself, the others left out with --exclude; dashpot diagnose --group compares them";
     SETTING_AT: "{value}: {names}";
-    CURRENT_VARIES: "the current of the damper's valve changes between {low} and {high} A all through the test. dashpot fit --setting current identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
-    CURRENT_STEPS: "the current of the damper's valve steps {count} times between {low} and {high} A within the test. dashpot fit --setting current identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
+    SETTING_VARIES: "the {setting} of the damper's valve changes between {low} and {high} all through the test. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
+    SETTING_STEPS: "the {setting} of the damper's valve steps {count} times between {low} and {high} within the test. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
     SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";
     SETTING: "{number}) {names}";
     SETTING_ALL: "all of '{name}' ({count})";
@@ -174,6 +174,7 @@ crate::phrases! {
     OR_SAMPLE_RATE: ", or, where the file has none, say --sample-rate 1000 (samples per second)";
     SEVERAL_COLUMNS: "{at}, line {line}: several columns could be {channel}: {names}; choose one with --column {channel}=\"{first}\"";
     NO_SUCH_COLUMN: "{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}.{near}";
+    NO_SETTING_COLUMN: "no test has a column '{wanted}' for the setting: check the heading, with --column setting=HEADING or in campaign.toml";
     MEANT: " Is '{near}' meant?";
     MISSING_UNIT: "{at}, line {line}: column '{column}' has no unit; write it in the heading as '{column} [{example}]' or give --unit {channel}={example}. Understood for {channel}: {understood}";
     MISSING_UNITS: "{at}, line {line}: no unit is given for {columns}; say it as the file has it, as in {options}{in_heading}. Understood are: {understood}";

@@ -26,11 +26,13 @@ pub enum Channel {
     Temperature,
     /// Current of an adjustable damper's valve.
     Current,
+    /// What else an adjustable damper is set to: voltage, pressure, clicks. No heading is taken for it; the user names its column.
+    Setting,
 }
 
 impl Channel {
     /// All channels.
-    pub const ALL: [Channel; 7] = [
+    pub const ALL: [Channel; 8] = [
         Channel::Time,
         Channel::Displacement,
         Channel::Velocity,
@@ -38,6 +40,7 @@ impl Channel {
         Channel::SideForce,
         Channel::Temperature,
         Channel::Current,
+        Channel::Setting,
     ];
 
     /// The channel's name as the command line and the messages write it.
@@ -50,6 +53,7 @@ impl Channel {
             Channel::SideForce => "side_force",
             Channel::Temperature => "temperature",
             Channel::Current => "current",
+            Channel::Setting => "setting",
         }
     }
 
@@ -71,6 +75,8 @@ impl Channel {
             Channel::Force | Channel::SideForce => "N",
             Channel::Temperature => "°C",
             Channel::Current => "A",
+            // It is kept in the unit of its column.
+            Channel::Setting => "",
         }
     }
 
@@ -83,6 +89,7 @@ impl Channel {
             Channel::Force | Channel::SideForce => Dimension::Force,
             Channel::Temperature => Dimension::Temperature,
             Channel::Current => Dimension::Current,
+            Channel::Setting => Dimension::Setting,
         }
     }
 
@@ -95,6 +102,7 @@ impl Channel {
             Channel::Force | Channel::SideForce => Unit::Newton,
             Channel::Temperature => Unit::Celsius,
             Channel::Current => Unit::Ampere,
+            Channel::Setting => Unit::AsWritten,
         }
     }
 

@@ -42,10 +42,16 @@ const UNITS: [(&[&str], &str, &str, f64); 8] = [
 /// Names that messages know in every language.
 pub(crate) const NAMES: [&str; 4] = ["current", "clicks", "voltage", "pressure"];
 
+/// What is set in a unit, the unit that it is kept in, and the factor to that; nothing for an unknown unit.
+pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static str, f64)> {
+    let (_, name, unit, factor) = UNITS.iter().find(|(words, ..)| words.contains(&written))?;
+    Some((name, unit, *factor))
+}
+
 impl Setting {
-    /// The setting that a channel of current, A, shows; the lowest and highest value where it is not steady.
-    pub(crate) fn of_current(current: &[f64]) -> Result<Option<Setting>, (f64, f64)> {
-        let mut values: Vec<f64> = current.iter().copied().filter(|v| v.is_finite()).collect();
+    /// The setting that a channel shows; the lowest and highest value where it is not steady.
+    pub(crate) fn of_channel(channel: &[f64], name: &str, unit: &str) -> Result<Option<Setting>, (f64, f64)> {
+        let mut values: Vec<f64> = channel.iter().copied().filter(|v| v.is_finite()).collect();
         if values.is_empty() {
             return Ok(None);
         }
@@ -56,7 +62,7 @@ impl Setting {
         }
         // Written as a supply is set, not with the noise of the sensor.
         let value = (middle / SAME).round() * SAME;
-        Ok(Some(Setting { name: "current".into(), unit: "A".into(), value: (value * 1e4).round() / 1e4 }))
+        Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: (value * 1e4).round() / 1e4 }))
     }
 
     /// The setting that a part of a test's name states, as in `1.6A`, `800mA`, `12clicks`, `c12`, `150psi`. With it, whether the part cannot
@@ -70,10 +76,10 @@ impl Setting {
         let digits = part.find(|c: char| !c.is_ascii_digit() && c != '.' && c != '-')?;
         let (number, unit) = part.split_at(digits);
         let value: f64 = number.parse().ok()?;
-        let (_, name, unit, factor) = UNITS.iter().find(|(words, ..)| words.contains(&unit))?;
+        let (name, unit, factor) = setting_in_unit(unit)?;
         // A letter behind a whole number may number the tests.
         let is_sure = part.len() > digits + 1 || value.fract() != 0.0;
-        Some((Setting { name: (*name).into(), unit: (*unit).into(), value: value * factor }, is_sure))
+        Some((Setting { name: name.into(), unit: unit.into(), value: value * factor }, is_sure))
     }
 
     /// The setting in a name, and whether it cannot number the tests; nothing where its parts state several.
@@ -167,9 +173,10 @@ mod tests {
     #[test]
     fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
         let noisy: Vec<f64> = (0..1000).map(|k| 0.8 + 0.01 * libm::sin(f64::from(k))).collect();
-        assert_eq!(Setting::of_current(&noisy).unwrap().map(|s| s.value), Some(0.8));
+        let of = |values: &[f64]| Setting::of_channel(values, "current", "A");
+        assert_eq!(of(&noisy).unwrap().map(|s| s.value), Some(0.8));
         let swept: Vec<f64> = (0..1000).map(|k| 1e-3 * f64::from(k)).collect();
-        assert!(Setting::of_current(&swept).is_err());
-        assert_eq!(Setting::of_current(&[f64::NAN]), Ok(None));
+        assert!(of(&swept).is_err());
+        assert_eq!(of(&[f64::NAN]), Ok(None));
     }
 }

@@ -20,6 +20,8 @@ pub enum Dimension {
     Temperature,
     /// Electric current.
     Current,
+    /// What a damper is set to, in a unit of its own.
+    Setting,
 }
 
 /// A unit that a record may be written in.
@@ -50,6 +52,7 @@ pub enum Unit {
     Fahrenheit,
     Ampere,
     Milliampere,
+    AsWritten,
 }
 
 /// Metres in an inch (exact, international yard and pound agreement of 1959).
@@ -61,7 +64,7 @@ const KILOGRAM_FORCE: f64 = 9.806_65;
 
 impl Unit {
     /// All units.
-    pub const ALL: [Unit; 24] = [
+    pub const ALL: [Unit; 25] = [
         Unit::Second,
         Unit::Millisecond,
         Unit::Microsecond,
@@ -86,6 +89,7 @@ impl Unit {
         Unit::Fahrenheit,
         Unit::Ampere,
         Unit::Milliampere,
+        Unit::AsWritten,
     ];
 
     /// The unit's symbol.
@@ -122,6 +126,7 @@ impl Unit {
             Unit::Fahrenheit => &["degF", "F", "deg F", "fahrenheit", "deg_F"],
             Unit::Ampere => &["A", "amp", "amps", "ampere"],
             Unit::Milliampere => &["mA"],
+            Unit::AsWritten => &["as written"],
         }
     }
 
@@ -141,13 +146,20 @@ impl Unit {
             | Unit::KilogramForce => Dimension::Force,
             Unit::Celsius | Unit::Kelvin | Unit::Fahrenheit => Dimension::Temperature,
             Unit::Ampere | Unit::Milliampere => Dimension::Current,
+            Unit::AsWritten => Dimension::Setting,
         }
     }
 
     /// A value in this unit as SI (temperature: °C). This is the only place where units change.
     pub fn to_si(self, value: f64) -> f64 {
         match self {
-            Unit::Second | Unit::Metre | Unit::MetrePerSecond | Unit::Newton | Unit::Celsius | Unit::Ampere => value,
+            Unit::Second
+            | Unit::Metre
+            | Unit::MetrePerSecond
+            | Unit::Newton
+            | Unit::Celsius
+            | Unit::Ampere
+            | Unit::AsWritten => value,
             Unit::Minute => value * 60.0,
             // Division keeps decimal figures exact to the last digit: 12.5 mm is the double nearest 0.0125 m.
             Unit::Millisecond | Unit::Millimetre | Unit::MillimetrePerSecond | Unit::Milliampere => value / 1e3,

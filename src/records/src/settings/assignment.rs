@@ -18,17 +18,30 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
             record.setting_signal = None;
         }
     }
-    if records.iter().all(|record| record.setting.is_none() && record.setting_signal.is_none()) {
-        let named: Option<Vec<(Setting, bool)>> = records.iter().map(|record| Setting::of_name(&record.name)).collect();
-        let names_tests = |all: &[(Setting, bool)]| {
-            let unsure = all.iter().all(|(_, is_sure)| !is_sure);
-            unsure && all.iter().enumerate().all(|(i, (a, _))| all[..i].iter().all(|(b, _)| !a.is_same(b)))
-        };
-        if let Some(named) = named.filter(|all| !all.is_empty() && !names_tests(all)) {
-            records.iter_mut().zip(named).for_each(|(record, (setting, _))| record.setting = Some(setting));
-        }
-    }
+    name_settings(records);
     tell(records, notes);
+}
+
+/// Takes settings from names where the user and the channels say none, and every such name does.
+///
+/// Beside a channel only what it sets counts: a campaign may step the current in some tests and name it in the others.
+fn name_settings(records: &mut [Record]) {
+    let of_channel = |record: &Record| {
+        let constant = record.setting.as_ref().map(|of| of.name.clone());
+        constant.or_else(|| record.setting_signal.as_ref().map(|of| of.name.clone()))
+    };
+    let known: Vec<String> = records.iter().filter_map(of_channel).collect();
+    let mut open: Vec<&mut Record> =
+        records.iter_mut().filter(|record| record.setting.is_none() && record.setting_signal.is_none()).collect();
+    let named: Option<Vec<(Setting, bool)>> = open.iter().map(|record| Setting::of_name(&record.name)).collect();
+    let names_tests = |all: &[(Setting, bool)]| {
+        let unsure = all.iter().all(|(_, is_sure)| !is_sure);
+        unsure && all.iter().enumerate().all(|(i, (a, _))| all[..i].iter().all(|(b, _)| !a.is_same(b)))
+    };
+    let is_of_channel = |all: &[(Setting, bool)]| all.iter().all(|(own, _)| known.iter().all(|name| *name == own.name));
+    if let Some(named) = named.filter(|all| !all.is_empty() && !names_tests(all) && is_of_channel(all)) {
+        open.iter_mut().zip(named).for_each(|(record, (setting, _))| record.setting = Some(setting));
+    }
 }
 
 /// Warns where the tests of a campaign have several settings.
@@ -59,6 +72,7 @@ fn tell(records: &[Record], notes: &mut Vec<Note>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::data::setting_signal::SettingSignal;
 
     fn record(name: &str) -> Record {
         Record { name: name.into(), ..Record::default() }
@@ -77,6 +91,14 @@ mod tests {
         let told = notes[0].text.to_string();
         assert!(notes[0].kind == "settings" && told.contains("2 settings of current"), "{told}");
         assert!(told.contains("0 A: all of '*0A' (2)") || told.contains("0 A: all of '*_0A' (2)"), "{told}");
+        // Beside a channel, names that say the same quantity count, and others do not.
+        for (name, expected) in [("voltage", Some(1.98)), ("current", None)] {
+            let mut records = vec![record("a_1.98V"), record("b_1.98V"), record("steps")];
+            records[2].setting_signal = Some(SettingSignal::new(name, "", &[0.0, 1.0]));
+            assign_settings(&mut records, &SettingRules::default(), &mut Vec::new());
+            assert_eq!(records[0].setting.as_ref().map(|s| s.value), expected);
+            assert!(records[2].setting.is_none());
+        }
         for names in [&["t_1A", "t_2A", "t_3A"][..], &["a_0.4A", "b_0.4A"], &["a_0.4A", "b"]] {
             assert!(settled(names).1.is_empty(), "{names:?}");
         }

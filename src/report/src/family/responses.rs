@@ -10,9 +10,8 @@ use crate::words::Words;
 use dashpot_core::Model;
 use dashpot_core::family::Definition;
 use dashpot_core::family::actuator::{Actuator, Stand};
-use dashpot_core::family::axis::ENTRIES;
-use dashpot_identification::family::ActuatorDecision;
-use dashpot_identification::model_file::{Interval, ModelFile};
+use dashpot_identification::family::{ActuatorDecision, actuator_numbers};
+use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{ResponseTimes, StepResponse, Validation};
 use dashpot_simulation::prediction::at_velocities;
 
@@ -119,25 +118,11 @@ fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Tabl
 
 /// Numbers of the actuator; `None` for a damper without one.
 fn actuator(model: &ModelFile, words: &Words) -> Option<Table> {
-    let unit = model.axis.unit();
-    let rows: Vec<Vec<Cell>> = ENTRIES
-        .iter()
-        .enumerate()
-        .skip(1)
-        .filter(|(index, _)| model.axis.number(*index) != 0.0)
-        .map(|(index, entry)| {
-            let ends = match model.identification.intervals.get(entry.name) {
-                Some(Interval::Number([low, high])) if low < high => Some([*low, *high]),
-                _ => None,
-            };
-            let known = |end: usize| ends.map_or_else(Cell::none, |ends| Cell::digits(ends[end], 3));
-            vec![
-                entry.name.into(),
-                Cell::digits(model.axis.number(index), 3),
-                entry.unit.replace('*', unit).into(),
-                known(0),
-                known(1),
-            ]
+    let rows: Vec<Vec<Cell>> = actuator_numbers(&model.axis, &model.identification)
+        .into_iter()
+        .map(|number| {
+            let known = |end: usize| number.interval.map_or_else(Cell::none, |ends| Cell::digits(ends[end], 3));
+            vec![number.name.into(), Cell::digits(number.value, 3), number.unit.into(), known(0), known(1)]
         })
         .collect();
     let columns = vec![

@@ -52,7 +52,7 @@ fn draw(
             .filter_map(|l| {
                 let v = 1e3 * l.velocity_m_s?;
                 // A window that is open to one side ends at the edge of the figure.
-                Some([v, l.low_n.unwrap_or(y.low), l.high_n.unwrap_or(y.high)])
+                Some([v, l.low.unwrap_or(y.low), l.high.unwrap_or(y.high)])
             })
             .collect();
         x = Axis::around(words.axis_velocity, all().map(|p| p[0]).chain(windows.iter().map(|w| w[0])));

@@ -216,10 +216,10 @@ pub const ALL: &[Said] = &[
         "{names} 随 {setting} 变化，且储存能量或在静止时起作用：改变设置可能对宿主做功",
     ],
     [
-        "no test says its {name}. Write it into the names of the tests (800mA, 12clicks, 150psi), record it as a channel, or write setting and [settings] into campaign.toml beside them",
-        "kein Versuch nennt {name}. In die Namen der Versuche schreiben (800mA, 12clicks, 150psi), als Kanal aufzeichnen, oder setting und [settings] in campaign.toml daneben eintragen",
-        "aucun essai n’indique {name}. L’écrire dans les noms des essais (800mA, 12clicks, 150psi), l’enregistrer comme voie, ou écrire setting et [settings] dans campaign.toml à côté",
-        "没有试验说明 {name}。请写入试验名称（800mA、12clicks、150psi），作为通道记录，或在旁边的 campaign.toml 中写入 setting 和 [settings]",
+        "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), or write setting and [settings] into campaign.toml beside them",
+        "kein Versuch nennt {name}. In die Namen aller Versuche schreiben (800mA, 12clicks, 150psi), die Spalte angeben (--column setting=HEADING), oder setting und [settings] in campaign.toml daneben eintragen",
+        "aucun essai n’indique {name}. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), ou écrire setting et [settings] dans campaign.toml à côté",
+        "没有试验说明 {name}。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），或在旁边的 campaign.toml 中写入 setting 和 [settings]",
     ],
     [
         "no test says its {name}; the tests have a setting called {known}: give --setting with that name",

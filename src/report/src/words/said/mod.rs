@@ -1,6 +1,7 @@
 //! What other crates say in sentences, in every language: one list a crate, by the English text that the crate makes.
 
 mod diagnosis;
+mod dimensions;
 mod identification;
 mod records;
 
@@ -15,7 +16,7 @@ type Said = [&'static str; 4];
 
 /// All texts by their English.
 static SAID: LazyLock<HashMap<&'static str, &'static Said>> = LazyLock::new(|| {
-    let all = [records::ALL, identification::ALL, diagnosis::ALL].into_iter().flatten();
+    let all = [records::ALL, identification::ALL, diagnosis::ALL, dimensions::ALL].into_iter().flatten();
     all.map(|said| (said[0], said)).collect()
 });
 
@@ -60,11 +61,16 @@ mod tests {
 
     #[test]
     fn every_text_has_a_translation_with_the_same_figures_and_none_is_left_over() {
-        let lists = [records::ALL, identification::ALL, diagnosis::ALL];
+        let lists = [records::ALL, identification::ALL, diagnosis::ALL, dimensions::ALL];
         let all: Vec<&Said> = lists.into_iter().flatten().collect();
         let known: BTreeSet<&str> = all.iter().map(|said| said[0]).collect();
         assert_eq!(known.len(), all.len(), "a text stands twice");
-        let made = [dashpot_records::texts(), dashpot_identification::texts(), dashpot_diagnosis::texts()];
+        let made = [
+            dashpot_records::texts(),
+            dashpot_identification::texts(),
+            dashpot_diagnosis::texts(),
+            dashpot_dimensions::texts(),
+        ];
         assert_eq!(known, made.into_iter().flatten().collect());
         for said in all {
             for (k, (code, _)) in Language::ALL.iter().enumerate() {
@@ -89,7 +95,7 @@ mod tests {
 
     #[test]
     fn numbers_in_german_and_french_texts_have_a_decimal_comma() {
-        for said in [records::ALL, identification::ALL, diagnosis::ALL].into_iter().flatten() {
+        for said in [records::ALL, identification::ALL, diagnosis::ALL, dimensions::ALL].into_iter().flatten() {
             for text in &said[1..3] {
                 let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
                 let parts: Vec<&str> = text.split('.').collect();

@@ -701,16 +701,16 @@ pub const ALL: &[Said] = &[
     ],
     ["{value}: {names}", "{value}: {names}", "{value} : {names}", "{value}：{names}"],
     [
-        "the current of the damper's valve changes between {low} and {high} A all through the test. dashpot fit --setting current identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)",
-        "der Strom des Dämpferventils ändert sich im ganzen Versuch zwischen {low} und {high} A. dashpot fit --setting current bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)",
-        "le courant de la valve de l’amortisseur varie entre {low} et {high} A pendant tout l’essai. dashpot fit --setting current en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)",
-        "试验全程减振器阀的电流在 {low} A 与 {high} A 之间变化。dashpot fit --setting current 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
+        "the {setting} of the damper's valve changes between {low} and {high} all through the test. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)",
+        "am Dämpferventil ändert sich {setting} im ganzen Versuch zwischen {low} und {high}. dashpot fit --setting {option} bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)",
+        "à la valve de l’amortisseur, {setting} varie entre {low} et {high} pendant tout l’essai. dashpot fit --setting {option} en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)",
+        "试验全程减振器阀的{setting}在 {low} 与 {high} 之间变化。dashpot fit --setting {option} 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
     ],
     [
-        "the current of the damper's valve steps {count} times between {low} and {high} A within the test. dashpot fit --setting current identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)",
-        "der Strom des Dämpferventils springt im Versuch {count}-mal zwischen {low} und {high} A. dashpot fit --setting current bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)",
-        "le courant de la valve de l’amortisseur saute {count} fois entre {low} et {high} A pendant l’essai. dashpot fit --setting current en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)",
-        "试验中减振器阀的电流在 {low} A 与 {high} A 之间阶跃 {count} 次。dashpot fit --setting current 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
+        "the {setting} of the damper's valve steps {count} times between {low} and {high} within the test. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)",
+        "am Dämpferventil springt {setting} im Versuch {count}-mal zwischen {low} und {high}. dashpot fit --setting {option} bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)",
+        "à la valve de l’amortisseur, {setting} saute {count} fois entre {low} et {high} pendant l’essai. dashpot fit --setting {option} en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)",
+        "试验中减振器阀的{setting}在 {low} 与 {high} 之间阶跃 {count} 次。dashpot fit --setting {option} 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
     ],
     [
         "time is worked out from the angle of the crank at {rpm} revolutions per minute",
@@ -911,6 +911,12 @@ pub const ALL: &[Said] = &[
         "{at}, Zeile {line}: es gibt keine Spalte „{wanted}“ für {channel}; die Spalten sind {found}.{near}",
         "{at}, ligne {line} : il n’y a pas de colonne « {wanted} » pour {channel} ; les colonnes sont {found}.{near}",
         "{at}，第 {line} 行：没有作为{channel}的列“{wanted}”；现有各列为 {found}。{near}",
+    ],
+    [
+        "no test has a column '{wanted}' for the setting: check the heading, with --column setting=HEADING or in campaign.toml",
+        "kein Versuch hat eine Spalte „{wanted}“ für die Einstellung: die Überschrift prüfen, mit --column setting=HEADING oder in campaign.toml",
+        "aucun essai n’a de colonne « {wanted} » pour le réglage : vérifier l’en-tête, avec --column setting=HEADING ou dans campaign.toml",
+        "没有试验含有作为设置的列“{wanted}”：请检查表头，用 --column setting=HEADING 或在 campaign.toml 中给出",
     ],
     [" Is '{near}' meant?", " Ist „{near}“ gemeint?", " S’agit-il de « {near} » ?", "是否指“{near}”？"],
     [
@@ -1354,6 +1360,7 @@ pub const ALL: &[Said] = &[
     ["temperature", "Temperatur", "température", "温度"],
     ["current", "Strom", "courant", "电流"],
     ["clicks", "Klicks", "crans", "档位"],
+    ["setting", "Einstellung", "réglage", "设置"],
     ["voltage", "Spannung", "tension", "电压"],
     ["pressure", "Druck", "pression", "压力"],
     // Files that are not read, and what to do.

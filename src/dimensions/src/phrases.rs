@@ -1,0 +1,82 @@
+//! Every text that an explanation says, in English, in one place: a language that lacks one of them is found by a test.
+
+use dashpot_records::sentence::each_once;
+
+dashpot_records::phrases! {
+    // Why a quantity cannot be told.
+    NO_GAS_FORCE: "the model has no gas force; a slow test shows it";
+    GAS_FORCE_OPEN: "the records leave the gas force open; a slow test shows it";
+    GAS_ON_ROD: "the gas pushes on the area of the rod";
+    NO_GAS_SPRING: "the model has no gas spring; slow strokes over the whole travel show it";
+    GAS_SPRING_OPEN: "the records leave the gas stiffness open; slow strokes over the whole travel show it";
+    VOLUME_FROM: "it follows from the pressure and the stiffness of the gas";
+    COLUMN_FROM: "the stiffness of the column is one of a chamber with area and length";
+    NO_COLUMN: "the model has no oil column and no series spring that the records determine";
+    NO_MODULUS: "the effective modulus is not known";
+    TUBE_EXPANDS: "the tube expands with the oil";
+    STROKE_FROM: "the stroke that air yields goes with its pressure and the length of the chamber";
+    AIR_FROM: "it is what the modulus of the oil lacks, or the stroke of the element aeration";
+    PASSAGE_FROM: "a passage follows from the FV table and the area of the piston";
+    FEW_SLOW_POINTS: "fewer than two points of the FV table lie below the knee of this stroke";
+    NO_KNEE: "the FV table of this stroke has no knee: no valve has opened";
+    BLEED_PASSES_ALL: "the bleed passes all of the flow";
+    // What else is to know of a quantity.
+    BY_COMPRESSION: "by the column in compression";
+    LESS_THE_EYES: "the series spring less the eyes";
+    A_BOUND: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them";
+    WITH_AIR: "with the air in it";
+    NO_ORIFICE: "no orifice shows beside the leak";
+    NO_LEAK: "no leak shows beside the orifice";
+    OPENING_AT: "opening at the largest force of the table";
+    HAD_PRIOR: "the fit had a prior of the dimensions for it";
+    SEMICOLON: "; ";
+    // What contradicts.
+    CONTRADICTS_ONE: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} gives.";
+    CONTRADICTS_SEVERAL: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} give.";
+    PRESSURE_ON_ROD: "{pressure} bar on a rod of {diameter} mm";
+}
+
+/// What the quantities are called.
+pub(crate) const QUANTITIES: [(&str, &str); 11] = [
+    ("gas_pressure", "gas pressure"),
+    ("gas_volume", "gas volume"),
+    ("oil_modulus_effective", "effective modulus of the oil"),
+    ("oil_modulus", "modulus of the oil"),
+    ("air_content", "air content of the oil"),
+    ("rebound_bleed_area", "bleed area in rebound"),
+    ("compression_bleed_area", "bleed area in compression"),
+    ("rebound_leak", "leak in rebound"),
+    ("compression_leak", "leak in compression"),
+    ("rebound_blow_off_area", "blow-off area in rebound"),
+    ("compression_blow_off_area", "blow-off area in compression"),
+];
+
+/// What the expected numbers are called in a contradiction.
+pub(crate) const NOUNS: [&str; 11] = [
+    "gas force",
+    "growth of the gas force with temperature",
+    "gas stiffness",
+    "length of the gas column",
+    "cavitation cap",
+    "stiffness of the oil column",
+    "shortening of the oil column",
+    "stiffness of the oil column in compression over that in rebound",
+    "force that halves the air's stroke",
+    "stroke that the air yields",
+    "series stiffness",
+];
+
+/// Units that are words, and parameters that a model lacks in part.
+const WORDS: [&str; 5] = [
+    "bar gauge",
+    "% at 1.013 bar absolute",
+    "fv_force at two slow speeds",
+    "fv_force at a fast speed",
+    "oil_stiffness or aeration_stroke",
+];
+
+/// Every English text of an explanation, each once: sentences with the places of their values, and words.
+pub fn texts() -> Vec<&'static str> {
+    let quantities = QUANTITIES.iter().map(|(_, noun)| *noun);
+    each_once(TEMPLATES, quantities.chain(NOUNS).chain(WORDS))
+}

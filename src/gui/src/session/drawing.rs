@@ -1,0 +1,83 @@
+//! The drawing of the damper beside its model, and what the model says of gas, oil and valves by it.
+
+use crate::session::Session;
+use dashpot_core::Params;
+use dashpot_dimensions::entry::{DESIGN, ENTRIES};
+use dashpot_dimensions::{Dimensions, Explanation, explain, read};
+use dashpot_records::Sentence;
+use std::path::{Path, PathBuf};
+
+/// A file of dimensions that is open.
+pub struct Drawing {
+    /// Where it was read from.
+    pub path: PathBuf,
+    dimensions: Dimensions,
+    /// What was explained last, and of which values.
+    explained: Option<(Params, Explanation)>,
+}
+
+impl Session {
+    /// Opens a file of dimensions; whether it could be read.
+    pub fn open_drawing(&mut self, path: &Path) -> bool {
+        match read(path) {
+            Ok(dimensions) => {
+                self.drawing = Some(Drawing { path: path.to_owned(), dimensions, explained: None });
+                self.is_drawing_new = true;
+                self.say(path.display().to_string());
+                true
+            }
+            Err(error) => {
+                self.complain(Sentence::as_it_is(error));
+                false
+            }
+        }
+    }
+
+    /// Explains the model as it stands by the drawing; `None` without one of the two.
+    pub fn explain(&mut self) -> Option<&Explanation> {
+        let (drawing, model) = (self.drawing.as_mut()?, self.model.as_ref()?);
+        let params = model.params();
+        if drawing.explained.as_ref().is_none_or(|(known, _)| known != params) {
+            drawing.explained = Some((*params, explain(&model.file(), &drawing.dimensions)));
+        }
+        drawing.explained.as_ref().map(|(_, explanation)| explanation)
+    }
+
+    /// Forgets what was explained: intervals and notes of another model file are others, whatever its values are.
+    pub(super) fn forget_explanation(&mut self) {
+        if let Some(drawing) = &mut self.drawing {
+            drawing.explained = None;
+        }
+    }
+}
+
+/// Whether a file is one of dimensions: by its name, or by an entry of a drawing in what is no model.
+pub fn is_drawing(path: &Path) -> bool {
+    if path.file_name().is_some_and(|name| name == "dimensions.toml") {
+        return true;
+    }
+    let Ok(text) = std::fs::read_to_string(path) else { return false };
+    let begins = |line: &str, key: &str| line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='));
+    let is_model = text.lines().any(|line| begins(line.trim_start(), "format"));
+    let keys = || ENTRIES.iter().map(|row| row.key).chain([DESIGN]);
+    !is_model && text.lines().any(|line| keys().any(|key| begins(line.trim_start(), key)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drawing_is_known_by_its_name_or_its_entries() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            is_drawing(&path)
+        };
+        assert!(file("dimensions.toml", "") && file("front.toml", "# front axle\nbore_mm = 36\n"));
+        assert!(file("f.toml", "design=\"monotube\"\n"));
+        assert!(!file("m.toml", "format = 1\nbore_mm = 3\n") && !file("n.toml", "gas_force = 80\n"));
+        assert!(!is_drawing(&folder.path().join("absent.toml")));
+    }
+}

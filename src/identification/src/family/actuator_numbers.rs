@@ -1,0 +1,34 @@
+//! The numbers of the actuator that a model file has, with their intervals.
+
+use crate::model_file::{Identification, Interval};
+use dashpot_core::family::axis::{Axis, ENTRIES};
+
+/// A number of an actuator.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ActuatorNumber {
+    /// Name in the model file.
+    pub name: &'static str,
+    /// Value.
+    pub value: f64,
+    /// Unit.
+    pub unit: String,
+    /// 95 % interval; `None` where no fit has left one.
+    pub interval: Option<[f64; 2]>,
+}
+
+/// The numbers of the actuator of an axis that are not zero.
+pub fn actuator_numbers(axis: &Axis, known: &Identification) -> Vec<ActuatorNumber> {
+    // The first entry is the start of the setting, which moves nothing.
+    let entries = ENTRIES.iter().enumerate().skip(1).filter(|(index, _)| axis.number(*index) != 0.0);
+    entries
+        .map(|(index, entry)| ActuatorNumber {
+            name: entry.name,
+            value: axis.number(index),
+            unit: entry.unit.replace('*', axis.unit()),
+            interval: match known.intervals.get(entry.name) {
+                Some(Interval::Number([low, high])) if low < high => Some([*low, *high]),
+                _ => None,
+            },
+        })
+        .collect()
+}

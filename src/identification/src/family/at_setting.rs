@@ -1,0 +1,137 @@
+//! A family at one of its settings: an ordinary damper that keeps what the fit knows of it there.
+
+use crate::model_file::{Interval, IntervalOverSetting, ModelFile};
+use dashpot_core::Params;
+use dashpot_core::family::Axis;
+use dashpot_core::list;
+use dashpot_core::parameter::Number;
+
+/// The ordinary damper at a setting, with the 95 % intervals there. Between two settings of the fit the ends lie as far from the value as those of
+/// the two, in proportion.
+pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
+    let params = file.definition().params_at(setting);
+    let mut identification = file.identification.clone();
+    let place = Place::new(file.axis.grid(), setting);
+    for (name, over) in std::mem::take(&mut identification.intervals_over_setting) {
+        if let Some(interval) = place.interval(&name, &over, &file.axis, &params) {
+            identification.intervals.insert(name, interval);
+        }
+    }
+    // What is open at one of the neighbors is no measurement between them.
+    let mut open: Vec<String> = Vec::new();
+    for name in &identification.not_identified {
+        let (bare, is_here) = match name.rsplit_once('@') {
+            Some((bare, at)) => (bare, at.parse().is_ok_and(|at: f64| place.neighbors(file.axis.grid()).contains(&at))),
+            None => (name.as_str(), true),
+        };
+        if is_here && !open.iter().any(|known| known == bare) {
+            open.push(bare.to_owned());
+        }
+    }
+    identification.not_identified = open;
+    ModelFile { params, axis: Axis::NONE, identification, specified: file.specified.clone() }
+}
+
+/// Where a setting lies on a grid.
+struct Place {
+    left: usize,
+    right: usize,
+    /// How far from the one to the other, 0..=1.
+    part: f64,
+}
+
+impl Place {
+    fn new(grid: &[f64], setting: f64) -> Place {
+        let last = grid.len().saturating_sub(1);
+        let right = grid.partition_point(|value| *value < setting).min(last);
+        let left = if grid.get(right).is_some_and(|value| *value <= setting) { right } else { right.saturating_sub(1) };
+        let width = grid.get(right).zip(grid.get(left)).map_or(0.0, |(right, left)| right - left);
+        // Beyond the grid the damper is that of its end.
+        let part = if width > 0.0 { ((setting - grid[left]) / width).clamp(0.0, 1.0) } else { 0.0 };
+        Place { left, right, part }
+    }
+
+    fn neighbors(&self, grid: &[f64]) -> Vec<f64> {
+        [self.left, self.right].iter().filter_map(|place| grid.get(*place)).copied().collect()
+    }
+
+    /// The interval of a number or a list at the setting; `None` where the file has another grid for it than for its values.
+    fn interval(&self, name: &str, over: &IntervalOverSetting, axis: &Axis, at: &Params) -> Option<Interval> {
+        match over {
+            IntervalOverSetting::Number(ends) => {
+                let number = Number::find(name).ok()?;
+                let values = axis.values(number)?;
+                let both = [self.left, self.right].map(|place| Some((*values.get(place)?, *ends.get(place)?)));
+                Some(Interval::Number(self.between(at.number(number), both)?))
+            }
+            IntervalOverSetting::List(ends) => {
+                let now = at.list(list!("fv_force"));
+                let points = (0..now.len()).map(|point| {
+                    let both = [self.left, self.right]
+                        .map(|place| Some((*axis.forces(place)?.get(point)?, *ends.get(place)?.get(point)?)));
+                    self.between(now[point], both)
+                });
+                Some(Interval::List(points.collect::<Option<_>>()?))
+            }
+        }
+    }
+
+    /// Ends about a value by those of the two neighbors about theirs.
+    fn between(&self, value: f64, both: [Option<(f64, [f64; 2])>; 2]) -> Option<[f64; 2]> {
+        let [(left, ends_left), (right, ends_right)] = [both[0]?, both[1]?];
+        Some([0, 1].map(|end| {
+            let (from, to) = (ends_left[end] - left, ends_right[end] - right);
+            value + from + self.part * (to - from)
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model_file::family_of_text;
+    use dashpot_core::number;
+
+    const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0]\n\
+         setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 100.0\ncoulomb_force = [20.0, 60.0]\n\
+         fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n\n[identification]\n\
+         not_identified = [\"coulomb_force@1\"]\n\n[identification.intervals]\ngas_force = [90.0, 110.0]\n\n\
+         [identification.intervals_over_setting]\ncoulomb_force = [\n    [15.0, 25.0],\n    [40.0, 80.0],\n]\n\
+         fv_force = [\n    [[-810.0, -790.0], [0.0, 0.0], [1190.0, 1210.0]],\n    [[-2430.0, -2370.0], [0.0, 0.0], [3580.0, 3620.0]],\n]\n";
+
+    fn at(setting: f64) -> ModelFile {
+        at_setting(&family_of_text(FAMILY, "f.toml".as_ref()).unwrap(), setting)
+    }
+
+    fn number_of(file: &ModelFile, name: &str) -> [f64; 2] {
+        match file.identification.intervals.get(name) {
+            Some(Interval::Number(ends)) => *ends,
+            other => panic!("{name}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn intervals_on_the_grid_are_those_of_the_file_and_between_them_those_of_both() {
+        assert_eq!(number_of(&at(0.0), "coulomb_force"), [15.0, 25.0]);
+        assert_eq!(number_of(&at(1.0), "coulomb_force"), [40.0, 80.0]);
+        assert_eq!(number_of(&at(0.3), "gas_force"), [90.0, 110.0]);
+        let middle = at(0.5);
+        let value = middle.params.number(number!("coulomb_force"));
+        let [low, high] = number_of(&middle, "coulomb_force");
+        assert!((low - (value - 12.5)).abs() < 1e-9 && (high - (value + 12.5)).abs() < 1e-9, "{value} {low} {high}");
+        match middle.identification.intervals.get("fv_force") {
+            Some(Interval::List(ends)) => assert!((ends[2][1] - ends[2][0] - 30.0).abs() < 1e-9, "{ends:?}"),
+            other => panic!("{other:?}"),
+        }
+        assert!(!middle.axis.is_some() && !middle.was_changed());
+        // Beyond the grid the damper is that of its end.
+        assert_eq!(number_of(&at(9.0), "coulomb_force"), [40.0, 80.0]);
+    }
+
+    #[test]
+    fn what_is_open_at_a_neighbor_is_open_between_them() {
+        assert!(at(0.0).identification.not_identified.is_empty());
+        assert_eq!(at(0.5).identification.not_identified, ["coulomb_force"]);
+        assert_eq!(at(1.0).identification.not_identified, ["coulomb_force"]);
+    }
+}

@@ -1,0 +1,45 @@
+//! A judged limit in JSON, where each figure has its unit in its key: N of a force, s of a time.
+
+use super::table::Limit;
+use super::{Checked, Value};
+use serde::ser::SerializeMap as _;
+use serde::{Serialize, Serializer};
+
+/// A figure under the key of its quantity.
+struct Figure<'a> {
+    key: &'static str,
+    of: &'a Value,
+}
+
+impl Serialize for Figure<'_> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut map = to.serialize_map(Some(2))?;
+        map.serialize_entry(self.key, &self.of.value)?;
+        map.serialize_entry("tests", &self.of.tests)?;
+        map.end()
+    }
+}
+
+impl Serialize for Checked {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, line } = &self.limit;
+        let [low_key, high_key, key] = quantity.keys();
+        let figure = |of| Figure { key, of };
+        let mut map = to.serialize_map(None)?;
+        map.serialize_entry("name", name)?;
+        map.serialize_entry("quantity", quantity)?;
+        map.serialize_entry("velocity_m_s", velocity_m_s)?;
+        map.serialize_entry("amplitude_m", amplitude_m)?;
+        map.serialize_entry(low_key, low)?;
+        map.serialize_entry(high_key, high)?;
+        if let Some(setting) = setting {
+            map.serialize_entry("setting", setting)?;
+        }
+        map.serialize_entry("line", line)?;
+        map.serialize_entry("measured", &self.measured.as_ref().map(figure))?;
+        map.serialize_entry("model", &self.model.as_ref().map(figure))?;
+        map.serialize_entry("verdict", &self.verdict)?;
+        map.serialize_entry("model_verdict", &self.model_verdict)?;
+        map.end()
+    }
+}

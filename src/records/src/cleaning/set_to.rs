@@ -1,0 +1,91 @@
+//! What a damper was set to in a test, by a channel of it.
+
+use crate::columns::heading::{without_unit, written_unit};
+use crate::data::samples::Samples;
+use crate::data::setting_signal::{SettingPattern, SettingSignal};
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
+use crate::quantities::channel::Channel;
+use crate::quantities::setting_value::{NAMES, Setting, SettingRules, setting_in_unit};
+
+/// A column that holds what a damper is set to.
+#[derive(Debug, Clone, PartialEq)]
+struct SettingColumn {
+    /// What is set.
+    name: String,
+    /// Unit of the setting.
+    unit: String,
+    /// Factor from the unit of the column to that.
+    factor: f64,
+}
+
+impl SettingColumn {
+    /// By the user's rules, else by the unit in the heading, else by the words of the heading itself.
+    fn new(heading: &str, rules: &SettingRules) -> SettingColumn {
+        let written = written_unit(heading).unwrap_or_default();
+        let own = without_unit(heading);
+        let named = if own.is_empty() { "setting" } else { own.as_str() };
+        let (name, unit, factor) = setting_in_unit(written).unwrap_or((named, written, 1.0));
+        // What the user says the unit is, the figures are in.
+        let is_other = rules.name.is_some() && !rules.unit.is_empty() && rules.unit != unit;
+        SettingColumn {
+            name: rules.name.clone().unwrap_or_else(|| name.to_owned()),
+            unit: if is_other { rules.unit.clone() } else { unit.to_owned() },
+            factor: if is_other { 1.0 } else { factor },
+        }
+    }
+}
+
+/// What the damper was set to: a value, or a signal where it changes. The column that the user named goes before that of the current.
+pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
+    let (channel, name, unit) = match (samples.setting.take(), samples.current.take()) {
+        (Some(mut values), _) => {
+            let column = SettingColumn::new(&samples.heading(Channel::Setting), rules);
+            values.iter_mut().for_each(|value| *value *= column.factor);
+            (values, column.name, column.unit)
+        }
+        (None, Some(current)) => (current, "current".to_owned(), "A".to_owned()),
+        (None, None) => return (None, None),
+    };
+    match Setting::of_channel(&channel, &name, &unit) {
+        Ok(setting) => (setting, None),
+        Err((low, high)) => {
+            let signal = SettingSignal::new(&name, &unit, &channel);
+            let text = match signal.pattern {
+                SettingPattern::Steps => Sentence::from(phrases::SETTING_STEPS).with("count", signal.steps().len()),
+                SettingPattern::Varying => phrases::SETTING_VARIES.into(),
+            };
+            let high = format!("{high:.2} {unit}");
+            let text = match NAMES.contains(&name.as_str()) {
+                true => text.with_word("setting", &name),
+                false => text.with("setting", &name),
+            };
+            let text = text.with("low", format!("{low:.2}")).with("high", high.trim_end()).with("option", &name);
+            samples.note("settings", text);
+            (None, Some(signal))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_column_is_named_by_the_user_or_by_its_unit_or_by_its_words() {
+        let none = SettingRules::default();
+        let of = |heading: &str, rules: &SettingRules| {
+            let SettingColumn { name, unit, factor } = SettingColumn::new(heading, rules);
+            (name, unit, factor)
+        };
+        let owned = |name: &str, unit: &str, factor| (name.to_owned(), unit.to_owned(), factor);
+        assert_eq!(of("valve command [mV]", &none), owned("voltage", "V", 1e-3));
+        assert_eq!(of("p pilot [bar]", &none), owned("pressure", "bar", 1.0));
+        assert_eq!(of("Duty Cycle [%]", &none), owned("duty cycle", "%", 1.0));
+        assert_eq!(of("clicks", &none), owned("clicks", "", 1.0));
+        let rules = SettingRules { name: Some("pilot".into()), unit: "MPa".into(), ..SettingRules::default() };
+        assert_eq!(of("p [bar]", &rules), owned("pilot", "MPa", 1.0));
+        let named = SettingRules { name: Some("pilot".into()), ..SettingRules::default() };
+        assert_eq!(of("p [bar]", &named), owned("pilot", "bar", 1.0));
+    }
+}
