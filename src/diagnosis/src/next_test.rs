@@ -13,6 +13,7 @@ use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_records::newtons::newtons;
 use dashpot_records::sentence::Sentence;
+use dashpot_records::{RigFrame, RigSine, Unit};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -101,8 +102,8 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// The tests that separate the rivals best, best first.
-pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
+/// The tests that separate the rivals best, best first, as the files of the campaign count.
+pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     if rivals.len() < 2 {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
     }
@@ -122,7 +123,17 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
             let means: &[f64] = if room > 0.2 * span { &[0.0, -1.0, 1.0] } else { &[0.0] };
             for mean in means {
                 for side_force in sides {
-                    designs.push(Design { amplitude, frequency, mean: middle + mean * room, side_force: *side_force });
+                    let sine = frame.restrict_sine(RigSine {
+                        amplitude_m: amplitude,
+                        frequency_hz: frequency,
+                        mean_m: middle + mean * room,
+                    });
+                    designs.push(Design {
+                        amplitude: sine.amplitude_m,
+                        frequency: sine.frequency_hz,
+                        mean: sine.mean_m,
+                        side_force: *side_force,
+                    });
                 }
             }
         }
@@ -164,27 +175,36 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
     judged.sort_by(|a, b| b.0.total_cmp(&a.0));
     // Neighbours on the grid say the same: one of each amplitude.
     let mut told: Vec<NextTest> = Vec::new();
+    let mut amplitudes = Vec::new();
     for (_, difference, [i, j], d) in judged {
-        if told.iter().any(|t| t.amplitude_m == Some(d.amplitude)) || difference <= 0.0 {
+        if amplitudes.contains(&d.amplitude) || difference <= 0.0 {
             continue;
         }
         let (a, b) = (rivals[i].effect, rivals[j].effect);
-        let about = (d.mean.abs() > 1e-4)
-            .then(|| Sentence::from(phrases::ABOUT_MEAN).with("mean", format!("{:+.0}", 1e3 * d.mean)));
+        amplitudes.push(d.amplitude);
+        let sine = frame.count(RigSine { amplitude_m: d.amplitude, frequency_hz: d.frequency, mean_m: d.mean });
+        let unit = frame.unit;
+        let figure = |length: f64| length / unit.to_si(1.0);
+        let decimals = if unit == Unit::Inch { 2 } else { 0 };
+        let about = (sine.mean_m.abs() > 1e-4).then(|| {
+            let mean = format!("{:+.decimals$}", figure(sine.mean_m));
+            Sentence::from(phrases::ABOUT_MEAN).with("mean", mean).with("unit", unit.name())
+        });
         let under = (d.side_force > 0.0)
             .then(|| Sentence::from(phrases::UNDER_SIDE_FORCE).with("force", format!("{:.0}", d.side_force)));
         told.push(NextTest {
             text: Sentence::from(phrases::RUN_SINE)
-                .with("amplitude", 1e3 * d.amplitude)
-                .with("frequency", d.frequency)
+                .with("amplitude", short(figure(sine.amplitude_m)))
+                .with("unit", unit.name())
+                .with("frequency", short(sine.frequency_hz))
                 .with_any("about", about)
                 .with_any("under", under)
                 .with("a", a)
                 .with("b", b)
                 .with("difference", newtons(difference, 1)),
-            amplitude_m: Some(d.amplitude),
-            frequency_hz: Some(d.frequency),
-            mean_displacement_m: Some(d.mean),
+            amplitude_m: Some(sine.amplitude_m),
+            frequency_hz: Some(sine.frequency_hz),
+            mean_displacement_m: Some(sine.mean_m),
             side_force_n: Some(d.side_force),
             difference_n: Some(difference),
             separates: vec![a, b],
@@ -197,6 +217,12 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
         told.extend(rivals.iter().take(2).map(|r| in_words(r.effect)));
     }
     told
+}
+
+/// A figure to drive by, in up to four decimals.
+fn short(value: f64) -> String {
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// The test that shows one effect best, in words.

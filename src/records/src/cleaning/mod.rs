@@ -22,6 +22,7 @@ use crate::data::complete_motion::{Motion, steady};
 use crate::data::cycle::Cycle;
 use crate::data::measurement_error::MeasurementError;
 use crate::data::record::Record;
+use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::data::setting_signal::{SettingPattern, SettingSignal};
 use crate::error::RecordError;
@@ -319,6 +320,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         apparent_delay_s: 0.0,
         stated_error: given,
         counted: None,
+        frame: RigFrame::default(),
     };
     correct_inertia(&mut record, given.mass_kg);
     Ok(record)
