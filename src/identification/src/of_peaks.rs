@@ -158,8 +158,10 @@ fn direction(peaks: &Peaks) -> (String, bool) {
         }
     };
     let Some((velocity, ratio)) = peaks.asymmetry() else { return (taken.to_owned(), false) };
-    let found =
-        format!("{taken}; at {:.0} mm/s the force in rebound is {ratio:.2} times the force in compression", 1e3 * velocity);
+    let found = format!(
+        "{taken}; at {:.0} mm/s the force in rebound is {ratio:.2} times the force in compression",
+        1e3 * velocity
+    );
     if ratio * CLEARLY > 1.0 {
         return (found, false);
     }

@@ -155,13 +155,13 @@ fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
 fn format_estimate(name: &str, e: &Estimate) -> String {
     match (&e.standing, e.low, e.high) {
         (Standing::NotIdentified, ..) => {
-            format!("  {name:<38} {:>12} {:<10} not identified from this data", short(e.value), e.unit)
+            format!("  {name:<38} {:>16}  not identified from this data", with_unit(e.value, e.unit))
         }
         (_, Some(low), Some(high)) => {
-            let (value, low, high) = (short(e.value), short(low), short(high));
-            format!("  {name:<38} {value:>12} {:<10} 95 %: {low} to {high}", e.unit)
+            let (value, interval) = with_interval(e.value, low, high, e.unit, &TERMINAL);
+            format!("  {name:<38} {value:>16}  95 %: {interval}")
         }
-        _ => format!("  {name:<38} {:>12} {}", short(e.value), e.unit),
+        _ => format!("  {name:<38} {:>16}", with_unit(e.value, e.unit)),
     }
 }
 

@@ -218,10 +218,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 )
             }
             (_, Some(low), Some(high)) => {
-                let (value, low, high) = (short(e.value), short(low), short(high));
-                format!("  {:<30} {value:>12} {:<10} 95 %: {low} to {high}", e.name, e.unit)
+                let (value, interval) = with_interval(e.value, low, high, e.unit, &TERMINAL);
+                format!("  {:<30} {value:>16}  95 %: {interval}", e.name)
             }
-            _ => format!("  {:<30} {:>12} {}", e.name, short(e.value), e.unit),
+            _ => format!("  {:<30} {:>16}", e.name, with_unit(e.value, e.unit)),
         })?;
     }
     for note in &found.notes {

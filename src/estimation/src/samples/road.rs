@@ -51,6 +51,30 @@ impl Extent {
     }
 }
 
+/// How much of the roads of a campaign is run in stretches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shortened {
+    /// Roads that are not run whole.
+    pub roads: usize,
+    /// Stretches of one of them.
+    pub stretches: usize,
+    /// Length of a stretch without its lead-in, s.
+    pub seconds: f64,
+}
+
+/// The roads among tests that are run in stretches; `None` where there are none.
+pub fn shortened(tests: &[Test]) -> Option<Shortened> {
+    let mut counts: BTreeMap<usize, (usize, f64)> = BTreeMap::new();
+    for test in tests.iter().filter(|t| t.frequency == 0.0 && t.weight < ROAD) {
+        let seconds = test.segment.dt[test.segment.from..].iter().sum();
+        let (count, _) = counts.entry(test.record).or_insert((0, seconds));
+        *count += 1;
+    }
+    let cut: Vec<(usize, f64)> = counts.into_values().filter(|(count, _)| *count > 1).collect();
+    let (stretches, seconds) = *cut.first()?;
+    Some(Shortened { roads: cut.len(), stretches, seconds })
+}
+
 /// A road at the steps of the model.
 struct Road<'a> {
     place: usize,

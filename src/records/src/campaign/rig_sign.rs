@@ -105,14 +105,7 @@ mod tests {
             asymmetry: Some(2.0),
         };
         let notes = vec![Note { kind: "sign_unsure", text: phrases::WEAK.into() }];
-        Campaign {
-            records: vec![record],
-            sign,
-            delay: None,
-            notes,
-            unusable: Vec::new(),
-            files: Vec::new(),
-        }
+        Campaign { records: vec![record], sign, delay: None, notes, unusable: Vec::new(), files: Vec::new() }
     }
 
     #[test]

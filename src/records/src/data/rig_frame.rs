@@ -86,8 +86,7 @@ mod tests {
 
     #[test]
     fn tests_are_given_as_the_rig_counts_and_within_its_reach() {
-        let frame =
-            RigFrame { turn: -1.0, zero_m: 0.1, reach_m: (-0.03, 0.05), speed_m_s: 0.5, ..RigFrame::default() };
+        let frame = RigFrame { turn: -1.0, zero_m: 0.1, reach_m: (-0.03, 0.05), speed_m_s: 0.5, ..RigFrame::default() };
         let sine = |amplitude_m, frequency_hz, mean_m| RigSine { amplitude_m, frequency_hz, mean_m };
         let made = |s| frame.count(frame.restrict_sine(s));
         let near = |a: RigSine, b: RigSine| {
