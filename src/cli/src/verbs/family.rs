@@ -1,7 +1,6 @@
 //! `dashpot fit --setting`: one damper over a setting.
 
 use super::data::{DataArgs, name_of};
-use super::digits::short;
 use super::record_notes::print_record_notes;
 use super::validate::{compare_family, settings_table};
 use crate::page::TextArgs;
@@ -14,6 +13,8 @@ use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
 use dashpot_identification::{Estimate, FitOptions, Standing, describe_item};
 use dashpot_records::{Campaign, Record};
+use dashpot_report::numbers::{with_interval, with_unit};
+use dashpot_report::words::TERMINAL;
 use dashpot_report::{FamilyReport, Print, ReportInput};
 use dashpot_simulation::comparison;
 use std::path::Path;

@@ -7,6 +7,7 @@
 use dashpot_records::sentence::is_number;
 use names::MARK;
 
+mod choices;
 mod de;
 mod en;
 mod fr;
