@@ -262,3 +262,42 @@ impl Rig {
         rig
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::{Params, number};
+    use dashpot_estimation::prior_set::PriorSet;
+
+    fn hypothesis(change: impl Fn(&mut Params)) -> Hypothesis {
+        let mut base = Params::new();
+        change(&mut base);
+        Hypothesis { base, numbers: Vec::new(), heating: None, priors: PriorSet::default() }
+    }
+
+    #[test]
+    fn proposals_are_stated_as_the_files_count() {
+        let plain = hypothesis(|_| ());
+        // A spring tells most at one end of the stroke.
+        let sprung = hypothesis(|p| p.set(number!("spring_cubic"), 5e6).unwrap());
+        let rival = |effect, hypothesis| Rival { effect, hypothesis, theta: &[], confidence: 0.5 };
+        let rivals = [rival("presliding_friction", &plain), rival("parallel_spring", &sprung)];
+        let reach = (-0.02, 0.05);
+        let rig = Rig { reach, speed: 0.5, side_forces: vec![0.0], force: 20e3 };
+        let inside = RigFrame { reach_m: reach, speed_m_s: 0.5, ..RigFrame::default() };
+        let files = RigFrame { turn: -1.0, zero_m: 0.1, unit: Unit::Inch, ..inside };
+        let (own, counted) = (propose(&rivals, &rig, &inside), propose(&rivals, &rig, &files));
+        assert!(!own.is_empty() && own.len() == counted.len());
+        for (own, counted) in own.iter().zip(&counted) {
+            let mean = own.mean_displacement_m.unwrap();
+            let (amplitude, frequency) = (own.amplitude_m.unwrap(), own.frequency_hz.unwrap());
+            assert!(mean - amplitude > reach.0 - 1e-3 && mean + amplitude < reach.1 + 1e-3, "{own:?}");
+            assert!(TAU * amplitude * frequency < 0.51, "{own:?}");
+            assert!((counted.mean_displacement_m.unwrap() - (0.1 - mean)).abs() < 1e-12, "{counted:?}");
+            let text = counted.text.to_string();
+            let about = format!(" about {:+.2} in as the files count", (0.1 - mean) / 0.0254);
+            assert!(text.contains(&about) && text.contains(" in at "), "{text}");
+            assert!(own.text.to_string().contains(" mm at "), "{}", own.text);
+        }
+    }
+}

@@ -644,6 +644,18 @@ mod tests {
     use std::f64::consts::TAU;
 
     #[test]
+    fn a_campaign_of_thousands_says_how_many_tests_stand_for_all() {
+        let records = [slow_sine(), slow_sine()];
+        let many: Vec<&Record> = records.iter().cycle().take(8000).collect();
+        let (selected, note) = select_tests(&many);
+        let note = note.unwrap().to_string();
+        assert!(selected.len() < 300 && note.contains("8000 tests"), "{note}");
+        assert!(note.contains(&format!("{} of them stand for all", selected.len())), "{note}");
+        let (all, note) = select_tests(&many[..100]);
+        assert!(all.len() == 100 && note.is_none());
+    }
+
+    #[test]
     fn a_number_that_is_held_is_told_by_its_digits() {
         let said = |name: &'static str, value: f64, unit: &'static str| {
             let (from, standing) = (Sentence::from(phrases::HELD), Standing::NotIdentified);

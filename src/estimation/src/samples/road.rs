@@ -223,6 +223,25 @@ mod tests {
     }
 
     #[test]
+    fn a_road_in_stretches_says_how_many_and_how_long() {
+        let time: Vec<f64> = (0..30_000).map(|k| 1e-3 * f64::from(k)).collect();
+        let phase = |t: &f64| 8.0 * t + 3.0 * libm::sin(0.7 * t);
+        let displacement: Vec<f64> = time.iter().map(|t| 0.02 * libm::sin(phase(t))).collect();
+        let velocity: Vec<f64> =
+            time.iter().map(|t| 0.02 * (8.0 + 2.1 * libm::cos(0.7 * t)) * libm::cos(phase(t))).collect();
+        let force: Vec<f64> = velocity.iter().map(|v| 2000.0 * v).collect();
+        let (amplitude, peak_velocity) = (0.02, 0.2);
+        let record = Record { time, displacement, velocity, force, amplitude, peak_velocity, ..Record::default() };
+        let motion = smooth(&record);
+        let both =
+            [tests(0, &record, &motion, Extent::Stretches(4)), tests(1, &record, &motion, Extent::Whole)].concat();
+        let cut = shortened(&both).unwrap();
+        assert_eq!((cut.roads, cut.stretches), (1, 4));
+        assert!((cut.seconds - 0.3).abs() < 0.01, "{cut:?}");
+        assert_eq!(shortened(&both[4..]), None);
+    }
+
+    #[test]
     fn few_stretches_of_a_road_visit_its_rarest_cells_first() {
         let rare = BTreeSet::from([(9, 5)]);
         let common = || BTreeSet::from([(4, 5), (5, 5)]);

@@ -5,6 +5,7 @@
 
 mod made_up;
 mod models;
+mod narrow;
 mod reference;
 mod unusable;
 
