@@ -104,7 +104,7 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
             }
             _ => said.number(&with_unit(e.value, e.unit)),
         };
-        let line = RichText::new(format!("{}: {figures}", translate_name(e.name, said))).small();
+        let line = RichText::new(format!("{}{}{figures}", translate_name(e.name, said), said.colon)).small();
         ui.add(egui::Label::new(if is_open { line.weak() } else { line }).wrap()).on_hover_text(e.name);
     }
     for note in &found.notes {
@@ -121,20 +121,17 @@ fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Langu
     ui.strong(said.inventory_section);
     // One line an effect: a table of four columns is wider than the panel in most languages, and pushes all else out of it.
     let headings = [said.col_force_rms, said.col_probability, said.col_status];
-    let headings = headings[..if status { 3 } else { 2 }].join("; ");
-    wrapped(ui, RichText::new(format!("{}: {headings}", said.col_effect)).small().weak());
+    let headings = headings[..if status { 3 } else { 2 }].join(said.semicolon);
+    wrapped(ui, RichText::new(format!("{}{}{headings}", said.col_effect, said.colon)).small().weak());
     for item in items {
         let form = said.word(item.form);
         let hint = if form.is_empty() { item.effect.to_owned() } else { format!("{}: {form}", item.effect) };
         let force = if item.force_n_rms.is_finite() { said.number(&error(item.force_n_rms)) } else { "–".into() };
-        let mut line = format!(
-            "{}: {force}\u{a0}N; {}",
-            translate_name(item.effect, said),
-            probability(item.probability).replace(' ', "\u{a0}")
-        );
+        let mut parts = vec![format!("{force}\u{a0}N"), probability(item.probability).replace(' ', "\u{a0}")];
         if status {
-            line += &format!("; {}", status_text(item, said));
+            parts.push(status_text(item, said));
         }
+        let line = format!("{}{}{}", translate_name(item.effect, said), said.colon, parts.join(said.semicolon));
         ui.add(egui::Label::new(RichText::new(line).small()).wrap()).on_hover_text(hint);
     }
 }

@@ -446,6 +446,7 @@ words!(
     comma,
     sentence_end,
     semicolon,
+    colon,
     // The direction that the files count positive.
     sign_given,
     sign_found,
