@@ -18,7 +18,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         ui.selectable_value(&mut view.across, Across::Frequency, w.frequency);
         if let Some(simulated) = &session.simulated {
             let mean = simulated.tests.iter().map(|t| t.percent).sum::<f64>() / simulated.tests.len().max(1) as f64;
-            ui.label(format!("{} {} %", w.mean, w.fixed(mean, 2)));
+            ui.label(format!("{}\u{a0}{}\u{a0}%", w.mean, w.fixed(mean, 2)));
         }
     });
     let grid = Grid::new(&loaded.campaign.records, view.across);
