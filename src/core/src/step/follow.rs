@@ -38,33 +38,33 @@ pub struct Stage<'a> {
     pub by_guess: f64,
     /// What the driven end adds to v̂, over the displacement and velocity at the end of the step.
     pub guess_by_end: [f64; 2],
-    /// How the line of the springs changes with the place about which it was drawn.
+    /// Derivative of the linearized springs over the place of their linearization.
     pub line: Line,
 }
 
-/// How the force of the springs' line at the mass changes with the place x̂ about which the line was drawn.
+/// Derivative of the springs' linearization at the mass over the place x̂ about which it was made.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// ∂F̃_p/∂x̂ = F_p''(x̂) (x_m − x̂), N/m; 0 for a linear spring, and where no derivative is requested.
     pub by_place: f64,
     /// What moves x̂.
-    pub drawn_at: DrawnAt,
+    pub origin: LineOrigin,
 }
 
 /// What moves the place about which the springs were linearized.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DrawnAt {
+pub enum LineOrigin {
     /// The known displacement, and γh times the velocity of the stage before.
     Predicted,
     /// The moving end: the prediction lies beyond the reach of the series spring.
     Reach,
-    /// The solution: the line was drawn anew until it held.
+    /// The solution: the springs were linearized until the line held.
     Solution,
 }
 
 impl Line {
     /// The line of a linear spring.
-    pub const STRAIGHT: Line = Line { by_place: 0.0, drawn_at: DrawnAt::Predicted };
+    pub const CONSTANT: Line = Line { by_place: 0.0, origin: LineOrigin::Predicted };
 }
 
 /// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
@@ -140,11 +140,11 @@ impl<T: Tables> Follow<T> for ByEnd {
         }
         if s.line.by_place != 0.0 {
             let by_place = s.line.by_place;
-            u = match s.line.drawn_at {
-                DrawnAt::Predicted => pair(|k| u[k] - by_place * (x[k] + s.g * self.predicted[k]) * divide),
-                DrawnAt::Reach => pair(|k| u[k] - by_place * s.path.x_by_end[k] * divide),
+            u = match s.line.origin {
+                LineOrigin::Predicted => pair(|k| u[k] - by_place * (x[k] + s.g * self.predicted[k]) * divide),
+                LineOrigin::Reach => pair(|k| u[k] - by_place * s.path.x_by_end[k] * divide),
                 // The place moves with the solution: x + g u.
-                DrawnAt::Solution => {
+                LineOrigin::Solution => {
                     let share = 1.0 / (s.resistance + s.g * by_place);
                     pair(|k| (s.resistance * u[k] - by_place * x[k]) * share)
                 }

@@ -1,7 +1,7 @@
 //! The internal mass through the stages of a step: the plain step, where nothing but springs and the FV curve acts on it.
 
 use super::cheap;
-use super::follow::{DrawnAt, Follow, Line, Stage};
+use super::follow::{Follow, Line, LineOrigin, Stage};
 use super::primary::{Plain, Primary};
 use super::reach::{line_by_place, springs, within_reach};
 use super::tableau::{EULER, MOST_STAGES, SECOND, THIRD, THREE_STAGE, Tableau};
@@ -106,7 +106,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_derivative) = (inner_known, inner_derivative);
-        let mut line = Line::STRAIGHT;
+        let mut line = Line::CONSTANT;
         let missed =
             |made: f64| (made - inner_known - inner_derivative * u).abs() > MISSED * (made.abs() + fd.value.abs());
         let is_nonlinear = MAY_BEND && self.elements.is_nonlinear();
@@ -116,9 +116,9 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
             self.settle(&held, &mut balance);
             Balance { u, fd, inner, inner_at, inner_known, inner_derivative } = balance;
             a = resistance + inner_derivative;
-            line.drawn_at = DrawnAt::Solution;
+            line.origin = LineOrigin::Solution;
         } else if is_nonlinear && inner_at != known_x + g * self.predicted {
-            line.drawn_at = DrawnAt::Reach;
+            line.origin = LineOrigin::Reach;
         }
         if is_nonlinear && follow.wants_derivatives() {
             line.by_place = line_by_place(self.elements, &Motion { displacement: inner_at, ..at }, known_x + g * u);
@@ -375,11 +375,11 @@ fn move_mass_cheaply<T: Tables>(
             continue;
         }
         let denominator = 1.0 / after.by_impulse;
-        let mut line = Line::STRAIGHT;
+        let mut line = Line::CONSTANT;
         if elements.is_nonlinear() && follow.wants_derivatives() {
             line.by_place = line_by_place(elements, &at, after.x);
             if at.displacement != mass.x + h * mass.v {
-                line.drawn_at = DrawnAt::Reach;
+                line.origin = LineOrigin::Reach;
             }
         }
         follow.stage(
