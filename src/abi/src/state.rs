@@ -10,7 +10,8 @@
 //! Derivatives of a step are exact where its force is smooth. At a knee (a point of a piecewise linear curve, a stop, a
 //! reversal, a void that closes) they are one-sided, of the side on which the step was solved, or lie between both sides.
 //! An implicit host should bound its Newton steps there. In a search over random steps, most of them far from real
-//! dampers, one derivative in a thousand has an error above 2 %.
+//! dampers, one derivative in a thousand has an error above 2 %. With a nonlinear spring nearly as stiff as the series
+//! spring and an element of the oil, a step of 10 ms gives the derivative of the tangent at its last iterate.
 
 use core::mem::{align_of, offset_of, size_of};
 

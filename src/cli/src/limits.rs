@@ -6,7 +6,7 @@ use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR,
 pub fn table(found: &Certificate) -> String {
     let mut out = format!(
         "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {}\n",
-        "limit", "at m/s", "low N", "high N", "measured N", "model N", "verdict"
+        "limit", "at mm/s", "low N", "high N", "measured N", "model N", "verdict"
     );
     for one in &found.limits {
         out += &row(one);
@@ -62,7 +62,7 @@ fn row(one: &Checked) -> String {
     format!(
         "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}\n",
         named.chars().take(27).collect::<String>(),
-        known(*velocity_m_s, 4),
+        known(velocity_m_s.map(|v| 1e3 * v), 1),
         known(low.map(|low| factor * low), 1),
         known(high.map(|high| factor * high), 1),
         known(one.measured.as_ref().map(|v| factor * v.value), 1),

@@ -127,7 +127,7 @@ impl Change {
     /// What it is called in a table.
     pub fn label(&self) -> String {
         match self.velocity_m_s {
-            Some(velocity) => format!("{}, {velocity:.3} m/s", self.name),
+            Some(velocity) => format!("{}, {:.0} mm/s", self.name, 1e3 * velocity),
             None => self.name.to_owned(),
         }
     }
@@ -153,7 +153,7 @@ impl Change {
             let percent = if self.reference == 0.0 { 0.0 } else { 100.0 * (self.value / self.reference - 1.0) };
             return Sentence::from(said)
                 .with("percent", format!("{percent:+.0}"))
-                .with("velocity", format!("{:.2}", velocity.abs()))
+                .with("velocity", format!("{:.0}", 1e3 * velocity.abs()))
                 .with("reference", reference)
                 .with("value", value);
         }

@@ -598,7 +598,8 @@ impl Composed<'_> {
                 });
             }
         }
-        next_test::propose(&rivals, &next_test::Rig::from_tests(&self.fitted))
+        let frame = self.records.first().map(|record| record.frame).unwrap_or_default();
+        next_test::propose(&rivals, &next_test::Rig::from_tests(&self.fitted), &frame)
     }
 }
 

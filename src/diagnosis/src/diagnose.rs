@@ -9,11 +9,13 @@ use super::{opposite, phrases, warmer};
 use dashpot_core::Params;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
+use dashpot_estimation::samples::selection::select;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_estimation::structure::starts;
 use dashpot_estimation::vocabulary::{Candidate, changes};
+use dashpot_identification::{describe_roads, select_tests};
 use dashpot_records::Record;
 use dashpot_records::sentence::Template;
 
@@ -45,7 +47,15 @@ pub fn diagnose(
         return Err(DiagnosisError::UnknownEffect { name: name.clone() });
     }
     progress(0.0, phrases::PREPARING);
+    if let Some(selected) = select(records) {
+        let of_it: Vec<&Record> = selected.iter().map(|place| records[*place]).collect();
+        let held_out: Vec<bool> = selected.iter().map(|place| held_out.get(*place).copied().unwrap_or(false)).collect();
+        let mut found = diagnose(&of_it, &held_out, params, options, progress)?;
+        found.notes.extend(select_tests(records).1);
+        return Ok(found);
+    }
     let prepared = prepare(records, held_out, params);
+    let roads = describe_roads(&prepared.fitted);
     if prepared.fitted.is_empty() {
         return Err(DiagnosisError::NoTests);
     }
@@ -57,7 +67,8 @@ pub fn diagnose(
         against_reference(records, prepared, params, options, progress)?
     };
     progress(0.95, phrases::WHAT_IS_LEFT);
-    let diagnosis = Composed { reference_remarks, ..composed }.diagnosis();
+    let mut diagnosis = Composed { reference_remarks, ..composed }.diagnosis();
+    diagnosis.notes.extend(roads);
     progress(1.0, phrases::DONE);
     Ok(diagnosis)
 }

@@ -13,6 +13,7 @@ use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_records::newtons::newtons;
 use dashpot_records::sentence::Sentence;
+use dashpot_records::{RigFrame, RigSine, Unit};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -101,8 +102,8 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// The tests that separate the rivals best, best first.
-pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
+/// The tests that separate the rivals best, best first, as the files of the campaign count.
+pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     if rivals.len() < 2 {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
     }
@@ -122,7 +123,17 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
             let means: &[f64] = if room > 0.2 * span { &[0.0, -1.0, 1.0] } else { &[0.0] };
             for mean in means {
                 for side_force in sides {
-                    designs.push(Design { amplitude, frequency, mean: middle + mean * room, side_force: *side_force });
+                    let sine = frame.restrict_sine(RigSine {
+                        amplitude_m: amplitude,
+                        frequency_hz: frequency,
+                        mean_m: middle + mean * room,
+                    });
+                    designs.push(Design {
+                        amplitude: sine.amplitude_m,
+                        frequency: sine.frequency_hz,
+                        mean: sine.mean_m,
+                        side_force: *side_force,
+                    });
                 }
             }
         }
@@ -164,27 +175,36 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
     judged.sort_by(|a, b| b.0.total_cmp(&a.0));
     // Neighbours on the grid say the same: one of each amplitude.
     let mut told: Vec<NextTest> = Vec::new();
+    let mut amplitudes = Vec::new();
     for (_, difference, [i, j], d) in judged {
-        if told.iter().any(|t| t.amplitude_m == Some(d.amplitude)) || difference <= 0.0 {
+        if amplitudes.contains(&d.amplitude) || difference <= 0.0 {
             continue;
         }
         let (a, b) = (rivals[i].effect, rivals[j].effect);
-        let about = (d.mean.abs() > 1e-4)
-            .then(|| Sentence::from(phrases::ABOUT_MEAN).with("mean", format!("{:+.0}", 1e3 * d.mean)));
+        amplitudes.push(d.amplitude);
+        let sine = frame.count(RigSine { amplitude_m: d.amplitude, frequency_hz: d.frequency, mean_m: d.mean });
+        let unit = frame.unit;
+        let figure = |length: f64| length / unit.to_si(1.0);
+        let decimals = if unit == Unit::Inch { 2 } else { 0 };
+        let about = (sine.mean_m.abs() > 1e-4).then(|| {
+            let mean = format!("{:+.decimals$}", figure(sine.mean_m));
+            Sentence::from(phrases::ABOUT_MEAN).with("mean", mean).with("unit", unit.name())
+        });
         let under = (d.side_force > 0.0)
             .then(|| Sentence::from(phrases::UNDER_SIDE_FORCE).with("force", format!("{:.0}", d.side_force)));
         told.push(NextTest {
             text: Sentence::from(phrases::RUN_SINE)
-                .with("amplitude", 1e3 * d.amplitude)
-                .with("frequency", d.frequency)
+                .with("amplitude", short(figure(sine.amplitude_m)))
+                .with("unit", unit.name())
+                .with("frequency", short(sine.frequency_hz))
                 .with_any("about", about)
                 .with_any("under", under)
                 .with("a", a)
                 .with("b", b)
                 .with("difference", newtons(difference, 1)),
-            amplitude_m: Some(d.amplitude),
-            frequency_hz: Some(d.frequency),
-            mean_displacement_m: Some(d.mean),
+            amplitude_m: Some(sine.amplitude_m),
+            frequency_hz: Some(sine.frequency_hz),
+            mean_displacement_m: Some(sine.mean_m),
             side_force_n: Some(d.side_force),
             difference_n: Some(difference),
             separates: vec![a, b],
@@ -197,6 +217,12 @@ pub fn propose(rivals: &[Rival], rig: &Rig) -> Vec<NextTest> {
         told.extend(rivals.iter().take(2).map(|r| in_words(r.effect)));
     }
     told
+}
+
+/// A figure to drive by, in up to four decimals.
+fn short(value: f64) -> String {
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// The test that shows one effect best, in words.
@@ -234,5 +260,44 @@ impl Rig {
         let (first, last) = (rig.side_forces.first().copied(), rig.side_forces.last().copied());
         rig.side_forces = first.into_iter().chain(last.filter(|_| first != last)).collect();
         rig
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::{Params, number};
+    use dashpot_estimation::prior_set::PriorSet;
+
+    fn hypothesis(change: impl Fn(&mut Params)) -> Hypothesis {
+        let mut base = Params::new();
+        change(&mut base);
+        Hypothesis { base, numbers: Vec::new(), heating: None, priors: PriorSet::default() }
+    }
+
+    #[test]
+    fn proposals_are_stated_as_the_files_count() {
+        let plain = hypothesis(|_| ());
+        // A spring tells most at one end of the stroke.
+        let sprung = hypothesis(|p| p.set(number!("spring_cubic"), 5e6).unwrap());
+        let rival = |effect, hypothesis| Rival { effect, hypothesis, theta: &[], confidence: 0.5 };
+        let rivals = [rival("presliding_friction", &plain), rival("parallel_spring", &sprung)];
+        let reach = (-0.02, 0.05);
+        let rig = Rig { reach, speed: 0.5, side_forces: vec![0.0], force: 20e3 };
+        let inside = RigFrame { reach_m: reach, speed_m_s: 0.5, ..RigFrame::default() };
+        let files = RigFrame { turn: -1.0, zero_m: 0.1, unit: Unit::Inch, ..inside };
+        let (own, counted) = (propose(&rivals, &rig, &inside), propose(&rivals, &rig, &files));
+        assert!(!own.is_empty() && own.len() == counted.len());
+        for (own, counted) in own.iter().zip(&counted) {
+            let mean = own.mean_displacement_m.unwrap();
+            let (amplitude, frequency) = (own.amplitude_m.unwrap(), own.frequency_hz.unwrap());
+            assert!(mean - amplitude > reach.0 - 1e-3 && mean + amplitude < reach.1 + 1e-3, "{own:?}");
+            assert!(TAU * amplitude * frequency < 0.51, "{own:?}");
+            assert!((counted.mean_displacement_m.unwrap() - (0.1 - mean)).abs() < 1e-12, "{counted:?}");
+            let text = counted.text.to_string();
+            let about = format!(" about {:+.2} in as the files count", (0.1 - mean) / 0.0254);
+            assert!(text.contains(&about) && text.contains(" in at "), "{text}");
+            assert!(own.text.to_string().contains(" mm at "), "{}", own.text);
+        }
     }
 }

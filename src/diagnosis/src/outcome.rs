@@ -206,7 +206,7 @@ pub struct NextTest {
     pub amplitude_m: Option<f64>,
     /// Frequency, Hz.
     pub frequency_hz: Option<f64>,
-    /// Mean displacement, m.
+    /// Mean displacement, m, in the direction and from the zero that the files count.
     pub mean_displacement_m: Option<f64>,
     /// Side force, N.
     pub side_force_n: Option<f64>,

@@ -41,13 +41,13 @@ dashpot_records::phrases! {
     COLDER_SENSE: "colder";
     CHANGED: "{numbers}{more}";
     NOTHING_ELSE: "; nothing else changed";
-    CHANGED_BOTH: "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} m/s)";
-    CHANGED_REBOUND: "rebound force {percent} % at all speeds ({reference} -> {value} N at {velocity} m/s)";
-    CHANGED_COMPRESSION: "compression force {percent} % at all speeds ({reference} -> {value} N at {velocity} m/s)";
-    CHANGED_REBOUND_LOW: "rebound force at low speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
-    CHANGED_COMPRESSION_LOW: "compression force at low speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
-    CHANGED_REBOUND_HIGH: "rebound force at high speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
-    CHANGED_COMPRESSION_HIGH: "compression force at high speed {percent} % ({reference} -> {value} N at {velocity} m/s)";
+    CHANGED_BOTH: "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} mm/s)";
+    CHANGED_REBOUND: "rebound force {percent} % at all speeds ({reference} -> {value} N at {velocity} mm/s)";
+    CHANGED_COMPRESSION: "compression force {percent} % at all speeds ({reference} -> {value} N at {velocity} mm/s)";
+    CHANGED_REBOUND_LOW: "rebound force at low speed {percent} % ({reference} -> {value} N at {velocity} mm/s)";
+    CHANGED_COMPRESSION_LOW: "compression force at low speed {percent} % ({reference} -> {value} N at {velocity} mm/s)";
+    CHANGED_REBOUND_HIGH: "rebound force at high speed {percent} % ({reference} -> {value} N at {velocity} mm/s)";
+    CHANGED_COMPRESSION_HIGH: "compression force at high speed {percent} % ({reference} -> {value} N at {velocity} mm/s)";
     OTHER_NUMBER: "{name} {reference} -> {value}";
     MORE_NUMBERS: " and {count} more";
     CANNOT_SHOW: "; they cannot show {effects}";
@@ -64,7 +64,7 @@ dashpot_records::phrases! {
     LIKE_LOAD_CELL: "a loop over force whatever the speed, as a load cell with hysteresis draws";
     LIKE_RESONANCE: "a resonance in the path of the force, as of a frame or of oil in a hose";
     // Regions.
-    REGION: "{direction}, {slow}–{fast} m/s{phase}, {place}: {missing} (rms {rms} N, noise {noise} N)";
+    REGION: "{direction}, {slow}–{fast} mm/s{phase}, {place}: {missing} (rms {rms} N, noise {noise} N)";
     REBOUND: "rebound";
     COMPRESSION: "compression";
     SPEEDING_UP: " while it speeds up";
@@ -75,8 +75,8 @@ dashpot_records::phrases! {
     MORE_COMPRESSIVE: "measured force is {mean} N ± {error} more compressive than computed";
     OFF_BOTH_WAYS: "{rms} N rms off in both senses";
     // Tests that would tell more.
-    RUN_SINE: "run a sine of {amplitude} mm at {frequency} Hz{about}{under}: {a} and {b} differ there by {difference} N rms";
-    ABOUT_MEAN: " about {mean} mm";
+    RUN_SINE: "run a sine of {amplitude} {unit} at {frequency} Hz{about}{under}: {a} and {b} differ there by {difference} N rms";
+    ABOUT_MEAN: " about {mean} {unit} as the files count";
     UNDER_SIDE_FORCE: " under {force} N side force";
     SHOWS_BEST: "{effect} shows best in: {remedy}";
     NO_TRACE: "at a usual strength it would leave no trace in these tests: {remedy}";

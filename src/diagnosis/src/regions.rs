@@ -137,8 +137,8 @@ fn words(r: &Region, error: f64) -> Sentence {
     };
     Sentence::from(phrases::REGION)
         .with_sentence("direction", direction)
-        .with("slow", format!("{slow:.2}"))
-        .with("fast", format!("{fast:.2}"))
+        .with("slow", format!("{:.0}", 1e3 * slow))
+        .with("fast", format!("{:.0}", 1e3 * fast))
         .with_any("phase", phase)
         .with_sentence("place", place)
         .with_sentence("missing", missing)

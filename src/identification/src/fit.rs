@@ -17,6 +17,8 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis, Number as FreeNumber, num
 use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::refit::{self, Refit, refit};
+use dashpot_estimation::samples::road::{Shortened, shortened};
+use dashpot_estimation::samples::selection::select;
 use dashpot_estimation::samples::{self, Test, segments};
 use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
@@ -272,6 +274,8 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     }
     check_elements(options)?;
     progress(Stage { done: 0.0, text: phrases::PREPARING });
+    let (selected, about_selection) = select_tests(records);
+    let records = &selected[..];
     let segments = segments(records);
     check_motion(&segments)?;
     let about = About::of(records);
@@ -289,6 +293,8 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         let (error, plain) = (format!("{:.2}", found.misfit), format!("{plain:.2}"));
         found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
     }
+    found.notes.extend(about_selection);
+    found.notes.extend(describe_roads(&tests));
     found.notes.extend(coverage_notes(&segments));
     if options.family == Family::Thesis && found.measured.is_empty() && found.misfit > OFF {
         found.notes.extend(zero_moves(&segments, &found.params));
@@ -604,6 +610,20 @@ fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     })
 }
 
+/// The records that a search uses, with a note where these are not all.
+pub fn select_tests<'a>(records: &[&'a Record]) -> (Vec<&'a Record>, Option<Sentence>) {
+    let Some(selected) = select(records) else { return (records.to_vec(), None) };
+    let note = Sentence::from(phrases::SELECTED).with("all", records.len()).with("selected", selected.len());
+    (selected.into_iter().map(|place| records[place]).collect(), Some(note))
+}
+
+/// That long roads are run in stretches, where they are.
+pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
+    let Shortened { roads, stretches, seconds } = shortened(tests)?;
+    let said = Sentence::from(phrases::ROADS).with("roads", roads).with("stretches", stretches);
+    Some(said.with("seconds", format!("{seconds:.1}")))
+}
+
 /// What the campaign cannot show.
 pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     let mut notes = Vec::new();
@@ -622,6 +642,18 @@ pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
 mod tests {
     use super::*;
     use std::f64::consts::TAU;
+
+    #[test]
+    fn a_campaign_of_thousands_says_how_many_tests_stand_for_all() {
+        let records = [slow_sine(), slow_sine()];
+        let many: Vec<&Record> = records.iter().cycle().take(8000).collect();
+        let (selected, note) = select_tests(&many);
+        let note = note.unwrap().to_string();
+        assert!(selected.len() < 300 && note.contains("8000 tests"), "{note}");
+        assert!(note.contains(&format!("{} of them stand for all", selected.len())), "{note}");
+        let (all, note) = select_tests(&many[..100]);
+        assert!(all.len() == 100 && note.is_none());
+    }
 
     #[test]
     fn a_number_that_is_held_is_told_by_its_digits() {

@@ -22,8 +22,9 @@ pub enum OfPeaksError {
     },
     /// The force falls where the speed grows.
     #[error(
-        "{file}, line {line}: at {velocity} m/s the damper's own force is {force:.1} N and thus weaker than at a lower speed ({end:.1} N); \
-         check the row, or give --gas-force and --friction as they are in the table"
+        "{file}, line {line}: at {} mm/s the damper's own force is {force:.1} N and thus weaker than at a lower speed ({end:.1} N); \
+         check the row, or give --gas-force and --friction as they are in the table",
+        1e3 * velocity
     )]
     Weaker {
         /// The table.
@@ -157,8 +158,10 @@ fn direction(peaks: &Peaks) -> (String, bool) {
         }
     };
     let Some((velocity, ratio)) = peaks.asymmetry() else { return (taken.to_owned(), false) };
-    let found =
-        format!("{taken}; at {velocity:.3} m/s the force in rebound is {ratio:.2} times the force in compression");
+    let found = format!(
+        "{taken}; at {:.0} mm/s the force in rebound is {ratio:.2} times the force in compression",
+        1e3 * velocity
+    );
     if ratio * CLEARLY > 1.0 {
         return (found, false);
     }

@@ -31,7 +31,6 @@ impl Campaign {
         dashpot_records::Campaign {
             records: Vec::new(),
             sign: read.sign.clone(),
-            frame: read.frame,
             delay: read.delay,
             notes: read.notes.clone(),
             files: read.files.clone(),

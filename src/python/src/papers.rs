@@ -231,7 +231,6 @@ pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found
 pub fn write_next_tests(path: PathBuf, found: &Diagnosed, force: bool) -> PyResult<usize> {
     let Some((matrix, _)) = found.found.next_matrix() else { return Ok(0) };
     let files = found.campaign.get().read.files.iter().map(PathBuf::as_path);
-    let matrix = found.campaign.get().read.frame.matrix(&matrix);
     let written = as_a_run(force, files, || {
         dashpot_output::check([path.as_path()])?;
         dashpot_output::write(&path, &matrix)

@@ -342,7 +342,7 @@ pub(crate) mod plausibility {
     pub(crate) const STANDSTILL: f64 = 1e-4;
 }
 
-/// Numbers of `checks/rig_frame.rs`.
+/// Numbers of `data/rig_frame.rs`.
 pub(crate) mod rig_frame {
     /// By how much a test may go beyond what was reached: amplitudes of a list are round, those of a record are measured.
     ///

@@ -253,3 +253,27 @@ pub fn assumed_of_damper(e: &Estimate, of: (&Params, &PriorSet), words: &Words) 
     let why = words.say(&e.from);
     (e.standing == Standing::NotIdentified).then(|| assumed_by(e.name, e.value, of, Some(&why), words))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::assumed;
+    use crate::words::EN;
+    use dashpot_core::number;
+    use dashpot_core::{Params, element};
+
+    #[test]
+    fn what_was_assumed_has_its_source() {
+        let mut params = Params::new();
+        params.enable(element!("gas_spring"), true);
+        let usual = assumed("gas_stiffness", 1000.0, &params, None, &EN);
+        assert!(usual.contains("assumed 1.000\u{a0}N/mm, what dampers show ("), "{usual}");
+        let default = params.number(number!("internal_mass"));
+        let told = assumed("internal_mass", default, &params, None, &EN);
+        assert!(told.contains("the default of the model") || told.contains("what dampers show"), "{told}");
+        let left = assumed("gas_stiffness", 1234.5, &params, None, &EN);
+        assert!(left.contains("where the fit left it"), "{left}");
+        params.enable(element!("gas_spring"), false);
+        let off = assumed("gas_stiffness", 1000.0, &params, Some("no test shows it"), &EN);
+        assert_eq!(off, "not identified: its element is off (no test shows it)");
+    }
+}

@@ -121,7 +121,6 @@ fn written_next_tests(path: &Path, found: &Diagnosis, campaign: &Campaign) -> an
             path.display()
         ));
     };
-    let matrix = campaign.frame.matrix(&matrix);
     dashpot_output::write(path, &matrix)?;
     let besides = if without == 0 {
         String::new()

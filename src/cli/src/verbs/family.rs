@@ -1,7 +1,6 @@
 //! `dashpot fit --setting`: one damper over a setting.
 
 use super::data::{DataArgs, name_of};
-use super::digits::short;
 use super::record_notes::print_record_notes;
 use super::validate::{compare_family, settings_table};
 use crate::page::TextArgs;
@@ -14,6 +13,8 @@ use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
 use dashpot_identification::{Estimate, FitOptions, Standing, describe_item};
 use dashpot_records::{Campaign, Record};
+use dashpot_report::numbers::{with_interval, with_unit};
+use dashpot_report::words::TERMINAL;
 use dashpot_report::{FamilyReport, Print, ReportInput};
 use dashpot_simulation::comparison;
 use std::path::Path;
@@ -155,13 +156,13 @@ fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
 fn format_estimate(name: &str, e: &Estimate) -> String {
     match (&e.standing, e.low, e.high) {
         (Standing::NotIdentified, ..) => {
-            format!("  {name:<38} {:>12} {:<10} not identified from this data", short(e.value), e.unit)
+            format!("  {name:<38} {:>16}  not identified from this data", with_unit(e.value, e.unit))
         }
         (_, Some(low), Some(high)) => {
-            let (value, low, high) = (short(e.value), short(low), short(high));
-            format!("  {name:<38} {value:>12} {:<10} 95 %: {low} to {high}", e.unit)
+            let (value, interval) = with_interval(e.value, low, high, e.unit, &TERMINAL);
+            format!("  {name:<38} {value:>16}  95 %: {interval}")
         }
-        _ => format!("  {name:<38} {:>12} {}", short(e.value), e.unit),
+        _ => format!("  {name:<38} {:>16}", with_unit(e.value, e.unit)),
     }
 }
 

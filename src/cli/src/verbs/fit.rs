@@ -1,7 +1,6 @@
 //! `dashpot fit`: records in, model file out.
 
 use super::data::{DataArgs, name_of};
-use super::digits::short;
 use super::family::{self, Outputs};
 use super::record_notes::print_record_notes;
 use crate::page::TextArgs;
@@ -17,6 +16,7 @@ use dashpot_identification::{
 use dashpot_output as output;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
+use dashpot_report::numbers::{with_interval, with_unit};
 use dashpot_report::parameters::assumed_of_damper;
 use dashpot_report::quality;
 use dashpot_report::whole_records::in_words;
@@ -218,10 +218,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 )
             }
             (_, Some(low), Some(high)) => {
-                let (value, low, high) = (short(e.value), short(low), short(high));
-                format!("  {:<30} {value:>12} {:<10} 95 %: {low} to {high}", e.name, e.unit)
+                let (value, interval) = with_interval(e.value, low, high, e.unit, &TERMINAL);
+                format!("  {:<30} {value:>16}  95 %: {interval}", e.name)
             }
-            _ => format!("  {:<30} {:>12} {}", e.name, short(e.value), e.unit),
+            _ => format!("  {:<30} {:>16}", e.name, with_unit(e.value, e.unit)),
         })?;
     }
     for note in &found.notes {

@@ -9,7 +9,6 @@ pub mod diagnose;
 mod diagnose_args;
 mod diagnose_settings;
 mod diagnosed;
-mod digits;
 mod dimensions;
 pub mod explain;
 pub mod export;

@@ -153,9 +153,12 @@ fn beyond(model: &Model, answers: &[SimulatedSample]) -> Option<String> {
     let fastest = answers.iter().map(|a| a.velocity).max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
     (outside > 0).then(|| {
         format!(
-            "{outside} of {} rows are faster than the FV curve reaches ({low:.3} to {high:.3} m/s; the fastest {fastest:.3} \
-             m/s), which is prolonged straight there",
-            answers.len()
+            "{outside} of {} rows are faster than the FV curve reaches ({:.0} to {:.0} mm/s; the fastest {:.0} \
+             mm/s), which is prolonged straight there",
+            answers.len(),
+            1e3 * low,
+            1e3 * high,
+            1e3 * fastest
         )
     })
 }

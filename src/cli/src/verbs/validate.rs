@@ -143,10 +143,12 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     if let Some(first) = fast.first() {
         let (low, high) = curve.elements().paths.fv_curve.range();
         let text = format!(
-            "note: {} of {} tests are faster than the FV curve reaches ({low:.3} to {high:.3} m/s), the first is {first}; the \
+            "note: {} of {} tests are faster than the FV curve reaches ({:.0} to {:.0} mm/s), the first is {first}; the \
              curve is prolonged straight there",
             fast.len(),
-            campaign.records.len()
+            campaign.records.len(),
+            1e3 * low,
+            1e3 * high
         );
         dashpot_output::say(json, &text)?;
     }

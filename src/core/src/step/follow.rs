@@ -38,6 +38,33 @@ pub struct Stage<'a> {
     pub by_guess: f64,
     /// What the driven end adds to v̂, over the displacement and velocity at the end of the step.
     pub guess_by_end: [f64; 2],
+    /// Derivative of the linearized springs over the place of their linearization.
+    pub line: Line,
+}
+
+/// Derivative of the springs' linearization at the mass over the place x̂ about which it was made.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// ∂F̃_p/∂x̂ = F_p''(x̂) (x_m − x̂), N/m; 0 for a linear spring, and where no derivative is requested.
+    pub by_place: f64,
+    /// What moves x̂.
+    pub origin: LineOrigin,
+}
+
+/// What moves the place about which the springs were linearized.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineOrigin {
+    /// The known displacement, and γh times the velocity of the stage before.
+    Predicted,
+    /// The moving end: the prediction lies beyond the reach of the series spring.
+    Reach,
+    /// The solution: the springs were linearized until the line held.
+    Solution,
+}
+
+impl Line {
+    /// The line of a linear spring.
+    pub const CONSTANT: Line = Line { by_place: 0.0, origin: LineOrigin::Predicted };
 }
 
 /// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
@@ -69,6 +96,8 @@ pub(super) struct ByEnd {
     v: [f64; 2],
     /// Of k_s x_m + c_s v_m: what the series force loses because the mass yields.
     yields: [f64; 2],
+    /// Of the velocity of the stage before, from which the next one predicts.
+    predicted: [f64; 2],
     /// Of each stage of the substep: g × velocity and g × acceleration.
     gains: [[[f64; 2]; 2]; MOST_STAGES],
 }
@@ -77,7 +106,7 @@ impl ByEnd {
     #[inline(always)]
     pub fn new(wanted: bool) -> ByEnd {
         let zero = [0.0; 2];
-        ByEnd { wanted, moved: false, x: zero, v: zero, yields: zero, gains: [[zero; 2]; MOST_STAGES] }
+        ByEnd { wanted, moved: false, x: zero, v: zero, yields: zero, predicted: zero, gains: [[zero; 2]; MOST_STAGES] }
     }
 }
 
@@ -109,12 +138,25 @@ impl<T: Tables> Follow<T> for ByEnd {
             let (mass_rate, stiffness) = (e.mass / s.g, e.stiffness + s.inner.d_force_d_x);
             u = pair(|k| (mass_rate * v[k] + (drive[k] - stiffness * x[k])) * divide);
         }
+        if s.line.by_place != 0.0 {
+            let by_place = s.line.by_place;
+            u = match s.line.origin {
+                LineOrigin::Predicted => pair(|k| u[k] - by_place * (x[k] + s.g * self.predicted[k]) * divide),
+                LineOrigin::Reach => pair(|k| u[k] - by_place * s.path.x_by_end[k] * divide),
+                // The place moves with the solution: x + g u.
+                LineOrigin::Solution => {
+                    let share = 1.0 / (s.resistance + s.g * by_place);
+                    pair(|k| (s.resistance * u[k] - by_place * x[k]) * share)
+                }
+            };
+        }
         if s.by_guess != 0.0 {
             u = pair(|k| u[k] + s.by_guess * (v[k] + s.guess_by_end[k]));
         }
         if s.last {
             yields = pair(|k| e.stiffness * x[k] + follows * u[k]);
         }
+        self.predicted = u;
         let moved = u.map(|u| s.g * u);
         if s.last {
             self.x = pair(|k| x[k] + moved[k]);

@@ -1,9 +1,9 @@
 //! The internal mass through the stages of a step: the plain step, where nothing but springs and the FV curve acts on it.
 
 use super::cheap;
-use super::follow::{Follow, Stage};
+use super::follow::{Follow, Line, LineOrigin, Stage};
 use super::primary::{Plain, Primary};
-use super::reach::{springs, within_reach};
+use super::reach::{line_by_place, springs, within_reach};
 use super::tableau::{EULER, MOST_STAGES, SECOND, THIRD, THREE_STAGE, Tableau};
 use crate::assembly::Elements;
 use crate::curve::Value;
@@ -106,17 +106,22 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_derivative) = (inner_known, inner_derivative);
+        let mut line = Line::CONSTANT;
         let missed =
             |made: f64| (made - inner_known - inner_derivative * u).abs() > MISSED * (made.abs() + fd.value.abs());
-        if MAY_BEND
-            && self.elements.is_nonlinear()
-            && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1)
-        {
+        let is_nonlinear = MAY_BEND && self.elements.is_nonlinear();
+        if is_nonlinear && missed(springs(self.elements, known_x + g * u, u, point.x, self.side).1) {
             let mut balance = Balance { u, fd, inner, inner_at, inner_known, inner_derivative };
             let held = Held { g, resistance, known: known_x, driven: point.x, r: r + inner_known };
             self.settle(&held, &mut balance);
             Balance { u, fd, inner, inner_at, inner_known, inner_derivative } = balance;
             a = resistance + inner_derivative;
+            line.origin = LineOrigin::Solution;
+        } else if is_nonlinear && inner_at != known_x + g * self.predicted {
+            line.origin = LineOrigin::Reach;
+        }
+        if is_nonlinear && follow.wants_derivatives() {
+            line.by_place = line_by_place(self.elements, &Motion { displacement: inner_at, ..at }, known_x + g * u);
         }
         let moved = g * u;
         if let Some(gain) = self.gains.get_mut(index) {
@@ -141,6 +146,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
                 inner_at,
                 by_guess: 0.0,
                 guess_by_end: [0.0; 2],
+                line,
             },
         );
         Mass { x: x_m, v: u, primary: fd.value, inner: inner_known + inner_derivative * u }
@@ -369,6 +375,13 @@ fn move_mass_cheaply<T: Tables>(
             continue;
         }
         let denominator = 1.0 / after.by_impulse;
+        let mut line = Line::CONSTANT;
+        if elements.is_nonlinear() && follow.wants_derivatives() {
+            line.by_place = line_by_place(elements, &at, after.x);
+            if at.displacement != mass.x + h * mass.v {
+                line.origin = LineOrigin::Reach;
+            }
+        }
         follow.stage(
             elements,
             &Stage {
@@ -386,6 +399,7 @@ fn move_mass_cheaply<T: Tables>(
                 inner_at,
                 by_guess: after.by_guess,
                 guess_by_end: pair(|k| to.v_by_end[k] - from.v_by_end[k]),
+                line,
             },
         );
         mass = Mass { x: after.x, v: after.v, primary: after.primary, inner: after.spring };

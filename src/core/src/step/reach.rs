@@ -33,3 +33,14 @@ pub(super) fn springs(
     let inner = e.inner(&Motion { displacement: at, velocity, side_force: side.0, temperature: side.1 });
     (inner, inner.force + inner.d_force_d_x * (x - at), at)
 }
+
+/// Half the width of the difference that gives the second derivative of a spring, m.
+const CURVATURE_WIDTH: f64 = 1e-6;
+
+/// ∂F̃_p/∂x̂ of the springs' line about `at`, evaluated at the mass: F_p''(x̂) (x_m − x̂), N/m.
+#[inline(never)]
+pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &Motion, x_m: f64) -> f64 {
+    let derivative = |x: f64| e.inner(&Motion { displacement: x, ..*at }).d_force_d_x;
+    let (low, high) = (derivative(at.displacement - CURVATURE_WIDTH), derivative(at.displacement + CURVATURE_WIDTH));
+    (high - low) / (2.0 * CURVATURE_WIDTH) * (x_m - at.displacement)
+}

@@ -10,6 +10,7 @@ mod lead_in;
 mod noise;
 pub mod road;
 mod sampling;
+pub mod selection;
 mod whole;
 
 pub use lead_in::as_long_as_remembered;

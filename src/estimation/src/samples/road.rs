@@ -51,6 +51,30 @@ impl Extent {
     }
 }
 
+/// How much of the roads of a campaign is run in stretches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shortened {
+    /// Roads that are not run whole.
+    pub roads: usize,
+    /// Stretches of one of them.
+    pub stretches: usize,
+    /// Length of a stretch without its lead-in, s.
+    pub seconds: f64,
+}
+
+/// The roads among tests that are run in stretches; `None` where there are none.
+pub fn shortened(tests: &[Test]) -> Option<Shortened> {
+    let mut counts: BTreeMap<usize, (usize, f64)> = BTreeMap::new();
+    for test in tests.iter().filter(|t| t.frequency == 0.0 && t.weight < ROAD) {
+        let seconds = test.segment.dt[test.segment.from..].iter().sum();
+        let (count, _) = counts.entry(test.record).or_insert((0, seconds));
+        *count += 1;
+    }
+    let cut: Vec<(usize, f64)> = counts.into_values().filter(|(count, _)| *count > 1).collect();
+    let (stretches, seconds) = *cut.first()?;
+    Some(Shortened { roads: cut.len(), stretches, seconds })
+}
+
 /// A road at the steps of the model.
 struct Road<'a> {
     place: usize,
@@ -196,6 +220,25 @@ mod tests {
             "{} of {top}",
             f64::sqrt(sum / count)
         );
+    }
+
+    #[test]
+    fn a_road_in_stretches_says_how_many_and_how_long() {
+        let time: Vec<f64> = (0..30_000).map(|k| 1e-3 * f64::from(k)).collect();
+        let phase = |t: &f64| 8.0 * t + 3.0 * libm::sin(0.7 * t);
+        let displacement: Vec<f64> = time.iter().map(|t| 0.02 * libm::sin(phase(t))).collect();
+        let velocity: Vec<f64> =
+            time.iter().map(|t| 0.02 * (8.0 + 2.1 * libm::cos(0.7 * t)) * libm::cos(phase(t))).collect();
+        let force: Vec<f64> = velocity.iter().map(|v| 2000.0 * v).collect();
+        let (amplitude, peak_velocity) = (0.02, 0.2);
+        let record = Record { time, displacement, velocity, force, amplitude, peak_velocity, ..Record::default() };
+        let motion = smooth(&record);
+        let both =
+            [tests(0, &record, &motion, Extent::Stretches(4)), tests(1, &record, &motion, Extent::Whole)].concat();
+        let cut = shortened(&both).unwrap();
+        assert_eq!((cut.roads, cut.stretches), (1, 4));
+        assert!((cut.seconds - 0.3).abs() < 0.01, "{cut:?}");
+        assert_eq!(shortened(&both[4..]), None);
     }
 
     #[test]

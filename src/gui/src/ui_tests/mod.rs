@@ -6,6 +6,7 @@
 mod drawings;
 mod made_up;
 mod models;
+mod narrow;
 mod reference;
 mod unusable;
 mod valves;

@@ -18,7 +18,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         ui.selectable_value(&mut view.across, Across::Frequency, w.frequency);
         if let Some(simulated) = &session.simulated {
             let mean = simulated.tests.iter().map(|t| t.percent).sum::<f64>() / simulated.tests.len().max(1) as f64;
-            ui.label(format!("{} {} %", w.mean, w.fixed(mean, 2)));
+            ui.label(format!("{}\u{a0}{}\u{a0}%", w.mean, w.fixed(mean, 2)));
         }
     });
     let grid = Grid::new(&loaded.campaign.records, view.across);
@@ -28,7 +28,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         (!of.is_empty()).then(|| of.iter().sum::<f64>() / of.len() as f64)
     };
     let columns = grid.columns.len().max(1) as f32;
-    let width = ((ui.available_width() - 60.0) / columns - 2.0).clamp(30.0, 64.0);
+    // The column of the amplitudes is as wide as the others.
+    let width = (ui.available_width() / (columns + 1.0) - 2.0).clamp(30.0, 64.0);
     let mut chosen: Option<Vec<usize>> = None;
     egui::ScrollArea::both().id_salt("matrix").auto_shrink([false, false]).show(ui, |ui| {
         // Wide buttons would push the last columns out of a window of 1280 px.

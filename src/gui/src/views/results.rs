@@ -12,7 +12,7 @@ use dashpot_identification::{Fit, Standing};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::inventory::{probability, status_text};
-use dashpot_report::numbers::{error, fraction, with_interval};
+use dashpot_report::numbers::{error, fraction, with_interval, with_unit};
 use dashpot_report::parameters::assumed_of;
 use dashpot_report::quality;
 use eframe::egui::{self, RichText, Ui};
@@ -93,55 +93,47 @@ fn wrapped(ui: &mut Ui, text: RichText) {
 fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     let (w, said) = (texts(language), language.words());
     wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
-    inventory(ui, "fit_inventory", &found.inventory, false, language);
-    egui::Grid::new("estimates").num_columns(2).striped(true).show(ui, |ui| {
-        for e in found.estimates.iter().filter(|e| e.index.is_none()) {
-            ui.label(RichText::new(translate_name(e.name, said)).small()).on_hover_text(e.name);
-            match (&e.standing, e.low, e.high) {
-                (Standing::NotIdentified, ..) => {
-                    let assumed = assumed_of(e, &found.params, said).unwrap_or_default();
-                    ui.add(egui::Label::new(RichText::new(assumed).small().weak()).wrap())
-                }
-                (_, Some(low), Some(high)) => {
-                    let (value, interval) = with_interval(e.value, low, high, e.unit, said);
-                    ui.label(RichText::new(format!("{value}  ({interval})")).small())
-                }
-                _ => ui.label(RichText::new(format!("{} {}", w.digits(e.value), e.unit)).small()),
-            };
-            ui.end_row();
-        }
-    });
+    inventory(ui, &found.inventory, false, language);
+    for e in found.estimates.iter().filter(|e| e.index.is_none()) {
+        let is_open = matches!(e.standing, Standing::NotIdentified);
+        let figures = match (e.low, e.high) {
+            _ if is_open => assumed_of(e, &found.params, said).unwrap_or_default(),
+            (Some(low), Some(high)) => {
+                let (value, interval) = with_interval(e.value, low, high, e.unit, said);
+                said.number(&format!("{value} ({interval})"))
+            }
+            _ => said.number(&with_unit(e.value, e.unit)),
+        };
+        let line = RichText::new(format!("{}{}{figures}", translate_name(e.name, said), said.colon)).small();
+        ui.add(egui::Label::new(if is_open { line.weak() } else { line }).wrap()).on_hover_text(e.name);
+    }
     for note in &found.notes {
         wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());
     }
 }
 
 /// Each effect with its force and probability and, beside a given model, what became of it.
-fn inventory(ui: &mut Ui, id: &str, items: &[InventoryItem], status: bool, language: Language) {
+fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Language) {
     if items.is_empty() {
         return;
     }
     let said = language.words();
     ui.strong(said.inventory_section);
-    egui::Grid::new(id).num_columns(if status { 4 } else { 3 }).striped(true).show(ui, |ui| {
-        let headings = [said.col_effect, said.col_force_rms, said.col_probability, said.col_status];
-        for heading in headings.into_iter().take(if status { 4 } else { 3 }) {
-            ui.label(RichText::new(heading).small().strong());
+    // One line an effect: a table of four columns is wider than the panel in most languages, and pushes all else out of it.
+    let headings = [said.col_force_rms, said.col_probability, said.col_status];
+    let headings = headings[..if status { 3 } else { 2 }].join(said.semicolon);
+    wrapped(ui, RichText::new(format!("{}{}{headings}", said.col_effect, said.colon)).small().weak());
+    for item in items {
+        let form = said.word(item.form);
+        let hint = if form.is_empty() { item.effect.to_owned() } else { format!("{}: {form}", item.effect) };
+        let force = if item.force_n_rms.is_finite() { said.number(&error(item.force_n_rms)) } else { "–".into() };
+        let mut parts = vec![format!("{force}\u{a0}N"), probability(item.probability).replace(' ', "\u{a0}")];
+        if status {
+            parts.push(status_text(item, said));
         }
-        ui.end_row();
-        for item in items {
-            let form = said.word(item.form);
-            let hint = if form.is_empty() { item.effect.to_owned() } else { format!("{}: {form}", item.effect) };
-            ui.label(RichText::new(translate_name(item.effect, said)).small()).on_hover_text(hint);
-            let force = if item.force_n_rms.is_finite() { said.number(&error(item.force_n_rms)) } else { "–".into() };
-            ui.label(RichText::new(force).small());
-            ui.label(RichText::new(probability(item.probability)).small());
-            if status {
-                ui.label(RichText::new(status_text(item, said)).small());
-            }
-            ui.end_row();
-        }
-    });
+        let line = format!("{}{}{}", translate_name(item.effect, said), said.colon, parts.join(said.semicolon));
+        ui.add(egui::Label::new(RichText::new(line).small()).wrap()).on_hover_text(hint);
+    }
 }
 
 fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
@@ -173,7 +165,7 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
 
 fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<Ask>) {
     let (w, said) = (texts(language), language.words());
-    inventory(ui, "inventory", &found.inventory, true, language);
+    inventory(ui, &found.inventory, true, language);
     for finding in &found.findings {
         ui.add_space(4.0);
         let form = if finding.form.is_empty() { String::new() } else { format!(" ({})", said.word(finding.form)) };

@@ -11,7 +11,10 @@ use dashpot_core::parameter::{self, Element, Row, Shape};
 use dashpot_estimation::scale::Scale;
 use dashpot_report::parameters::assumed;
 use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{self, Color32, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{
+    self, Align, Color32, FontSelection, Id, Rect, RichText, Role, Slider, SliderClamping, Ui, WidgetInfo, pos2,
+};
 
 /// Draws the panel.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
@@ -100,8 +103,13 @@ const IDENTIFIED: Color32 = Color32::from_rgb(213, 94, 0);
 fn legend(ui: &mut Ui, w: &Words) {
     ui.horizontal_wrapped(|ui| {
         for (colour, text) in [(USUAL, w.prior), (INTERVAL, w.interval), (IDENTIFIED, w.identified)] {
-            ui.label(RichText::new("▬").color(colour));
-            ui.label(RichText::new(text).small());
+            // One label without a place to break: a mark never stands on another line than its text.
+            let mut entry = LayoutJob::default();
+            let style = ui.style().clone();
+            RichText::new("▬\u{a0}").color(colour).append_to(&mut entry, &style, FontSelection::Default, Align::Center);
+            let text = RichText::new(text.replace(' ', "\u{a0}")).small();
+            text.append_to(&mut entry, &style, FontSelection::Default, Align::Center);
+            ui.label(entry);
         }
     });
 }
@@ -252,12 +260,14 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
         let hint = format!("{}\n{}", row.parameter.name, w.meaning(row.parameter.meaning));
         ui.label(RichText::new(&name).small()).on_hover_text(hint);
         let shown = words.get(now).copied().unwrap_or("");
-        let list =
-            egui::ComboBox::from_id_salt(row.parameter.name).selected_text(shown.replace('_', " ")).show_ui(ui, |ui| {
+        let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(w.of.words().choice(shown)).show_ui(
+            ui,
+            |ui| {
                 for (k, word) in words.iter().enumerate() {
-                    ui.selectable_value(&mut chosen, k, word.replace('_', " "));
+                    ui.selectable_value(&mut chosen, k, w.of.words().choice(word));
                 }
-            });
+            },
+        );
         named_list(list, &name);
     });
     if chosen != now {

@@ -134,7 +134,7 @@ pub const WORDS: Words = Words {
     how_read: "How the records are read",
     how_read_hint: "Correct what the files do not say; read again to see it, keep it so that every verb obeys it.",
     positive: "Counted positive",
-    from_data: "worked out from the data",
+    from_data: "from the data",
     rebound: "rebound",
     compression: "compression",
     flip_force: "Turn the sign of the force",

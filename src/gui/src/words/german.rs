@@ -134,7 +134,7 @@ pub const WORDS: Words = Words {
     how_read: "Wie die Messungen gelesen werden",
     how_read_hint: "Angeben, was die Dateien nicht sagen; neu lesen, um es zu sehen, behalten, damit jeder Befehl es beachtet.",
     positive: "Positiv gezählt",
-    from_data: "aus den Daten bestimmt",
+    from_data: "aus den Daten",
     rebound: "Zugstufe",
     compression: "Druckstufe",
     flip_force: "Vorzeichen der Kraft umkehren",

@@ -37,6 +37,7 @@ class Grouping(TypedDict):
     by: str
     reference: Data | None
     reference_name: str
+    chain: bool
     mapping: str
     strict: bool
 

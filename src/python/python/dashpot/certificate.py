@@ -35,7 +35,7 @@ def missed(said: Mapping[str, Any]) -> str | None:
     if said["verdict"] == "pass":
         return None
     name, quantity, velocity = said["name"], said["quantity"], said["velocity_m_s"]
-    words = quantity if velocity is None else f"{quantity} at {velocity:g} m/s"
+    words = quantity if velocity is None else f"{quantity} at {1e3 * velocity:g} mm/s"
     # A limit without a name is called by its quantity, as the file writes it.
     if name.lower().replace(" ", "_").replace("-", "_") != quantity:
         words = f"{name}, {words}"

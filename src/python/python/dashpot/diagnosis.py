@@ -123,6 +123,7 @@ class NextTest(Result):
     amplitude_m: float | None
     frequency_hz: float | None
     mean_displacement_m: float | None
+    """In the direction and from the zero that the files count."""
     side_force_n: float | None
     difference_n: float | None
     separates: tuple[str, ...]

@@ -363,7 +363,7 @@ class Model:
             real(name, value)
         with watched():
             said, told, text = _native.check(self._native, host_step_s, wheel_mass_kg, for_step_s)
-        found = HostCheck.from_dict(loads(said))
+        found: HostCheck[Model] = HostCheck.from_dict(loads(said))
         ready = self if for_step_s is None else Model(text, self._name)
         return replace(found, told=tuple(as_arguments(line) for line in told), _ready=ready)
 

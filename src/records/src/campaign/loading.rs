@@ -11,18 +11,19 @@ use super::profile;
 use super::record_file::read_file;
 use super::unusable::{self, Sieve, Unusable};
 use super::{common_clock, date_agreement};
-use crate::checks::rig_frame::RigFrame;
 use crate::checks::sign::{self, SignFinding};
 use crate::checks::{file_units, force_levels, force_offset, plausibility, truncated_test, unit_magnitude};
 use crate::cleaning;
 use crate::data::complete_motion::Motion;
 use crate::data::record::{Note, Record};
+use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
-use crate::options::Options;
+use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
+use crate::quantities::unit::Unit;
 use crate::settings::{assignment, unstated_settings};
 use crate::signal::delay::Delay;
 
@@ -33,9 +34,6 @@ pub struct Campaign {
     pub records: Vec<Record>,
     /// Which direction the files count positive, and how sure that is.
     pub sign: SignFinding,
-    /// How the rig counts its own position, and how far it has gone.
-    #[serde(skip)]
-    pub frame: RigFrame,
     /// How late the force comes, where that stands out; nothing was moved for it.
     pub delay: Option<Delay>,
     /// What concerns the campaign as a whole.
@@ -128,6 +126,10 @@ pub fn load(
         .map(|(options, piece)| (piece.at.to_string(), file_units::Reading { units: piece.units.clone(), options }))
         .collect();
     let reach = pieces.iter().fold(cleaning::Reach::default(), |reach, (_, piece)| reach.with(piece));
+    let counts_inches = pieces.iter().any(|(_, piece)| {
+        let units = [(Channel::Displacement, Unit::Inch), (Channel::Velocity, Unit::InchPerSecond)];
+        piece.units.iter().any(|unit| units.contains(unit))
+    });
     let mended: Vec<Result<_, RecordError>> = pieces
         .into_par_iter()
         .map(|(options, test)| {
@@ -174,8 +176,24 @@ pub fn load(
     truncated_test::tell(&records, &mut notes);
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
-    let frame = RigFrame::new(&records, &sign, options);
-    Ok(Campaign { records, sign, frame, delay, notes, unusable, files })
+    let frame = rig_frame(&records, sign.positive, options, counts_inches);
+    records.iter_mut().for_each(|record| record.frame = frame);
+    Ok(Campaign { records, sign, delay, notes, unusable, files })
+}
+
+/// How the rig counts, of the records of a campaign as these options read them.
+fn rig_frame(records: &[Record], positive: Positive, options: &Options, counts_inches: bool) -> RigFrame {
+    let direction = if positive == Positive::Compression { -1.0 } else { 1.0 };
+    let flipped = if options.flip_motion { -1.0 } else { 1.0 };
+    let all = || records.iter().flat_map(|record| record.displacement.iter().copied());
+    RigFrame {
+        turn: direction * flipped,
+        zero_m: options.displacement_zero_m,
+        gain: options.gains.get(&Channel::Displacement).copied().unwrap_or(1.0),
+        unit: if counts_inches { Unit::Inch } else { Unit::Millimetre },
+        reach_m: (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)),
+        speed_m_s: records.iter().map(|record| record.peak_velocity).fold(0.0, f64::max),
+    }
 }
 
 /// Notes of a test that concern its file, or what counts as a test.

@@ -64,9 +64,6 @@ impl Campaign {
             Positive::Rebound => Positive::Compression,
             Positive::Compression => Positive::Rebound,
         };
-        self.frame.turn = -self.frame.turn;
-        let (low, high) = self.frame.reach_m;
-        self.frame.reach_m = (-high, -low);
         self.sign.standstill_force = -self.sign.standstill_force;
         self.sign.asymmetry = self.sign.asymmetry.map(|ratio| 1.0 / ratio);
         let counted = self.sign.counted();
@@ -78,6 +75,7 @@ impl Campaign {
             // Cycles begin on the way into rebound.
             record.cycles = cycles_of(&record.time, &record.displacement);
             record.counted = Some(counted);
+            record.frame = record.frame.reversed();
         }
     }
 }
@@ -85,7 +83,6 @@ impl Campaign {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::rig_frame::RigFrame;
     use crate::checks::sign::SignFinding;
     use crate::data::record::Record;
     use crate::fixtures::SineTest;
@@ -108,15 +105,7 @@ mod tests {
             asymmetry: Some(2.0),
         };
         let notes = vec![Note { kind: "sign_unsure", text: phrases::WEAK.into() }];
-        Campaign {
-            records: vec![record],
-            sign,
-            frame: RigFrame::default(),
-            delay: None,
-            notes,
-            unusable: Vec::new(),
-            files: Vec::new(),
-        }
+        Campaign { records: vec![record], sign, delay: None, notes, unusable: Vec::new(), files: Vec::new() }
     }
 
     #[test]

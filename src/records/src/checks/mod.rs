@@ -4,7 +4,6 @@ pub(crate) mod file_units;
 pub(crate) mod force_levels;
 pub(crate) mod force_offset;
 pub(crate) mod plausibility;
-pub(crate) mod rig_frame;
 pub(crate) mod sign;
 pub(crate) mod truncated_test;
 pub(crate) mod unit_magnitude;

@@ -36,7 +36,7 @@ pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), Re
     }
     if record.peak_velocity > HIGHEST_SPEED {
         return absurd(
-            Sentence::from(phrases::A_VELOCITY).with("velocity", format!("{:.4}", record.peak_velocity)),
+            Sentence::from(phrases::A_VELOCITY).with("velocity", format!("{:.0}", 1e3 * record.peak_velocity)),
             &motion,
             phrases::CHECK_MOTION_UNITS,
         );

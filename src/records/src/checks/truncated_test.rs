@@ -16,8 +16,8 @@ pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
         if strokes < OF_A_CYCLE && last > MOVING * record.peak_velocity {
             let text = Sentence::from(phrases::TORN)
                 .with("test", &record.source)
-                .with("velocity", format!("{last:.4}"))
-                .with("peak", format!("{:.4}", record.peak_velocity));
+                .with("velocity", format!("{:.1}", 1e3 * last))
+                .with("peak", format!("{:.1}", 1e3 * record.peak_velocity));
             notes.push(Note { kind: "torn", text });
         }
     }

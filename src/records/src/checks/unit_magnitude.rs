@@ -60,7 +60,7 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
             .with("strongest", format!("{strongest:.3}"))
             .with("test", &fastest.name)
             .with("force", format!("{:.3}", half(fastest)))
-            .with("velocity", format!("{:.3}", fastest.peak_velocity))
+            .with("velocity", format!("{:.1}", 1e3 * fastest.peak_velocity))
             .with("damping", format!("{damping:.2}"));
         return slip(Channel::Force, Unit::Newton, Unit::Kilonewton, evidence);
     }

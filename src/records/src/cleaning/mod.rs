@@ -23,6 +23,7 @@ use crate::data::complete_motion::{Motion, steady};
 use crate::data::cycle::Cycle;
 use crate::data::measurement_error::MeasurementError;
 use crate::data::record::Record;
+use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::messages::phrases;
@@ -300,6 +301,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         apparent_delay_s: 0.0,
         stated_error: given,
         counted: None,
+        frame: RigFrame::default(),
     };
     correct_inertia(&mut record, given.mass_kg);
     Ok(record)

@@ -4,6 +4,7 @@ pub(crate) mod complete_motion;
 pub(crate) mod cycle;
 pub(crate) mod measurement_error;
 pub mod record;
+pub(crate) mod rig_frame;
 pub(crate) mod samples;
 pub(crate) mod setting_signal;
 pub(crate) mod test_metadata;

@@ -1,6 +1,7 @@
 //! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
 
 use super::measurement_error::MeasurementError;
+use super::rig_frame::RigFrame;
 use super::setting_signal::SettingSignal;
 use super::test_metadata::TestMetadata;
 use crate::messages::sentence::Sentence;
@@ -79,6 +80,9 @@ pub struct Record {
     /// How its file was read to count; `None` of a record that was in no file.
     #[serde(skip)]
     pub counted: Option<Counted>,
+    /// How its rig counts its own position, and how far the campaign has gone.
+    #[serde(skip)]
+    pub frame: RigFrame,
 }
 
 /// Which direction a file was read to count positive.

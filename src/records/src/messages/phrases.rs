@@ -91,7 +91,7 @@ crate::phrases! {
     SMALL_AMPLITUDE: "the largest amplitude is {amplitude} mm: is the unit of displacement right?";
     SLOW: "the fastest test reaches {velocity} mm/s: are the units of time and motion right? From slow tests alone a model knows nothing of driving";
     SMALL_FORCE: "the force never changes by more than {force} N: is its unit right?";
-    TORN: "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} m/s of at most {peak} m/s; if the file broke off, export it again, or leave it out with --exclude";
+    TORN: "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} mm/s of at most {peak} mm/s; if the file broke off, export it again, or leave it out with --exclude";
     TWINS: "{test} holds the same samples as {twin} and counts twice";
     // A force that comes late.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
@@ -167,7 +167,7 @@ crate::phrases! {
     UNDERSTOOD: "{header} Understood are: {understood}. Other headings can be given as --column force=\"Load Cell 1\"";
     SWAPPED: "{at}: the headings '{first}' and '{second}' look swapped: {evidence}. Correct the header, or give --column {of_first}=\"{second}\" --column {of_second}=\"{first}\" (and --unit where the unit is swapped too); if they are right, give --unit {of_first}=... to insist";
     WRONG_UNIT: "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist";
-    FILES_UNIT: "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} m/s, the others ±{usual} N at {there} m/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
+    FILES_UNIT: "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} mm/s, the others ±{usual} N at {there} mm/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
     OR_THE_OTHERS: " If these are right, it is the others that are wrong, the other way round: {others}.";
     MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}{units}";
     UNITS_TOO: ". Units are missing too: give them as the file has them, as in {options}";
@@ -190,11 +190,11 @@ crate::phrases! {
     TOO_QUICK: "{record} would move ±{amplitude} mm at {frequency} Hz for {seconds} s";
     TOO_LONG: "the fastest of {count} tests would reach {velocity} mm/s, the longest last {hours} h, with a sample every {step} s";
     TOO_STIFF: "no test would move more than ±{amplitude} mm, and {force} N at {velocity} mm/s would be a damping of {damping} N s/m";
-    TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} m/s, a damping of {damping} N s/m";
+    TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m";
     // What no damper has.
     ABSURD: "{record}: shows {what}, which no suspension damper has; {advice}";
     AN_AMPLITUDE: "an amplitude of {amplitude} m";
-    A_VELOCITY: "a peak velocity of {velocity} m/s";
+    A_VELOCITY: "a peak velocity of {velocity} mm/s";
     A_FORCE: "a force of {force} N";
     SAY_MM: "if the file gives mm, say so: --unit displacement=mm, or velocity=mm/s where it is integrated";
     CHECK_MOTION_UNITS: "check the units of velocity and time: --unit velocity=mm/s, --unit time=s";

@@ -136,7 +136,7 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
 pub fn changed_name(change: &Change, words: &Words) -> String {
     let name = words.named(change.name);
     match change.velocity_m_s {
-        Some(velocity) => format!("{name}, {} m/s", words.number(&format!("{velocity:.3}"))),
+        Some(velocity) => format!("{name}, {} mm/s", words.number(&format!("{:.0}", 1e3 * velocity))),
         None => name,
     }
 }

@@ -315,6 +315,7 @@ pub const DE: Words = Words {
     comma: ", ",
     sentence_end: "{sentence}.",
     semicolon: "; ",
+    colon: ": ",
     sign_given: "In den Dateien zählt die {direction} positiv, wie angegeben.",
     sign_found: "In den Dateien zählt die {direction} positiv ({percent} % sicher).",
     sign_found_by: "In den Dateien zählt die {direction} positiv ({percent} % sicher): {reasons}.",

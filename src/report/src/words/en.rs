@@ -315,6 +315,7 @@ pub const EN: Words = Words {
     comma: ", ",
     sentence_end: "{sentence}.",
     semicolon: "; ",
+    colon: ": ",
     sign_given: "The files count {direction} positive, as given.",
     sign_found: "The files count {direction} positive ({percent} % sure).",
     sign_found_by: "The files count {direction} positive ({percent} % sure): {reasons}.",

@@ -315,6 +315,7 @@ pub const FR: Words = Words {
     comma: ", ",
     sentence_end: "{sentence}.",
     semicolon: " ; ",
+    colon: " : ",
     sign_given: "Dans les fichiers, la {direction} compte positivement, comme indiqué.",
     sign_found: "Dans les fichiers, la {direction} compte positivement (sûr à {percent} %).",
     sign_found_by: "Dans les fichiers, la {direction} compte positivement (sûr à {percent} %) : {reasons}.",

@@ -7,6 +7,7 @@
 use dashpot_records::sentence::is_number;
 use names::MARK;
 
+mod choices;
 mod de;
 mod en;
 mod fr;
@@ -445,6 +446,7 @@ words!(
     comma,
     sentence_end,
     semicolon,
+    colon,
     // The direction that the files count positive.
     sign_given,
     sign_found,

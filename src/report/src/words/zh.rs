@@ -315,6 +315,7 @@ pub const ZH: Words = Words {
     comma: "、",
     sentence_end: "{sentence}。",
     semicolon: "；",
+    colon: "：",
     sign_given: "按给定，文件以{direction}为正。",
     sign_found: "文件以{direction}为正（把握 {percent} %）。",
     sign_found_by: "文件以{direction}为正（把握 {percent} %）：{reasons}。",

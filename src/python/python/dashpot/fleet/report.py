@@ -124,11 +124,22 @@ def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
     names = [n[: -len("_low")] for n in schema.names if n.endswith("_low") and f"{n[: -len('_low')]}_high" in schema.names]
     units = {n: (schema.field(n).metadata or {}).get(b"unit", b"").decode() for n in names}
     units |= {force_column(v): "N" for v in VELOCITIES} | {"error_percent": "%"}
+    titles = {force_column(v): f"force at {1e3 * v:+g} mm/s" for v in VELOCITIES}
     for name, unit in units.items():
         # One column at a time: the models themselves stay on the disk.
         values = np.array(file.read(columns=[name])[name].to_pylist(), dtype=float)
         if np.isfinite(values).any():
-            yield Quantity(name, unit, values, _known_to(file, name) if name in names else 0.0)
+            factor, shown = _shown(unit)
+            yield Quantity(titles.get(name, name), shown, factor * values, factor * _known_to(file, name) if name in names else 0.0)
+
+
+#: Units of the workshop, as every other report has them; the table of results stays in SI.
+_WORKSHOP = {"m": (1e3, "mm"), "m/s": (1e3, "mm/s"), "N/m": (1e-3, "N/mm"), "-": (1.0, "")}
+
+
+def _shown(unit: str) -> tuple[float, str]:
+    """Factor from an SI unit to the one that a reader of the report expects, and that unit."""
+    return _WORKSHOP.get(unit, (1.0, unit))
 
 
 def _known_to(file: Any, name: str) -> float:
@@ -235,9 +246,15 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
     return "".join(out)
 
 
+def _change(change: dict[str, Any]) -> str:
+    """The two values in one unit: "2 to 2.4 N/mm"."""
+    factor, unit = _shown(change["unit"])
+    return f"{_number(factor * change['reference'])} to {_number(factor * change['value'])} {unit}"
+
+
 def _named(change: dict[str, Any]) -> str:
     velocity = change["velocity_m_s"]
-    return change["name"] if velocity is None else f"{change['name']} at {velocity:.3f} m/s"
+    return change["name"] if velocity is None else f"{change['name']} at {1e3 * velocity:.0f} mm/s"
 
 
 def _effect(table: dict[str, list[Any]], k: int) -> str:
@@ -250,7 +267,7 @@ def _effect(table: dict[str, list[Any]], k: int) -> str:
     changed = sorted(table["changes"][k] or (), key=lambda c: -c["force_n_rms"])
     if changed:
         return "changed: " + ", ".join(
-            f"{_named(c)} {_number(c['reference'])} to {_number(c['value'])} {c['unit']}" for c in changed[:3]
+            f"{_named(c)} {_change(c)}" for c in changed[:3]
         )
     words = {"nothing_missing": "nothing that the tests show", "unknown_effect": "no known effect", "cannot_tell": "undecided"}
     return words.get(table["verdict"][k] or "", "not diagnosed")

@@ -67,6 +67,18 @@ pub const ALL: &[Said] = &[
         "所有试验的换向快慢几乎相同，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三倍频率做同一行程的试验可将二者区分",
     ],
     [
+        "{roads} long tests without cycles are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample",
+        "{roads} lange Versuche ohne Zyklen werden in {stretches} Abschnitten von je {seconds} s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt",
+        "{roads} longs essais sans cycles sont calculés en {stretches} tronçons de {seconds} s, choisis pour parcourir tous leurs déplacements et toutes leurs vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon",
+        "{roads} 个没有循环的长试验各以 {stretches} 段、每段 {seconds} s 计算，所选各段经过其全部位移和速度；全记录误差计入每个采样点",
+    ],
+    [
+        "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder",
+        "die Messreihe hat {all} Versuche, mehr als eine Suche nutzen kann: {selected} davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben",
+        "la campagne compte {all} essais, plus qu’une recherche n’en peut utiliser : {selected} d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit",
+        "本次测量有 {all} 个试验，多于搜索所能使用的数量：以其中 {selected} 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹",
+    ],
+    [
         "there is no slow test (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests",
         "es gibt keinen langsamen Versuch (Spitze unter {velocity} mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche",
         "il n’y a pas d’essai lent (pointe sous {velocity} mm/s) : le frottement est tiré des parties lentes d’essais plus rapides",

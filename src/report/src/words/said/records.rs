@@ -399,10 +399,10 @@ pub const ALL: &[Said] = &[
         "力的变化从未超过 {force} N：其单位是否正确？",
     ],
     [
-        "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} m/s of at most {peak} m/s; if the file broke off, export it again, or leave it out with --exclude",
-        "{test}: enthält weniger als einen Zyklus und endet mitten im Hub, bei {velocity} m/s von höchstens {peak} m/s; ist die Datei abgebrochen, sie neu exportieren oder mit --exclude weglassen",
-        "{test} : contient moins d’un cycle et finit au milieu d’une course, à {velocity} m/s sur {peak} m/s au plus ; si le fichier est tronqué, l’exporter à nouveau, ou le laisser de côté par --exclude",
-        "{test}：不足一个循环，且在行程中途结束，结束时速度为 {velocity} m/s，最大为 {peak} m/s；若文件中断，请重新导出，或用 --exclude 排除",
+        "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} mm/s of at most {peak} mm/s; if the file broke off, export it again, or leave it out with --exclude",
+        "{test}: enthält weniger als einen Zyklus und endet mitten im Hub, bei {velocity} mm/s von höchstens {peak} mm/s; ist die Datei abgebrochen, sie neu exportieren oder mit --exclude weglassen",
+        "{test} : contient moins d’un cycle et finit au milieu d’une course, à {velocity} mm/s sur {peak} mm/s au plus ; si le fichier est tronqué, l’exporter à nouveau, ou le laisser de côté par --exclude",
+        "{test}：不足一个循环，且在行程中途结束，结束时速度为 {velocity} mm/s，最大为 {peak} mm/s；若文件中断，请重新导出，或用 --exclude 排除",
     ],
     [
         "{test} holds the same samples as {twin} and counts twice",
@@ -871,10 +871,10 @@ pub const ALL: &[Said] = &[
         "{evidence}；这说明实为 {likely} 却写成了 {written}。请给出 --unit {channel}={likely}，或用 --unit {channel}={written} 坚持",
     ],
     [
-        "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} m/s, the others ±{usual} N at {there} m/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}",
-        "{count} von {all} Versuchen passen nicht zu den anderen, und zwar so, wie es eine Einheit erklärt: {tests}. {test} zeigt ±{force} N bei {velocity} m/s, die anderen ±{usual} N bei {there} m/s; das spricht für {likely}, als {written} geschrieben.{either} Die Überschrift der falschen Dateien berichtigen, oder sie in einen eigenen Ordner legen, einmal dashpot import-profile ORDNER --unit {channel}={first} aufrufen und beide Ordner nennen. Oder sie mit --exclude weglassen; oder mit --unit {channel}={written} darauf bestehen, dass alle Dateien in {written} sind",
-        "{count} des {all} essais ne vont pas avec les autres, d’une manière qu’une unité explique : {tests}. {test} montre ±{force} N à {velocity} m/s, les autres ±{usual} N à {there} m/s ; cela indique des {likely} écrits comme {written}.{either} Corriger l’en-tête des fichiers fautifs, ou les mettre dans un dossier à eux, lancer une fois dashpot import-profile DOSSIER --unit {channel}={first}, et nommer les deux dossiers. Ou les laisser de côté par --exclude ; ou insister par --unit {channel}={written} que tous les fichiers sont en {written}",
-        "{all} 个试验中有 {count} 个与其他试验不符，且差异恰似单位之差：{tests}。{test} 在 {velocity} m/s 时为 ±{force} N，其他试验在 {there} m/s 时为 ±{usual} N；这说明实为 {likely} 却写成了 {written}。{either}请更正出错文件的列名；或将其放入单独的文件夹，运行一次 dashpot import-profile 文件夹 --unit {channel}={first}，再同时给出两个文件夹。也可用 --exclude 排除它们；或用 --unit {channel}={written} 坚持所有文件均以 {written} 为单位",
+        "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} mm/s, the others ±{usual} N at {there} mm/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}",
+        "{count} von {all} Versuchen passen nicht zu den anderen, und zwar so, wie es eine Einheit erklärt: {tests}. {test} zeigt ±{force} N bei {velocity} mm/s, die anderen ±{usual} N bei {there} mm/s; das spricht für {likely}, als {written} geschrieben.{either} Die Überschrift der falschen Dateien berichtigen, oder sie in einen eigenen Ordner legen, einmal dashpot import-profile ORDNER --unit {channel}={first} aufrufen und beide Ordner nennen. Oder sie mit --exclude weglassen; oder mit --unit {channel}={written} darauf bestehen, dass alle Dateien in {written} sind",
+        "{count} des {all} essais ne vont pas avec les autres, d’une manière qu’une unité explique : {tests}. {test} montre ±{force} N à {velocity} mm/s, les autres ±{usual} N à {there} mm/s ; cela indique des {likely} écrits comme {written}.{either} Corriger l’en-tête des fichiers fautifs, ou les mettre dans un dossier à eux, lancer une fois dashpot import-profile DOSSIER --unit {channel}={first}, et nommer les deux dossiers. Ou les laisser de côté par --exclude ; ou insister par --unit {channel}={written} que tous les fichiers sont en {written}",
+        "{all} 个试验中有 {count} 个与其他试验不符，且差异恰似单位之差：{tests}。{test} 在 {velocity} mm/s 时为 ±{force} N，其他试验在 {there} mm/s 时为 ±{usual} N；这说明实为 {likely} 却写成了 {written}。{either}请更正出错文件的列名；或将其放入单独的文件夹，运行一次 dashpot import-profile 文件夹 --unit {channel}={first}，再同时给出两个文件夹。也可用 --exclude 排除它们；或用 --unit {channel}={written} 坚持所有文件均以 {written} 为单位",
     ],
     [
         " If these are right, it is the others that are wrong, the other way round: {others}.",
@@ -994,10 +994,10 @@ pub const ALL: &[Said] = &[
         "没有试验的运动超过 ±{amplitude} mm，而 {velocity} mm/s 时的 {force} N 意味着阻尼为 {damping} N s/m",
     ],
     [
-        "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} m/s, a damping of {damping} N s/m",
-        "der stärkste von {count} Versuchen zeigte ±{strongest} N, und {test} ±{force} N bei {velocity} m/s, eine Dämpfung von {damping} N s/m",
-        "le plus fort de {count} essais montrerait ±{strongest} N, et {test} ±{force} N à {velocity} m/s, soit un amortissement de {damping} N s/m",
-        "{count} 个试验中力最大的只有 ±{strongest} N，{test} 在 {velocity} m/s 时为 ±{force} N，阻尼为 {damping} N s/m",
+        "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m",
+        "der stärkste von {count} Versuchen zeigte ±{strongest} N, und {test} ±{force} N bei {velocity} mm/s, eine Dämpfung von {damping} N s/m",
+        "le plus fort de {count} essais montrerait ±{strongest} N, et {test} ±{force} N à {velocity} mm/s, soit un amortissement de {damping} N s/m",
+        "{count} 个试验中力最大的只有 ±{strongest} N，{test} 在 {velocity} mm/s 时为 ±{force} N，阻尼为 {damping} N s/m",
     ],
     // What no damper has.
     [
@@ -1013,10 +1013,10 @@ pub const ALL: &[Said] = &[
         "振幅 {amplitude} m",
     ],
     [
-        "a peak velocity of {velocity} m/s",
-        "eine Spitzengeschwindigkeit von {velocity} m/s",
-        "une vitesse de pointe de {velocity} m/s",
-        "峰值速度 {velocity} m/s",
+        "a peak velocity of {velocity} mm/s",
+        "eine Spitzengeschwindigkeit von {velocity} mm/s",
+        "une vitesse de pointe de {velocity} mm/s",
+        "峰值速度 {velocity} mm/s",
     ],
     ["a force of {force} N", "eine Kraft von {force} N", "un effort de {force} N", "力 {force} N"],
     [

@@ -1,0 +1,90 @@
+//! Derivatives of long steps with nonlinear springs nearly as stiff as the series spring.
+//!
+//! There the place about which a step linearizes a spring moves with its inputs, and so does the slope of that line.
+
+mod common;
+use common::METHODS;
+use dashpot_core::step::{Integration, step};
+use dashpot_core::{Input, Model, Params};
+use dashpot_core::{list, number};
+use dashpot_test_support::drawn;
+use proptest::prelude::*;
+
+/// Largest error of a derivative, as a fraction of it and of the scale of a stiff step.
+const ALLOWED: f64 = 5e-3;
+
+/// The series spring: as soft as the springs on the mass are stiff.
+const SERIES: f64 = 3e5;
+
+/// One-sided differences with Richardson's correction.
+fn one_sided(f: &dyn Fn(f64) -> f64, width: f64) -> [f64; 2] {
+    let at = f(0.0);
+    [-width, width].map(|h| {
+        let by = |h: f64| (f(h) - at) / h;
+        2.0 * by(0.5 * h) - by(h)
+    })
+}
+
+/// Distance of a value from the interval between both one-sided differences.
+fn distance(value: f64, [left, right]: [f64; 2]) -> f64 {
+    (left.min(right) - value).max(value - left.max(right)).max(0.0)
+}
+
+fn springs(stiffness: f64) -> Vec<(&'static str, Params)> {
+    let mut soft = Params::new();
+    soft.set(number!("series_stiffness"), SERIES).unwrap();
+    let (mut cubic, mut quartic, mut table) = (soft, soft, soft);
+    cubic.set(number!("spring_cubic"), 9e6 * stiffness).unwrap();
+    quartic.set(number!("spring_quartic"), 7e7 * stiffness).unwrap();
+    let k = 0.6 * stiffness * SERIES;
+    table.set_list(list!("spring_displacement"), &[-0.1, -0.04, 0.0, 0.03, 0.09]).unwrap();
+    table.set_list(list!("spring_force"), &[-0.1 * k, -0.038 * k, 0.0, 0.024 * k, 0.09 * k]).unwrap();
+    vec![("cubic", cubic), ("quartic", quartic), ("table", table)]
+}
+
+proptest! {
+    #![proptest_config(drawn(150))]
+
+    #[test]
+    fn derivatives_follow_the_line_of_a_spring(
+        x in -0.08..0.08f64, v in -1.2..1.2f64, gain in -0.3..0.3f64, stiffness in 0.2..1.0f64,
+    ) {
+        let input = |x: Option<f64>, v: f64| Input { displacement: x, velocity: v, side_force: 0.0, temperature: 20.0 };
+        for (name, params) in springs(stiffness) {
+            let model = Model::new(&params).unwrap();
+            for method in METHODS.map(Some).into_iter().chain([None]) {
+                let model = method.map_or(model, |method| model.with_integration(Integration::fixed(method, 1)));
+                for dt in [1e-2, 3e-3] {
+                    let from = step(&model, &model.steady_state(&input(Some(x), v)), &input(Some(x + 1e-3 * v), v), 1e-3).0;
+                    let v1 = v + gain * dt / 1e-3;
+                    let x1 = from.displacement + 0.5 * (v + v1) * dt;
+                    let output = step(&model, &from, &input(Some(x1), v1), dt).1;
+                    let alone = step(&model, &from, &input(None, v1), dt).1.d_force_d_velocity;
+                    let force = |x: Option<f64>, v: f64| step(&model, &from, &input(x, v), dt).1.force;
+                    let by_x = |h: f64| force(Some(x1 + h), v1);
+                    let by_v = |h: f64| force(Some(x1), v1 + h);
+                    let by_v_alone = |h: f64| force(None, v1 + h);
+                    let compared: [(&str, f64, &dyn Fn(f64) -> f64, f64); 3] = [
+                        ("dF/dx", output.d_force_d_displacement, &by_x, 1e-6),
+                        ("dF/dv", output.d_force_d_velocity, &by_v, 1e-4),
+                        ("dF/dv, velocity alone", alone, &by_v_alone, 1e-4),
+                    ];
+                    for (what, value, f, width) in compared {
+                        let scale = if what == "dF/dx" { SERIES } else { SERIES * dt };
+                        // A knee of a table or of the FV curve may lie within the wider difference.
+                        let misses = [width, 1e-2 * width].map(|width| {
+                            let sides = one_sided(f, width);
+                            distance(value, sides) / (value.abs().max(sides[0].abs()) + 1e-2 * scale)
+                        });
+                        let missed = misses[0].min(misses[1]);
+                        prop_assert!(
+                            missed <= ALLOWED,
+                            "{name} {method:?} {dt} s: {what} {value} misses {:?} by {missed}; x {x} v {v}",
+                            one_sided(f, width)
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

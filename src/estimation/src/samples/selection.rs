@@ -1,0 +1,98 @@
+//! The tests of a very large campaign that a fit sees.
+//!
+//! Every test costs a fit about as much as any other. Beyond some hundred the next one rarely visits anything new, so a
+//! selection stands for all: tests of every kind of motion in turn, spread over the order of the campaign.
+
+use dashpot_records::Record;
+use std::collections::BTreeMap;
+
+/// Most tests that a fit sees. More cost time in proportion; fewer leave kinds of motion out.
+pub const MOST_TESTS: usize = 240;
+/// Bins of amplitude and of peak velocity in an octave: tests of one nominal motion fall into one or two bins.
+const PER_OCTAVE: f64 = 2.0;
+/// Bins of the mean displacement over the range of the campaign.
+const MEANS: f64 = 8.0;
+/// Widths of the bins of temperature, K, and of side force, N.
+const TEMPERATURE: f64 = 10.0;
+const SIDE_FORCE: f64 = 50.0;
+
+/// Kind of motion of a test: amplitude, peak velocity, mean displacement, temperature, side force, whether it has cycles.
+type Kind = (i64, i64, i64, i64, i64, bool);
+
+/// The mean of a channel in bins of a width; 0 without the channel.
+fn bin(channel: Option<&Vec<f64>>, width: f64) -> i64 {
+    channel.filter(|c| !c.is_empty()).map_or(0, |c| (c.iter().sum::<f64>() / c.len() as f64 / width).round() as i64)
+}
+
+fn kind(record: &Record, (low, high): (f64, f64)) -> Kind {
+    let octaves = |value: f64| (PER_OCTAVE * libm::log2(value.max(1e-9))).round() as i64;
+    let mean = (MEANS * (record.mean_displacement - low) / (high - low).max(1e-3)).round() as i64;
+    (
+        octaves(record.amplitude),
+        octaves(record.peak_velocity),
+        mean,
+        bin(record.temperature.as_ref(), TEMPERATURE),
+        bin(record.side_force.as_ref(), SIDE_FORCE),
+        record.cycles.is_empty(),
+    )
+}
+
+/// Positions of the tests that a fit sees, in their order; `None` where it sees all of them.
+pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
+    if records.len() <= MOST_TESTS {
+        return None;
+    }
+    let means = || records.iter().map(|r| r.mean_displacement);
+    let range = (means().fold(f64::INFINITY, f64::min), means().fold(f64::NEG_INFINITY, f64::max));
+    let mut kinds: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
+    for (place, record) in records.iter().enumerate() {
+        kinds.entry(kind(record, range)).or_default().push(place);
+    }
+    // One of each kind in turn, until there are enough; rare kinds first, of which none may be missed.
+    let mut kinds: Vec<Vec<usize>> = kinds.into_values().collect();
+    kinds.sort_by_key(|places| (places.len(), places[0]));
+    let mut counts = vec![0; kinds.len()];
+    let mut left = MOST_TESTS;
+    while left > 0 {
+        for (count, places) in counts.iter_mut().zip(&kinds) {
+            if left > 0 && *count < places.len() {
+                *count += 1;
+                left -= 1;
+            }
+        }
+    }
+    let spread = |(places, count): (&Vec<usize>, &usize)| -> Vec<usize> {
+        (0..*count).map(|k| places[k * places.len() / count]).collect()
+    };
+    let mut selected: Vec<usize> = kinds.iter().zip(&counts).flat_map(spread).collect();
+    selected.sort_unstable();
+    Some(selected)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(amplitude: f64, peak_velocity: f64, mean_displacement: f64) -> Record {
+        Record { amplitude, peak_velocity, mean_displacement, cycles: vec![0..1, 1..2], ..Record::default() }
+    }
+
+    #[test]
+    fn every_kind_of_motion_is_selected_and_repetitions_are_not() {
+        let mut records: Vec<Record> = (0..8000).map(|k| record(0.01, 0.1 * f64::from(1 + k % 3), 0.0)).collect();
+        records[4321] = record(0.05, 0.3, 0.0);
+        records[77] = record(0.01, 0.1, 0.03);
+        let refs: Vec<&Record> = records.iter().collect();
+        let selected = select(&refs).unwrap();
+        assert_eq!(selected.len(), MOST_TESTS);
+        assert!(selected.is_sorted() && selected.contains(&4321) && selected.contains(&77));
+        for velocity in [0.1, 0.2, 0.3] {
+            let of_it: Vec<usize> =
+                selected.iter().copied().filter(|k| (records[*k].peak_velocity - velocity).abs() < 1e-9).collect();
+            assert!(of_it.len() >= 79, "{velocity}: {}", of_it.len());
+            // From the first tests to the last ones.
+            assert!(of_it[0] < 100 && of_it[of_it.len() - 1] > 7800, "{of_it:?}");
+        }
+        assert_eq!(select(&refs[..MOST_TESTS]), None);
+    }
+}

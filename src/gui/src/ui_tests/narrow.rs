@@ -1,0 +1,46 @@
+//! A window of 1280 pixels holds every text of its panels, in every language.
+
+use super::*;
+
+/// Texts of a kind between two edges of the window that reach beyond the right one.
+fn cut_off(harness: &Harness<'_, App>, role: Role, (left, right): (f32, f32)) -> Vec<String> {
+    let of_panel = harness.query_all(by().role(role)).filter(|node| (left..right).contains(&node.rect().left()));
+    of_panel.filter(|node| node.rect().right() > right + 1.0).map(|node| format!("{node:?}")).collect()
+}
+
+#[test]
+fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 12, vec![]);
+    harness.key_press(Key::F7);
+    until(&mut harness, "the diagnosis", |app| app.session.results.diagnosis.is_some());
+    harness.key_press(Key::F5);
+    until(&mut harness, "the fit", |app| app.session.results.fit.is_some() && app.session.task.is_none());
+    for (_, language) in Language::ALL {
+        harness.state_mut().view.language = language;
+        let words = crate::words::texts(language);
+        harness.step();
+        harness.step();
+        let panel = widget(&harness, Role::Button, words.tune).rect().left() - 8.0;
+        for side in [words.tune, words.result, words.records, words.study] {
+            press(&mut harness, side);
+            harness.step();
+            for role in [Role::Label, Role::Button, Role::ComboBox] {
+                let cut = cut_off(&harness, role, (panel, 1280.0));
+                assert!(cut.is_empty(), "{language:?}, {side}: {cut:#?}");
+            }
+        }
+        // A list shortens what is wider than itself.
+        for word in [words.from_data, words.as_file_says] {
+            assert!(word.chars().count() <= 18, "{language:?}: {word}");
+        }
+        // The cells of the error matrix end before the panel.
+        let cut = cut_off(&harness, Role::Button, (280.0, panel));
+        assert!(cut.is_empty(), "{language:?}: {cut:#?}");
+        press(&mut harness, words.tune);
+        harness.step();
+        let table = language.words().choice("table").into_owned();
+        let chosen = harness.query_all(by().role(Role::ComboBox)).filter_map(|node| node.value());
+        assert!(chosen.into_iter().any(|value| value == table), "{language:?}: no list shows {table:?}");
+    }
+}
