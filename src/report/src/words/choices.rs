@@ -22,15 +22,18 @@ impl Words {
 
 #[rustfmt::skip]
 const CHOICES: &[Choice] = &[
+    ["automatic", "automatic", "automatisch", "automatique", "自动"],
     ["both", "both", "beide", "les deux", "两者"],
     ["bypass", "bypass", "Umgehung", "dérivation", "旁通"],
     ["cap", "limited force", "begrenzte Kraft", "effort limité", "力限幅"],
     ["compression", "compression", "Druckstufe", "compression", "压缩"],
     ["driven end", "driven end", "bewegtes Ende", "extrémité menée", "驱动端"],
     ["elastic", "elastic return", "elastisch zurück", "retour élastique", "弹性回复"],
+    ["euler", "Euler", "Euler", "Euler", "欧拉法"],
     ["factor", "factor", "Faktor", "facteur", "系数"],
     ["filter", "filter", "Filter", "filtre", "滤波"],
     ["foot_valve", "foot valve", "Bodenventil", "clapet de pied", "底阀"],
+    ["fourth_order", "fourth order", "vierte Ordnung", "quatrième ordre", "四阶"],
     ["full", "full", "vollständig", "complète", "完整"],
     ["gap", "gap", "Spalt", "jeu", "间隙"],
     ["groove", "groove", "Nut", "rainure", "沟槽"],
@@ -44,12 +47,15 @@ const CHOICES: &[Choice] = &[
     ["piecewise", "straight pieces", "gerade Stücke", "par morceaux", "分段"],
     ["play", "friction of the spool", "Reibung des Schiebers", "frottement du tiroir", "阀芯摩擦"],
     ["rebound", "rebound", "Zugstufe", "détente", "复原"],
+    ["second_order", "second order", "zweite Ordnung", "deuxième ordre", "二阶"],
     ["self_heating", "self-heating", "Eigenerwärmung", "échauffement propre", "自发热"],
     ["simplified", "simplified", "vereinfacht", "simplifiée", "简化"],
     ["slips", "slips at once", "gleitet sofort", "glisse aussitôt", "立即滑移"],
     ["spool", "mass of the spool", "Masse des Schiebers", "masse du tiroir", "阀芯质量"],
     ["stroke", "within each stroke", "in jedem Hub", "à chaque course", "每个行程内"],
     ["table", "table", "Tabelle", "tableau", "表格"],
+    ["third_order", "third order", "dritte Ordnung", "troisième ordre", "三阶"],
+    ["three_stage", "three stages", "drei Stufen", "trois étages", "三级"],
     ["whole", "whole force", "gesamte Kraft", "effort total", "全部力"],
 ];
 
