@@ -192,6 +192,8 @@ pub enum Accuracy {
     Single,
     /// As many of the second-order method: a few tenths of a percent off, a third of the cost.
     Cheap,
+    /// One substep of the second-order method, for derivatives: they lead a search, and residuals say where it ends.
+    Slope,
 }
 
 impl Accuracy {
@@ -207,6 +209,7 @@ impl Accuracy {
             Accuracy::Fine => Integration::fixed(Method::Fourth, fine),
             Accuracy::Single => Integration::fixed(Method::Fourth, coarse),
             Accuracy::Cheap => Integration::fixed(Method::Second, coarse),
+            Accuracy::Slope => Integration::fixed(Method::Second, if turns_over { 2 } else { 1 }),
         }
     }
 }

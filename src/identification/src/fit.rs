@@ -482,7 +482,8 @@ fn fit_thesis(
     let inventory = inventory(&best, None, tests, &probability);
     let mut found = finish(&best, tests, &about.given);
     found.inventory = inventory;
-    if best.hypothesis.base.is_on(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
+    // Without a series path too: a channel that comes early by as much would hide it.
+    if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
     }
     for (effects, numbers) in IN_EVERY_DAMPER {
