@@ -193,7 +193,7 @@ pub enum Accuracy {
     /// As many of the second-order method: a few tenths of a percent off, a third of the cost.
     Cheap,
     /// One substep of the second-order method, for derivatives: they lead a search, and residuals say where it ends.
-    Slope,
+    Derivatives,
 }
 
 impl Accuracy {
@@ -209,7 +209,7 @@ impl Accuracy {
             Accuracy::Fine => Integration::fixed(Method::Fourth, fine),
             Accuracy::Single => Integration::fixed(Method::Fourth, coarse),
             Accuracy::Cheap => Integration::fixed(Method::Second, coarse),
-            Accuracy::Slope => Integration::fixed(Method::Second, if turns_over { 2 } else { 1 }),
+            Accuracy::Derivatives => Integration::fixed(Method::Second, if turns_over { 2 } else { 1 }),
         }
     }
 }

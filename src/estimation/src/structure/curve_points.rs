@@ -68,14 +68,14 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let room = MAX_POINTS - from.base.list(list!("fv_velocity")).len();
     let middles = middles(from);
     let all = with_points(from, &at.theta, &middles)?;
-    let jacobian = all.jacobian(Accuracy::Slope, tests, &all.start())?;
+    let jacobian = all.jacobian(Accuracy::Derivatives, tests, &all.start())?;
     let velocity = all.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);
     let rise = |point: usize| {
         let of = Free::Model(Unknown::Rise { curve: CurveName::Fv, point });
         all.position(&of).map(|k| jacobian.column(k))
     };
-    let here = Refit { jacobian: from.jacobian(Accuracy::Slope, tests, &at.theta)?, ..at.clone() };
+    let here = Refit { jacobian: from.jacobian(Accuracy::Derivatives, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);
     let mut left = projection.rest(&at.residual);
     // A point that stands out from its interval rises more on its inner side and less on its outer.

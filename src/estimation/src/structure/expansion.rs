@@ -46,7 +46,7 @@ pub fn expand(
 ) -> Option<Expansion> {
     let tests: &[Test] = context.tests;
     let hypothesis = &from.hypothesis;
-    let at = match hypothesis.jacobian(Accuracy::Slope, tests, &from.refit.theta) {
+    let at = match hypothesis.jacobian(Accuracy::Derivatives, tests, &from.refit.theta) {
         Some(jacobian) => Refit { jacobian, ..from.refit.clone() },
         None => from.refit.clone(),
     };
