@@ -31,14 +31,29 @@ pub struct Effort {
 
 impl Effort {
     /// To screen which explanations are worth more.
-    pub const SCREEN: Effort =
-        Effort { steps: 4, tolerance: 2e-3, renews: false, derivatives: Accuracy::Derivatives, residuals: Accuracy::Single };
+    pub const SCREEN: Effort = Effort {
+        steps: 4,
+        tolerance: 2e-3,
+        renews: false,
+        derivatives: Accuracy::Derivatives,
+        residuals: Accuracy::Single,
+    };
     /// To compare explanations.
-    pub const COMPARE: Effort =
-        Effort { steps: 10, tolerance: 2e-3, renews: false, derivatives: Accuracy::Derivatives, residuals: Accuracy::Single };
+    pub const COMPARE: Effort = Effort {
+        steps: 10,
+        tolerance: 2e-3,
+        renews: false,
+        derivatives: Accuracy::Derivatives,
+        residuals: Accuracy::Single,
+    };
     /// To judge the likely ones.
-    pub const JUDGE: Effort =
-        Effort { steps: 8, tolerance: 1e-3, renews: true, derivatives: Accuracy::Derivatives, residuals: Accuracy::Single };
+    pub const JUDGE: Effort = Effort {
+        steps: 8,
+        tolerance: 1e-3,
+        renews: true,
+        derivatives: Accuracy::Derivatives,
+        residuals: Accuracy::Single,
+    };
     /// For the result.
     pub const FINE: Effort =
         Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Fine, residuals: Accuracy::Fine };
