@@ -95,6 +95,21 @@ fn a_slip_in_the_drawing_is_named_and_nothing_is_written() {
     assert!(told.contains("--dimensions gives priors to --model thesis"), "{told}");
 }
 
+/// Writes the motions of a short campaign, four cycles of sines of 20 mm; returns their names.
+fn motions(dir: &Path) -> [&'static str; 3] {
+    let sines = [("slow", 0.04), ("middle", 1.5), ("fast", 6.0)];
+    for (name, frequency) in sines {
+        let (amplitude, step) = (0.02, 1.0 / (200.0 * frequency));
+        let rows = (0..=800).map(|k| f64::from(k) * step).map(|t| {
+            let phase = std::f64::consts::TAU * frequency * t;
+            format!("{t},{},{}\n", amplitude * phase.sin(), amplitude * std::f64::consts::TAU * frequency * phase.cos())
+        });
+        let text = format!("time_s,displacement_m,velocity_m_s\n{}", rows.collect::<String>());
+        std::fs::write(dir.join(format!("{name}.csv")), text).unwrap();
+    }
+    sines.map(|(name, _)| name)
+}
+
 /// A damper over a current of which only the friction varies.
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0]\n\
      setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 150.0\ncoulomb_force = [20.0, 60.0]\n\
@@ -126,14 +141,7 @@ fn a_family_is_fitted_and_diagnosed_with_dimensions() {
     let folder = folder(FAMILY, "rod_mm = 12\ngas_pressure_bar = 60\n");
     let dir = folder.path();
     std::fs::create_dir(dir.join("records")).unwrap();
-    for (name, amplitude, frequency) in [("slow", 0.02, 0.04), ("middle", 0.02, 1.5), ("fast", 0.02, 6.0)] {
-        let step = 1.0 / (200.0 * frequency);
-        let rows = (0..=800).map(|k| f64::from(k) * step).map(|t| {
-            let phase = std::f64::consts::TAU * frequency * t;
-            format!("{t},{},{}\n", amplitude * phase.sin(), amplitude * std::f64::consts::TAU * frequency * phase.cos())
-        });
-        let text = format!("time_s,displacement_m,velocity_m_s\n{}", rows.collect::<String>());
-        std::fs::write(dir.join(format!("{name}.csv")), text).unwrap();
+    for name in motions(dir) {
         for current in ["0.0", "1.0"] {
             let record = format!("records/{name}_{current}A.csv");
             done(dir, &["simulate", "m.toml", &format!("{name}.csv"), "--setting", current, "-o", &record]);
@@ -165,14 +173,7 @@ fn a_fit_says_what_the_dimensions_made_it_expect_and_what_its_records_contradict
     )
     .unwrap();
     std::fs::create_dir(dir.join("records")).unwrap();
-    for (name, amplitude, frequency) in [("slow", 0.02, 0.04), ("middle", 0.02, 1.5), ("fast", 0.02, 6.0)] {
-        let step = 1.0 / (200.0 * frequency);
-        let rows = (0..=800).map(|k| f64::from(k) * step).map(|t| {
-            let phase = std::f64::consts::TAU * frequency * t;
-            format!("{t},{},{}\n", amplitude * phase.sin(), amplitude * std::f64::consts::TAU * frequency * phase.cos())
-        });
-        let text = format!("time_s,displacement_m,velocity_m_s\n{}", rows.collect::<String>());
-        std::fs::write(dir.join(format!("{name}.csv")), text).unwrap();
+    for name in motions(dir) {
         let record = format!("records/{name}.csv");
         done(dir, &["simulate", "truth.toml", &format!("{name}.csv"), "-o", &record]);
     }

@@ -9,7 +9,6 @@ use super::{opposite, phrases, warmer};
 use dashpot_core::Params;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
-use dashpot_estimation::samples::selection::select;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::search::StructureSearch;
@@ -47,11 +46,11 @@ pub fn diagnose(
         return Err(DiagnosisError::UnknownEffect { name: name.clone() });
     }
     progress(0.0, phrases::PREPARING);
-    if let Some(selected) = select(records) {
+    if let Some((selected, note)) = select_tests(records) {
         let of_it: Vec<&Record> = selected.iter().map(|place| records[*place]).collect();
         let held_out: Vec<bool> = selected.iter().map(|place| held_out.get(*place).copied().unwrap_or(false)).collect();
         let mut found = diagnose(&of_it, &held_out, params, options, progress)?;
-        found.notes.extend(select_tests(records).1);
+        found.notes.push(note);
         return Ok(found);
     }
     let prepared = prepare(records, held_out, params);

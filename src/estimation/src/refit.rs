@@ -39,21 +39,9 @@ impl Effort {
         residuals: Accuracy::Single,
     };
     /// To compare explanations.
-    pub const COMPARE: Effort = Effort {
-        steps: 10,
-        tolerance: 2e-3,
-        renews: false,
-        derivatives: Accuracy::Derivatives,
-        residuals: Accuracy::Single,
-    };
+    pub const COMPARE: Effort = Effort { steps: 10, ..Effort::SCREEN };
     /// To judge the likely ones.
-    pub const JUDGE: Effort = Effort {
-        steps: 8,
-        tolerance: 1e-3,
-        renews: true,
-        derivatives: Accuracy::Derivatives,
-        residuals: Accuracy::Single,
-    };
+    pub const JUDGE: Effort = Effort { steps: 8, tolerance: 1e-3, renews: true, ..Effort::SCREEN };
     /// For the result.
     pub const FINE: Effort =
         Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Fine, residuals: Accuracy::Fine };

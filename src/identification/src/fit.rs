@@ -274,7 +274,11 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     }
     check_elements(options)?;
     progress(Stage { done: 0.0, text: phrases::PREPARING });
-    let (selected, about_selection) = select_tests(records);
+    let selection = select_tests(records);
+    let selected: Vec<&Record> = match &selection {
+        Some((places, _)) => places.iter().map(|place| records[*place]).collect(),
+        None => records.to_vec(),
+    };
     let records = &selected[..];
     let segments = segments(records);
     check_motion(&segments)?;
@@ -293,7 +297,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         let (error, plain) = (format!("{:.2}", found.misfit), format!("{plain:.2}"));
         found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
     }
-    found.notes.extend(about_selection);
+    found.notes.extend(selection.map(|(_, note)| note));
     found.notes.extend(describe_roads(&tests));
     found.notes.extend(coverage_notes(&segments));
     if options.family == Family::Thesis && found.measured.is_empty() && found.misfit > OFF {
@@ -611,11 +615,11 @@ fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     })
 }
 
-/// The records that a search uses, with a note where these are not all.
-pub fn select_tests<'a>(records: &[&'a Record]) -> (Vec<&'a Record>, Option<Sentence>) {
-    let Some(selected) = select(records) else { return (records.to_vec(), None) };
+/// Positions of the tests that a search uses, with a note; `None` where these are all.
+pub fn select_tests(records: &[&Record]) -> Option<(Vec<usize>, Sentence)> {
+    let selected = select(records)?;
     let note = Sentence::from(phrases::SELECTED).with("all", records.len()).with("selected", selected.len());
-    (selected.into_iter().map(|place| records[place]).collect(), Some(note))
+    Some((selected, note))
 }
 
 /// That long roads are run in stretches, where they are.
@@ -648,12 +652,11 @@ mod tests {
     fn a_campaign_of_thousands_says_how_many_tests_stand_for_all() {
         let records = [slow_sine(), slow_sine()];
         let many: Vec<&Record> = records.iter().cycle().take(8000).collect();
-        let (selected, note) = select_tests(&many);
-        let note = note.unwrap().to_string();
+        let (selected, note) = select_tests(&many).unwrap();
+        let note = note.to_string();
         assert!(selected.len() < 300 && note.contains("8000 tests"), "{note}");
         assert!(note.contains(&format!("{} of them stand for all", selected.len())), "{note}");
-        let (all, note) = select_tests(&many[..100]);
-        assert!(all.len() == 100 && note.is_none());
+        assert!(select_tests(&many[..100]).is_none());
     }
 
     #[test]

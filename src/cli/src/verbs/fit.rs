@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 /// Identify a damper from rig records
 ///
 /// FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the
-/// variants of friction and spring are chosen by tests left out of the fit. A late force channel and a gain or zero
+/// effects that the damper has are chosen by their evidence in the records. A late force channel and a gain or zero
 /// that drifts through the campaign are looked for too; they are told, and not put into the model.
 #[derive(clap::Args)]
 #[command(

@@ -8,7 +8,9 @@ use std::process::Command;
 ///
 /// The window is a program of its own beside this command, dashpot-window.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:\n  dashpot open campaign/ damper.toml\n  dashpot open campaign/ damper.toml dimensions.toml")]
+#[command(
+    after_help = "Examples:\n  dashpot open campaign/ damper.toml\n  dashpot open campaign/ damper.toml dimensions.toml"
+)]
 pub struct Args {
     /// Folder of records, or record files
     #[arg(value_name = "CAMPAIGN")]

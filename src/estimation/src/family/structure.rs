@@ -2,11 +2,11 @@
 
 use super::pattern::{Site, log_prior as log_prior_of_pattern, numbers, varies, varying_sites};
 use super::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
-use crate::hypothesis::{Free, Residual};
+use crate::hypothesis::Residual;
 use crate::refit::Effort;
 use crate::scale::Scale;
-use crate::structure::component::{Component, weight};
-use crate::structure::evidence::Evidence;
+use crate::structure::component::Component;
+use crate::structure::evidence::{self, Evidence};
 use crate::structure::prior_odds::log_prior;
 
 /// A refitted family.
@@ -60,9 +60,8 @@ fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
     let FamilyHypothesis { template, varies, .. } = hypothesis;
     let scale = Scale::from_params(&template.base);
     let each = template.numbers.iter().zip(varies).map(|(number, varies)| {
-        let Free::Model(unknown) = &number.free else { return 0.0 };
         let times = if *varies { hypothesis.settings() as f64 } else { 1.0 };
-        times * template.priors.relief(unknown, scale, weight(&number.free) * per_number)
+        times * evidence::relief(number, &template.priors, scale, per_number)
     });
     each.sum()
 }

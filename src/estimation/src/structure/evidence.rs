@@ -10,6 +10,7 @@
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};
 use crate::log_prior::negative_log_prior;
+use crate::prior_set::PriorSet;
 use crate::refit::HUBER;
 use crate::samples::Test;
 use crate::scale::Scale;
@@ -56,6 +57,14 @@ pub fn mean_squares(tests: &[Test], residual: &DVector<f64>) -> Vec<f64> {
         .collect()
 }
 
+/// What a number need not cost, of `per_number`, since more is known of it on this damper than on others.
+pub fn relief(number: &Number, priors: &PriorSet, scale: Scale, per_number: f64) -> f64 {
+    match &number.free {
+        Free::Model(unknown) => priors.relief(unknown, scale, weight(&number.free) * per_number),
+        _ => 0.0,
+    }
+}
+
 impl Evidence {
     /// Of residuals at `theta`; `numbers` counts the free numbers.
     pub fn new(
@@ -68,10 +77,7 @@ impl Evidence {
         let mean_squares = mean_squares(tests, residual);
         let weights: Vec<f64> = tests.iter().map(|t| t.weight).collect();
         let (scale, per_number) = (Scale::from_params(&hypothesis.base), per_number(weights.iter().sum()));
-        let relief = |number: &Number| match &number.free {
-            Free::Model(unknown) => hypothesis.priors.relief(unknown, scale, weight(&number.free) * per_number),
-            _ => 0.0,
-        };
+        let relief = |number| relief(number, &hypothesis.priors, scale, per_number);
         Evidence {
             mean_squares,
             weights,

@@ -4,7 +4,7 @@ use crate::session::Session;
 use dashpot_core::Params;
 use dashpot_dimensions::entry::{DESIGN, ENTRIES};
 use dashpot_dimensions::{Dimensions, Explanation, explain, read};
-use dashpot_records::Sentence;
+use dashpot_records::{Sentence, read_small_text};
 use std::path::{Path, PathBuf};
 
 /// A file of dimensions that is open.
@@ -56,7 +56,7 @@ pub fn is_drawing(path: &Path) -> bool {
     if path.file_name().is_some_and(|name| name == "dimensions.toml") {
         return true;
     }
-    let Ok(text) = std::fs::read_to_string(path) else { return false };
+    let Ok(text) = read_small_text(path) else { return false };
     let begins = |line: &str, key: &str| line.strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='));
     let is_model = text.lines().any(|line| begins(line.trim_start(), "format"));
     let keys = || ENTRIES.iter().map(|row| row.key).chain([DESIGN]);

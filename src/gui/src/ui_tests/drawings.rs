@@ -1,14 +1,12 @@
 //! The drawing of the damper beside its model.
 
 use super::made_up::{campaign, until, window};
-use super::{has, message, press, says};
+use super::{has, holds, message, press, says};
 use crate::app::App;
 use crate::views::Side;
 use crate::words::Language;
 use dashpot_core::number;
 use eframe::egui::accesskit::Role;
-use egui_kittest::Harness;
-use egui_kittest::kittest::{Queryable as _, by};
 
 /// A monotube whose numbers are those of 25 bar on a rod of 12 mm.
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oil_compressibility\"]\ngas_force = 282.74\n\
@@ -16,10 +14,6 @@ const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oi
      fv_force = [-900.0, -500.0, -300.0, -100.0, 0.0, 200.0, 600.0, 1000.0, 1500.0]\n\n[identification.intervals]\n\
      gas_force = [275.0, 290.0]\noil_stiffness = [1.0e7, 1.1e7]\n";
 const DRAWING: &str = "design = \"monotube\"\nbore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = 130\n";
-
-fn holds(harness: &Harness<'_, App>, text: &str) -> bool {
-    harness.query_all(by().label_contains(text)).next().is_some()
-}
 
 #[test]
 fn a_drawing_is_dropped_beside_the_model_and_explains_it() {

@@ -72,6 +72,11 @@ fn says(harness: &Harness<'_, App>, text: &str) -> bool {
     harness.query_all(by().label(text)).next().is_some()
 }
 
+/// Whether a label has this text in it.
+fn holds(harness: &Harness<'_, App>, text: &str) -> bool {
+    harness.query_all(by().label_contains(text)).next().is_some()
+}
+
 #[derive(Debug)]
 struct Dropped(PathBuf);
 

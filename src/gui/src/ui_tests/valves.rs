@@ -1,22 +1,15 @@
 //! The valve of a damper over a setting: its responses and numbers.
 
 use super::made_up::{campaign, campaign_of_family, until, window};
-use super::{has, press, says};
-use crate::app::App;
+use super::{has, holds, press, says};
 use crate::views::Side;
 use crate::words::{Language, texts};
 use eframe::egui::accesskit::Role;
-use egui_kittest::Harness;
-use egui_kittest::kittest::{Queryable as _, by};
 
 /// A damper over a current with a lag each way.
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n\
      setting_time_up = 0.008\nsetting_time_down = 0.02\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n\n[identification]\n\n[identification.intervals]\nsetting_time_up = [0.007, 0.009]\n";
-
-fn holds(harness: &Harness<'_, App>, text: &str) -> bool {
-    harness.query_all(by().label_contains(text)).next().is_some()
-}
 
 #[test]
 fn a_family_shows_the_response_of_its_valve_by_its_numbers_where_no_test_has_steps() {

@@ -218,7 +218,7 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
         wrapped(ui, RichText::new(said.say(&test.text)));
     }
     if let Some((matrix, _)) = found.next_matrix() {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             if ui.button(w.copy_rows).on_hover_text(w.copy_rows_hint).clicked() {
                 ui.ctx().copy_text(matrix.clone());
             }

@@ -301,7 +301,10 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
         }
         notes.extend(against.iter().map(|of| {
             let said = contradiction(row, &of.estimate);
-            of.setting.map_or_else(|| said.clone(), |value| at_setting(axis, value, said.clone()))
+            match of.setting {
+                Some(value) => at_setting(axis, value, said),
+                None => said,
+            }
         }));
     }
     notes
