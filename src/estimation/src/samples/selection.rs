@@ -6,8 +6,10 @@
 use dashpot_records::Record;
 use std::collections::BTreeMap;
 
-/// Most tests that a fit sees: 8,000 tests are fitted in 34 s of processor time so, and not within 115 s with all of them. More cost time in
-/// proportion; fewer leave kinds of motion out, of which a test matrix has some dozens.
+/// Most tests that a fit sees.
+///
+/// With them 8,000 tests are fitted in 34 s of processor time, with all of them not within 115 s. More cost time in proportion; fewer leave
+/// kinds of motion out, of which a test matrix has some dozens.
 pub const MOST_TESTS: usize = 240;
 /// Bins of amplitude and of peak velocity in an octave: tests of one nominal motion fall into one or two bins.
 const PER_OCTAVE: f64 = 2.0;
