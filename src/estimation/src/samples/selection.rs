@@ -27,15 +27,16 @@ fn bin(channel: Option<&Vec<f64>>, width: f64) -> i64 {
     channel.filter(|c| !c.is_empty()).map_or(0, |c| (c.iter().sum::<f64>() / c.len() as f64 / width).round() as i64)
 }
 
-fn kind(record: &Record, (low, high): (f64, f64)) -> Kind {
-    let octaves = |value: f64| (PER_OCTAVE * libm::log2(value.max(1e-9))).round() as i64;
-    let mean = (MEANS * (record.mean_displacement - low) / (high - low).max(1e-3)).round() as i64;
+/// The kind of a test in bins `wide` times as wide as the constants above.
+fn kind(record: &Record, (low, high): (f64, f64), wide: f64) -> Kind {
+    let octaves = |value: f64| (PER_OCTAVE / wide * libm::log2(value.max(1e-9))).round() as i64;
+    let mean = (MEANS / wide * (record.mean_displacement - low) / (high - low).max(1e-3)).round() as i64;
     (
         octaves(record.amplitude),
         octaves(record.peak_velocity),
         mean,
-        bin(record.temperature.as_ref(), TEMPERATURE),
-        bin(record.side_force.as_ref(), SIDE_FORCE),
+        bin(record.temperature.as_ref(), wide * TEMPERATURE),
+        bin(record.side_force.as_ref(), wide * SIDE_FORCE),
         record.cycles.is_empty(),
     )
 }
@@ -47,9 +48,19 @@ pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
     }
     let means = || records.iter().map(|r| r.mean_displacement);
     let range = (means().fold(f64::INFINITY, f64::min), means().fold(f64::NEG_INFINITY, f64::max));
-    let mut kinds: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
-    for (place, record) in records.iter().enumerate() {
-        kinds.entry(kind(record, range)).or_default().push(place);
+    let sort = |wide: f64| {
+        let mut kinds: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
+        for (place, record) in records.iter().enumerate() {
+            kinds.entry(kind(record, range, wide)).or_default().push(place);
+        }
+        kinds
+    };
+    // More kinds than tests that a fit sees: coarser kinds, so that none is missed whole.
+    let mut wide = 1.0;
+    let mut kinds = sort(wide);
+    while kinds.len() > MOST_TESTS {
+        wide *= 2.0;
+        kinds = sort(wide);
     }
     // One of each kind in turn, until there are enough; rare kinds first, of which none may be missed.
     let mut kinds: Vec<Vec<usize>> = kinds.into_values().collect();
@@ -97,5 +108,23 @@ mod tests {
             assert!(of_it[0] < 100 && of_it[of_it.len() - 1] > 7800, "{of_it:?}");
         }
         assert_eq!(select(&refs[..MOST_TESTS]), None);
+    }
+
+    #[test]
+    fn more_kinds_of_motion_than_tests_are_seen_over_their_whole_range() {
+        // 400 kinds, 40 speeds at each of 10 amplitudes, and one of half of all tests.
+        let octaves = |k: i32| libm::exp2(f64::from(k) / 2.0);
+        let records: Vec<Record> = (0..2000)
+            .map(|k| record(0.001 * octaves(k % 10), 1e-4 * octaves(k / 10 % 40), 0.0))
+            .chain((0..2000).map(|_| record(0.1, 200.0, 0.0)))
+            .collect();
+        let refs: Vec<&Record> = records.iter().collect();
+        let selected = select(&refs).unwrap();
+        assert_eq!(selected.len(), MOST_TESTS);
+        assert!(selected.iter().any(|k| *k >= 2000), "the most common kind is missing");
+        let speeds = || selected.iter().map(|k| records[*k].peak_velocity);
+        // Kinds are twice as wide, so a speed half an octave from either end stands for it.
+        assert!(speeds().any(|v| v < 1.5e-4));
+        assert!(speeds().any(|v| v > 1e-4 * octaves(38) && v < 1e-4 * octaves(40)));
     }
 }
