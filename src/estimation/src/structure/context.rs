@@ -95,6 +95,16 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
+    /// Without one of its effects: refitted to the end only where a few steps come within `reach` of its own log posterior.
+    pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
+        let first = self.without(place, tests, Effort::SCREEN)?;
+        if first.log_posterior < self.log_posterior - reach {
+            return Some(first);
+        }
+        let judged = first.refitted(tests, Effort::JUDGE)?;
+        Some(if judged.log_posterior > first.log_posterior { judged } else { first })
+    }
+
     /// Without effects of no strength: it is the same damper, and an effect of 0 N is none to report.
     pub fn without_absent(self, tests: &[Test]) -> Structure {
         let absent = self.components.iter().position(|c| c.is_absent(&self.hypothesis, &self.refit.theta));

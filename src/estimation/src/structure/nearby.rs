@@ -9,12 +9,15 @@ use crate::hypothesis::{Hypothesis, Residual};
 use crate::refit::Refit;
 use crate::samples::Test;
 use crate::sensitivity::Accuracy;
+use dashpot_core::element;
 use nalgebra::DMatrix;
 
 /// Where a round begins.
 pub struct Nearby<'a> {
     /// What the cheap integration is off there, weighted.
     off: Residual,
+    /// The cheap integration.
+    accuracy: Accuracy,
     /// The derivatives there.
     jacobian: &'a DMatrix<f64>,
 }
@@ -22,13 +25,16 @@ pub struct Nearby<'a> {
 impl<'a> Nearby<'a> {
     /// At a refitted explanation; `None` where it makes no finite force.
     pub fn new(hypothesis: &Hypothesis, at: &'a Refit, tests: &[Test]) -> Option<Nearby<'a>> {
-        let off = &at.residual - hypothesis.residual_by(Accuracy::Cheap, tests, &at.theta)?;
-        Some(Nearby { off, jacobian: &at.jacobian })
+        // Where the explanation has a series spring, the correction holds what one step a sample misses of it.
+        let has_series = hypothesis.base.is_on(element!("series_compliance"));
+        let accuracy = if has_series { Accuracy::Derivatives } else { Accuracy::Cheap };
+        let off = &at.residual - hypothesis.residual_by(accuracy, tests, &at.theta)?;
+        Some(Nearby { off, accuracy, jacobian: &at.jacobian })
     }
 
     /// Weighted residuals of an explanation that extends it.
     pub fn residual(&self, hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Residual> {
-        Some(hypothesis.residual_by(Accuracy::Cheap, tests, theta)? + &self.off)
+        Some(hypothesis.residual_by(self.accuracy, tests, theta)? + &self.off)
     }
 
     /// Derivatives of an explanation that extends it: over its fresh numbers by differences from the residuals there, over

@@ -47,6 +47,8 @@ const RISE: f64 = 0.5;
 /// Rise of the log posterior from which an effect is exchanged for another. The structure gets no larger, so any rise beyond rounding counts.
 const EXCHANGED: f64 = 0.05;
 /// Log posterior below the best expansion within which a form is tried again beside other effects.
+///
+/// Below the best structure it is that within which a removal is refitted to the end.
 const PROMISING: f64 = 25.0;
 /// Forms of an effect that are tried again.
 const FORMS: usize = 2;
@@ -180,7 +182,7 @@ impl StructureSearch {
     fn best_removal(&mut self, context: &SearchContext, from: &Structure) -> Option<Structure> {
         let less: Vec<Structure> = (0..from.components.len())
             .into_par_iter()
-            .filter_map(|place| from.without(place, context.tests, Effort::JUDGE))
+            .filter_map(|place| from.without_within(place, context.tests, PROMISING))
             .collect();
         for structure in &less {
             record(&mut self.table, structure);
