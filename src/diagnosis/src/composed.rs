@@ -77,13 +77,31 @@ struct Judged {
 }
 
 impl Composed<'_> {
-    /// Effects of the best structure that the given model lacks and that are probable enough to be named.
-    fn named<'c>(&'c self, probability: &dyn Fn(&str) -> f64) -> Vec<&'c Component> {
+    /// Probable effects that the given model lacks, most probable first: those to name, and those too small for a name.
+    fn named<'c>(
+        &'c self,
+        items: &[InventoryItem],
+        probability: &dyn Fn(&str) -> f64,
+    ) -> (Vec<&'c Component>, Vec<&'c Component>) {
         let is_new = |c: &&Component| !is_change(c) && self.start.components.iter().all(|own| own.effect != c.effect);
         let mut all: Vec<&Component> =
             self.best.components.iter().filter(is_new).filter(|c| probability(c.effect) >= NAMED).collect();
         all.sort_by(|a, b| probability(b.effect).total_cmp(&probability(a.effect)));
-        all
+        let is_material =
+            |c: &&Component| items.iter().find(|i| i.effect == c.effect).is_none_or(|item| self.is_material(item));
+        all.into_iter().partition(is_material)
+    }
+
+    /// Whether the force of an effect is worth a name.
+    ///
+    /// In at least one test it exceeds the noise of a sample and a part of the force.
+    fn is_material(&self, item: &InventoryItem) -> bool {
+        let mut tests = item.test_forces_n.iter().zip(&self.fitted);
+        let exceeds = |(force, test): (&f64, &Test)| {
+            let noise = self.records.get(test.record).map_or(test.mean_noise, |record| record.noise.force_rms);
+            *force > noise.max(MATERIAL * rms(test.forces()))
+        };
+        item.test_forces_n.is_empty() || tests.any(exceeds)
     }
 
     /// Takes what is not probable enough to be named out of the best structure again.
@@ -125,7 +143,7 @@ impl Composed<'_> {
             .iter()
             .filter(|c| changed_items.iter().any(|i| i.effect == c.name) && c.force_n_rms > MATERIAL * measured_rms)
             .collect();
-        let names = self.named(&probability);
+        let (names, immaterial) = self.named(&inventory, &probability);
         let judged = self.judge(&names, &material, &inventory, &probability);
         let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
         let noise = noise_of(&self.fitted);
@@ -166,6 +184,10 @@ impl Composed<'_> {
         let deviations = self.deviations();
         let findings = self.findings(&names, &inventory, (&tree, &judged.suspects), &probability, &deviations);
         let estimates = improved::estimates(&self.best, &deviations);
+        let too_small = (!immaterial.is_empty()).then(|| {
+            let effects = immaterial.iter().map(|c| c.effect);
+            Sentence::from(phrases::IMMATERIAL).with_names("effects", effects, phrases::COMMA)
+        });
         let of_priors = describe_priors(&self.best.hypothesis.priors, &estimates);
         let mut diagnosis = Diagnosis {
             verdict: judged.verdict,
@@ -190,6 +212,7 @@ impl Composed<'_> {
                 .chain(self.reference_remarks.iter().flatten())
                 .cloned()
                 .chain(or_warm_gas)
+                .chain(too_small)
                 .chain(of_priors)
                 .collect(),
             about_the_reference,
@@ -300,7 +323,7 @@ impl Composed<'_> {
         let left = 1.0 - explained(before, after);
         if !names.is_empty() {
             if left > UNEXPLAINED && after.sqrt() > QUIET {
-                notes.push(Sentence::from(phrases::NOT_EXPLAINED).with("percent", percent(left)));
+                notes.push(Sentence::from(phrases::NOT_EXPLAINED).with("percent", percent(left.min(1.0))));
             }
             let name = |c: &&Component| {
                 let replaces = items.iter().find(|i| i.effect == c.effect).and_then(|i| i.replaces);

@@ -11,7 +11,8 @@ pub const QUIET: f64 = 1.5;
 /// Fraction of the disagreement left from which that is reported beside the names.
 pub const UNEXPLAINED: f64 = 0.25;
 
-/// Smallest force of a reported change against a reference, as a fraction of the root mean square measured force.
+/// Smallest force of a named effect and of a reported change, as a fraction of the root mean square measured force.
 ///
-/// A smaller change stands in the table alone: dampers of one series differ by as much, and windows of force allow it.
+/// A smaller change stands in the table alone: dampers of one series differ by as much, and windows of force allow it. A name needs more
+/// than the noise of a sample besides, in one test at least. So the laboratory defines which effects a damper has (`true_set.rs`).
 pub const MATERIAL: f64 = 0.005;

@@ -33,6 +33,7 @@ dashpot_records::phrases! {
     AT_NO_SETTING: "no effect is missing in the model that these records can name, at any setting";
     NEEDLESS: "nothing is missing; these records do not need {effects}";
     NOT_EXPLAINED: "{percent} of the disagreement is not explained by what was named: another form of it, or something else";
+    IMMATERIAL: "the improved model has {effects} besides, not named: in no test is the force beyond the noise and 0.5 % of the measured force";
     TEST_AND_TIMES: "{test} ({times} times)";
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";

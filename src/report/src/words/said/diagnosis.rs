@@ -127,6 +127,12 @@ pub const ALL: &[Said] = &[
         "{percent} du désaccord ne sont pas expliqués par ce qui a été nommé : une autre forme, ou autre chose",
         "{percent} 的偏差未被所确定的效应解释：是它的另一种形式，或是别的原因",
     ],
+    [
+        "the improved model has {effects} besides, not named: in no test is the force beyond the noise and 0.5 % of the measured force",
+        "das verbesserte Modell hat außerdem {effects}, nicht benannt: in keinem Versuch übersteigt die Kraft das Rauschen und 0,5 % der gemessenen Kraft",
+        "le modèle amélioré a en outre {effects}, sans être nommé : dans aucun essai la force ne dépasse le bruit et 0,5 % de la force mesurée",
+        "改进后的模型还含有 {effects}，未作为结论：没有任何试验中的力超过噪声和所测力的 0.5 %",
+    ],
     ["{test} ({times} times)", "{test} ({times}-fach)", "{test} ({times} fois)", "{test}（{times} 倍）"],
     [
         "too rare or too small to be named, but these tests are missed: {tests}",
