@@ -2,7 +2,7 @@
 
 use crate::EvaluationError;
 use dashpot_core::parameter::Element;
-use dashpot_diagnosis::{Diagnosis, Evidence, NextTest, Options, Verdict, diagnose};
+use dashpot_diagnosis::{Diagnosis, Evidence, NextTest, Options, Status, Verdict, diagnose};
 use dashpot_records::Record;
 use dashpot_rig::TestPoint;
 use dashpot_severity::case::{Case, Measured};
@@ -27,6 +27,8 @@ pub struct Outcome {
     ///
     /// Then the diagnosis is to name none.
     pub in_the_model: bool,
+    /// Injected effects that are among the names, or that the fit has found and the diagnosis has kept.
+    pub found: Vec<String>,
     /// Effects whose removal from the simulator moves the force visibly, where the laboratory says so.
     pub true_set: Option<Vec<String>>,
     /// Whether there was a reference campaign.
@@ -103,6 +105,9 @@ pub fn judged(
     let found = diagnose(&records, &measured.left_out, &measured.base, options, &|_, _| ())?;
     let seconds = start.elapsed().as_secs_f64();
     let (clean_before, clean_after) = against_clean(measured, &found);
+    let is_in_the_model = |name: &str| {
+        Element::find(name).is_ok_and(|element| measured.base.is_on(element)) || measured.taken_out.contains(&name)
+    };
     let outcome = Outcome {
         block,
         seed,
@@ -110,10 +115,19 @@ pub fn judged(
         forms: measured.truth.effects.iter().map(|e| e.form.clone()).collect(),
         verdict: found.verdict,
         named: found.findings.iter().map(|f| (f.effect.to_owned(), f.confidence)).collect(),
-        in_the_model: hidden.iter().all(|(name, _)| {
-            let name = plain(name);
-            Element::find(name).is_ok_and(|element| measured.base.is_on(element)) || measured.taken_out.contains(&name)
-        }) && !hidden.is_empty(),
+        in_the_model: hidden.iter().all(|(name, _)| is_in_the_model(plain(name))) && !hidden.is_empty(),
+        found: hidden
+            .iter()
+            .map(|(name, _)| plain(name))
+            .filter(|name| {
+                found.findings.iter().any(|f| f.effect == *name)
+                    || is_in_the_model(name)
+                        && !found.inventory.iter().any(|item| {
+                            item.effect == *name && matches!(item.status, Status::Removed | Status::Replaced)
+                        })
+            })
+            .map(str::to_owned)
+            .collect(),
         true_set: measured.true_set.clone(),
         against_reference: !options.reference.is_empty(),
         suspects: found.suspects.iter().map(|s| s.effect.to_owned()).collect(),

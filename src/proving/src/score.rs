@@ -95,8 +95,7 @@ pub fn table(all: &[Outcome]) -> String {
     let named = unknown.iter().filter(|o| !o.named.is_empty()).count();
     let _ = writeln!(out, "outside the vocabulary, given a known name: {}", share(named, unknown.len()));
     let injected: Vec<_> = all.iter().filter(|o| !o.injected.is_empty() && o.block != "unknown").collect();
-    let found =
-        injected.iter().filter(|o| o.in_the_model || o.truth().is_some_and(|t| o.named.iter().any(|(n, _)| n == t)));
+    let found = injected.iter().filter(|o| o.truth().is_some_and(|t| o.found.iter().any(|n| n == t)));
     let _ = writeln!(out, "injected effect among the names or in the model: {}", share(found.count(), injected.len()));
     let names: Vec<bool> = all.iter().flat_map(|o| o.named.iter().map(|(name, _)| o.is_true(name))).collect();
     let _ = writeln!(out, "names in the true set: {}", share(names.iter().filter(|is| **is).count(), names.len()));
@@ -106,8 +105,9 @@ pub fn table(all: &[Outcome]) -> String {
     let extras: usize = pairs.iter().map(|o| o.named.iter().filter(|(n, _)| !o.is_injected(n)).count()).sum();
     let _ = writeln!(
         out,
-        "pairs, both named: {}; other names per case: {:.2}",
+        "pairs, both named: {}; both found, by a name or in the fit: {}; other names per case: {:.2}",
         share(both, pairs.len()),
+        share(pairs.iter().filter(|o| o.found.len() == o.injected.len()).count(), pairs.len()),
         extras as f64 / pairs.len().max(1) as f64
     );
     for (label, low) in [("severity >= 0.75", 0.75), ("severity >= 3", 3.0)] {
