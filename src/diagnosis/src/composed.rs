@@ -37,6 +37,10 @@ const UNDECIDED: usize = 3;
 const LISTED: usize = 4;
 /// Probability below which an effect is no suspect.
 const SUSPECT: f64 = 0.03;
+/// Fraction of the disagreement that a suspect explains at least.
+///
+/// Without it, a model that leaves less than its allowed error was said to miss the friction that most dampers have.
+const EXPLAINING: f64 = 0.01;
 /// Log posterior by which an error without a name must beat the best structure to be reported: its prior odds.
 const UNNAMED: f64 = 1.0;
 /// Smallest mean square of a single test that is listed where nothing is missing, in units of what noise and curves leave.
@@ -300,7 +304,8 @@ impl Composed<'_> {
                 all.push(Rival { effect, confidence: probability(effect), fraction: share, why });
             }
         }
-        all.retain(|r| r.confidence >= SUSPECT);
+        // What explains nothing is probable because most dampers have it, and misses in none of these tests.
+        all.retain(|r| r.confidence >= SUSPECT && r.fraction >= EXPLAINING);
         all.sort_by(|a, b| b.confidence.total_cmp(&a.confidence).then(a.effect.cmp(b.effect)));
         all.truncate(LISTED);
         all
