@@ -19,7 +19,7 @@ use std::path::PathBuf;
 /// measured displacement comes back multiplied by the series stiffness: `dashpot validate` smooths, this does not. The
 /// damper starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
 /// time_s, displacement_m, velocity_m_s and force_N; tension is positive. A damper that depends on a setting is at that of
-/// --setting, or at the start setting of its file.
+/// --setting, or at the start setting of its file, whatever setting the motion's file has.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head\n  dashpot simulate semi_active.toml road.csv --setting 0:0.4,1.5:1.2 -o force.csv"
@@ -62,11 +62,19 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let progress = Progress::new("simulating");
     progress.set(0.2);
+    let mut at_start = None;
     let answers = if file.axis.is_some() {
         let mut family = Box::new(Family::OFF);
         // The reader of the file has checked it.
         family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
         let start = family.start();
+        if args.setting.is_none() {
+            at_start = Some(format!(
+                "the damper is at the start setting of {}, {start}; a setting in the motion's file is not read. \
+                 Give --setting, such as --setting 0.8 or --setting 0:0.4,1.5:1.2",
+                args.model.display()
+            ));
+        }
         motion.drive_family(&family, &|time| args.setting.as_ref().map_or(start, |commands| commands.at(time)))?
     } else {
         motion.drive(&model)?
@@ -75,7 +83,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, csv(&answers))?;
     // Remarks go where the rows do not.
     let outside = args.setting.as_ref().and_then(|commands| commands.outside(file.axis.range()));
-    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(outside) {
+    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(outside).chain(at_start) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
