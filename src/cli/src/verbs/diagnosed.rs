@@ -170,7 +170,7 @@ fn one(finding: &Finding) -> Vec<String> {
         lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
     }
     if let Some(gap) = finding.gap_closed {
-        lines.push(format!("  closes {} of the gap by itself", fraction(gap)));
+        lines.push(format!("  without it {} of the gap opens again", fraction(gap)));
     }
     if finding.of_the_rig {
         lines.push("  of the rig: corrected in the comparison, not put into the model".to_owned());

@@ -406,7 +406,7 @@ pub const DE: Words = Words {
     shifts_section: "Zahlen des Modells, die sich verschoben haben",
     finding_heading: "{place}. {effect}{form}: {sure} sicher",
     finding_form: " ({form})",
-    finding_gap: " Für sich allein schließt er {gap} der Lücke in Versuchen, die keine Anpassung gesehen hat.",
+    finding_gap: " Ohne ihn öffnen sich {gap} der Lücke wieder.",
     finding_of_rig: "Der Effekt gehört zum Prüfstand, nicht zum Dämpfer: im Vergleich berichtigt, nicht ins Modell übernommen.",
     finding_added: "Der Effekt ist dem verbesserten Modell hinzugefügt.",
     finding_what: "{meaning}. {added}{gap}",

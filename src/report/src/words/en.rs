@@ -406,7 +406,7 @@ pub const EN: Words = Words {
     shifts_section: "Numbers of the model that moved",
     finding_heading: "{place}. {effect}{form}: {sure} sure",
     finding_form: ", form {form}",
-    finding_gap: " By itself it closes {gap} of the gap on tests that no refit has seen.",
+    finding_gap: " Without it {gap} of the gap opens again.",
     finding_of_rig: "It is of the rig, not of the damper: corrected in the comparison, not put into the model.",
     finding_added: "It is added to the improved model.",
     finding_what: "{meaning}. {added}{gap}",

@@ -406,7 +406,7 @@ pub const FR: Words = Words {
     shifts_section: "Paramètres du modèle qui ont bougé",
     finding_heading: "{place}. {effect}{form} : sûr à {sure}",
     finding_form: " ({form})",
-    finding_gap: " À lui seul, il comble {gap} de l’écart sur des essais qu’aucun ajustement n’a vus.",
+    finding_gap: " Sans lui, {gap} de l’écart réapparaissent.",
     finding_of_rig: "Il vient du banc, non de l’amortisseur : corrigé dans la comparaison, non mis dans le modèle.",
     finding_added: "Il est ajouté au modèle amélioré.",
     finding_what: "{meaning}. {added}{gap}",

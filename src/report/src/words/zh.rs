@@ -406,7 +406,7 @@ pub const ZH: Words = Words {
     shifts_section: "发生变化的模型参数",
     finding_heading: "{place}. {effect}{form}：把握 {sure}",
     finding_form: "（{form}）",
-    finding_gap: "在任何重新拟合都未使用的试验上，它单独使差距缩小 {gap}。",
+    finding_gap: "没有它，差距的 {gap} 会重新出现。",
     finding_of_rig: "它属于试验台而非减振器：在对比中修正，不加入模型。",
     finding_added: "它已加入改进后的模型。",
     finding_what: "{meaning}。{added}{gap}",
