@@ -77,9 +77,11 @@ fn told(d: &Diagnosis) -> String {
 
 #[test]
 fn nothing_is_missing_where_nothing_is() {
-    let found = of(&campaign(&base(), &fewer_tests(), 1, 0.02), &base());
-    println!("{}", told(&found));
-    assert_eq!(found.verdict, Verdict::NothingMissing, "{}", told(&found));
+    for seed in 1..=2 {
+        let found = of(&campaign(&base(), &fewer_tests(), seed, 0.02), &base());
+        println!("{}", told(&found));
+        assert_eq!(found.verdict, Verdict::NothingMissing, "{}", told(&found));
+    }
 }
 
 /// Hides one element in the data and asks for its name; the gap that it closes.

@@ -192,7 +192,8 @@ pub enum Accuracy {
     Single,
     /// As many of the second-order method: a few tenths of a percent off, a third of the cost.
     Cheap,
-    /// One substep of the second-order method, for derivatives: they lead a search, and residuals say where it ends.
+    /// One substep of the second-order method. For derivatives, which lead a search while residuals say where it ends; and for trials whose
+    /// base corrects what it misses of the series spring (`structure/nearby.rs`).
     Derivatives,
 }
 

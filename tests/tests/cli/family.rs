@@ -106,6 +106,12 @@ fn a_family_is_fitted_validated_and_simulated() {
     done(dir, &["validate", "family.toml", "between", "--setting", "0", "--json", "wrong.json"]);
     assert!(number(&json(&dir.join("wrong.json"))["settings"][0], "error_percent") > 10.0);
 
+    // Without a setting the force is that at the start, and says so.
+    let motion = std::fs::read_dir(dir.join("between")).unwrap().next().unwrap().unwrap().path();
+    let simulate = ["simulate", "family.toml", motion.to_str().unwrap(), "-o", "force.csv"];
+    assert!(done(dir, &simulate).contains("at the start setting of family.toml, 0;"));
+    assert!(!done(dir, &[&simulate[..], &["--setting", "0.9"]].concat()).contains("start setting"));
+
     // It is a model that the other verbs take.
     done(dir, &["setting", "family.toml", "0.9", "-o", "at.toml"]);
     done(dir, &["validate", "at.toml", "between", "--json", "at.json"]);

@@ -62,19 +62,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let progress = Progress::new("simulating");
     progress.set(0.2);
-    let mut at_start = None;
     let answers = if file.axis.is_some() {
         let mut family = Box::new(Family::OFF);
         // The reader of the file has checked it.
         family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
         let start = family.start();
-        if args.setting.is_none() {
-            at_start = Some(format!(
-                "the damper is at the start setting of {}, {start}; a setting in the motion's file is not read. \
-                 Give --setting, such as --setting 0.8 or --setting 0:0.4,1.5:1.2",
-                args.model.display()
-            ));
-        }
         motion.drive_family(&family, &|time| args.setting.as_ref().map_or(start, |commands| commands.at(time)))?
     } else {
         motion.drive(&model)?
@@ -83,6 +75,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, csv(&answers))?;
     // Remarks go where the rows do not.
     let outside = args.setting.as_ref().and_then(|commands| commands.outside(file.axis.range()));
+    let at_start = (file.axis.is_some() && args.setting.is_none()).then(|| {
+        format!(
+            "the damper is at the start setting of {}, {}; a setting in the motion's file is not read. \
+             Give --setting, such as --setting 0.8 or --setting 0:0.4,1.5:1.2",
+            args.model.display(),
+            file.axis.start()
+        )
+    });
     for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(outside).chain(at_start) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }

@@ -101,8 +101,8 @@ impl Structure {
         if first.log_posterior < self.log_posterior - reach {
             return Some(first);
         }
-        let judged = first.refitted(tests, Effort::JUDGE)?;
-        Some(if judged.log_posterior > first.log_posterior { judged } else { first })
+        let judged = first.refitted(tests, Effort::JUDGE).filter(|judged| judged.log_posterior > first.log_posterior);
+        Some(judged.unwrap_or(first))
     }
 
     /// Without effects of no strength: it is the same damper, and an effect of 0 N is none to report.
