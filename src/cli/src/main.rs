@@ -4,6 +4,7 @@ mod inputs;
 mod limits;
 mod page;
 mod progress;
+mod quantity;
 mod verbs;
 
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, Subcommand};

@@ -14,7 +14,7 @@ use dashpot_core::{Fault, Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_records::sentence::Sentence;
-use dashpot_records::{Record, clock};
+use dashpot_records::{Record, clock, read_small_text};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -156,6 +156,12 @@ pub enum ModelFileError {
         file: PathBuf,
         /// The system's reason.
         why: std::io::Error,
+    },
+    /// The file is empty.
+    #[error("{file} is empty; dashpot fit writes a model file, docs/parameters.md of dashpot lists what one may hold")]
+    Empty {
+        /// Path.
+        file: PathBuf,
     },
     /// The flat part is wrong.
     #[error("{file}, line {line}: {subject}{text}")]
@@ -334,7 +340,7 @@ pub fn in_use(params: &Params) -> Vec<Row> {
 /// [`ModelFileError`], naming file, line and parameter.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
-    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
+    let text = read_small_text(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
     of_text(&text, path)
 }
 
@@ -344,7 +350,7 @@ pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
 /// The errors of [`read`].
 pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
-    let text = std::fs::read_to_string(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
+    let text = read_small_text(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
     family_of_text(&text, path)
 }
 
@@ -370,6 +376,9 @@ fn parsed(
     read: impl FnOnce(&mut Params, &mut Axis) -> Result<(), model_file::ReadError>,
 ) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
+    if text.trim().is_empty() {
+        return Err(ModelFileError::Empty { file });
+    }
     if crate::literature::file::is_one(text) {
         return Err(ModelFileError::ForComparison { file });
     }

@@ -41,7 +41,17 @@ pub fn target(path: &Path, new: Option<&Kind>) -> anyhow::Result<Target> {
 fn target_forced(path: &Path, new: Option<&Kind>, force: bool) -> anyhow::Result<Target> {
     let shown = path.display();
     let path = follow(path)?;
-    let Ok(there) = fs::metadata(&path) else { return Ok(Target::File(path)) };
+    let Ok(there) = fs::metadata(&path) else {
+        if !force
+            && let Some(new) = new
+            && let Some(extension) = new.contradicting_extension(&path)
+        {
+            bail!(
+                "{shown} would hold {new}, which no program looks for in a .{extension} file; name it otherwise, or give --force"
+            );
+        }
+        return Ok(Target::File(path));
+    };
     if there.is_dir() {
         bail!("{shown}: it is a folder; name a file in it");
     }
@@ -146,6 +156,26 @@ mod tests {
         let message = said(&path, Some(&Kind::Model));
         assert!(message.contains("a table that begins with \"time_s,force_N\"") && message.contains("--force"));
         assert!(target_forced(&path, Some(&Kind::Model), true).is_ok());
+    }
+
+    #[test]
+    fn a_name_that_promises_another_kind_is_rejected() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, kind, is_fit) in [
+            ("a.csv", Kind::Model, false),
+            ("a.toml", Kind::Model, true),
+            ("a.toml", Kind::Report, false),
+            ("a.HTML", Kind::Report, true),
+            ("a.json", Kind::Figures, true),
+            ("a.json", Kind::Workbook, false),
+            ("a", Kind::Model, true),
+            ("a.model", Kind::Model, true),
+            ("a.csv", Kind::Table("time_s".into()), true),
+        ] {
+            let path = folder.path().join(name);
+            assert_eq!(said(&path, Some(&kind)).starts_with("File"), is_fit, "{name}: {kind}");
+            assert!(target_forced(&path, Some(&kind), true).is_ok());
+        }
     }
 
     #[test]

@@ -67,7 +67,28 @@ pub const WRITTEN: &str = "Written by dashpot ";
 /// What every dataset with dashpot's routines holds; the first line of a dataset, its title, is the same in most models.
 const ROUTINES: &str = "dashpot_adams::";
 
+/// Extensions that promise a kind. Under one of them, another kind would be read as what it is not: a model in `out.csv` as a record.
+const PROMISES: [(&str, &[Kind]); 7] = [
+    ("toml", &[Kind::Model, Kind::Profile, Kind::Comparison]),
+    ("json", &[Kind::Figures]),
+    ("html", &[Kind::Report]),
+    ("svg", &[Kind::Picture]),
+    ("xlsx", &[Kind::Workbook]),
+    ("fmu", &[Kind::Fmu]),
+    ("csv", &[]),
+];
+/// Kinds that people name by one extension.
+const NAMED: [Kind; 7] =
+    [Kind::Model, Kind::Profile, Kind::Comparison, Kind::Figures, Kind::Report, Kind::Workbook, Kind::Fmu];
+
 impl Kind {
+    /// The extension of a path, where it promises another kind.
+    pub fn contradicting_extension(&self, path: &std::path::Path) -> Option<&'static str> {
+        let extension = path.extension()?.to_str()?;
+        let (known, promised) = PROMISES.iter().find(|(known, _)| known.eq_ignore_ascii_case(extension))?;
+        (NAMED.contains(self) && !promised.contains(self)).then_some(known)
+    }
+
     /// Looks at the content of a file.
     pub fn detect(bytes: &[u8]) -> Kind {
         if bytes.iter().all(u8::is_ascii_whitespace) {

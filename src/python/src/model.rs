@@ -93,7 +93,7 @@ impl Model {
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Model> {
         // The reader's own sentence where the file is not there or no text.
-        let text = std::fs::read_to_string(&path)
+        let text = dashpot_records::read_small_text(&path)
             .map_err(|why| raise::<ModelError>(model_file::ModelFileError::Unreadable { file: path.clone(), why }))?;
         Model::from_text(text, &path)
     }

@@ -89,6 +89,7 @@ const LARGEST_SMALL: u64 = 16 << 20;
 pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
     bytes(file, LARGEST_SMALL).map_err(|error| match error {
         RecordError::Read { source, .. } => source,
+        RecordError::NotRegular { .. } if file.is_dir() => std::io::Error::other("it is a folder; give a file in it"),
         RecordError::NotRegular { .. } => std::io::Error::other("it is no regular file"),
         _ => std::io::Error::other(format!("it is larger than {} MiB", LARGEST_SMALL >> 20)),
     })

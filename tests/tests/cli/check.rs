@@ -100,3 +100,28 @@ fn impossible_hosts_are_refused() {
     }
     assert!(refused(dir, &["check", "steep.toml", "-o", "x.toml"]).contains("--for-step"));
 }
+
+/// A damper over its setting is judged at each of them, as the damper that it is there.
+#[test]
+fn a_family_is_checked_at_every_setting() {
+    let folder = steep();
+    let dir = folder.path();
+    let family = STEEP.replace(
+        "format = 1\n",
+        "format = 1\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n",
+    );
+    let family = family.replace("coulomb_force = 40.0", "coulomb_force = [0.1, 40.0]");
+    std::fs::write(dir.join("family.toml"), family).unwrap();
+    let told = done(dir, &["check", "family.toml", "--json", "f.json"]);
+    assert!(told.contains("current = 0 A: ") && told.contains("current = 1 A: "), "{told}");
+    let all = json(&dir.join("f.json"));
+    assert_eq!((all[0]["setting"].as_f64(), all[0]["chatters"].as_bool()), (Some(0.0), Some(false)), "{all}");
+    assert_eq!((all[1]["setting"].as_f64(), all[1]["chatters"].as_bool()), (Some(1.0), Some(true)), "{all}");
+    done(dir, &["setting", "family.toml", "1", "-o", "one.toml"]);
+    done(dir, &["check", "one.toml", "--json", "one.json"]);
+    let one = json(&dir.join("one.json"));
+    assert!(one.get("setting").is_none() && one["gain"] == all[1]["gain"], "{one}");
+    assert_eq!(run(dir, &["check", "family.toml", "--strict"]).code, Some(1));
+    let message = refused(dir, &["check", "family.toml", "--for-step", "0.001", "-o", "ready.toml"]);
+    assert!(message.contains("dashpot setting"), "{message}");
+}

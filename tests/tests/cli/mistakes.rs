@@ -219,6 +219,8 @@ fn flags_that_leave_nothing_are_refused() {
         (&["--exclude", "nothing*"], "matches no file and no test"),
         (&["--exclude", "*"], "leaves no record"),
         (&["--delay", "12"], "delay of 12 s"),
+        (&["--delay", "5mm"], "such as 5ms"),
+        (&["--force-zero", "much"], "such as 0.12kN"),
         (&["--gain", "0"], "gain of 0"),
         (&["--json", "none/fit.json"], "there is no folder none"),
     ] {
@@ -226,6 +228,10 @@ fn flags_that_leave_nothing_are_refused() {
         assert!(message.contains(wanted), "{more:?}: {message}");
     }
     assert!(refused(dir, &["fit", "records", "-o", "none/m.toml"]).contains("make it first"));
+    assert!(refused(dir, &["fit", "records", "-o", "m.csv"]).contains("name it otherwise"));
+    std::fs::write(dir.join("empty.toml"), "\n").unwrap();
+    assert!(refused(dir, &["check", "empty.toml"]).contains("empty.toml is empty"));
+    assert!(refused(dir, &["check", "records"]).contains("it is a folder; give a file in it"));
     assert!(refused(dir, &["fit", "records", "-o", "-", "--json", "-"]).contains("one result"));
     assert!(refused(dir, &["rig", "-o", "c", "--noise", "-3"]).contains("noise"));
     assert!(refused(dir, &["rig", "-o", "c", "--sample-rate", "10"]).contains("sample rate"));

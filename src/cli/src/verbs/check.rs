@@ -6,6 +6,8 @@ use super::model;
 use anyhow::bail;
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
+use dashpot_simulation::chatter::Figures;
+use serde::Serialize;
 use std::path::PathBuf;
 
 /// See whether a damper chatters in a host that holds its force over a step
@@ -44,19 +46,55 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         bail!("standard output takes one result: give -o or --json a file");
     }
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
-    let file = model::read(&args.model)?;
-    let ready = args.host.ready(&file.params)?;
-    for line in ready.messages().into_iter().chain(ready.stiffness()?) {
-        dashpot_output::say(on_stdout, &line)?;
+    let file = model::read_family(&args.model)?;
+    let of_family = file.axis.is_some();
+    if of_family && args.host.is_replacing() {
+        bail!(
+            "{} depends on a setting, and --for-step makes a damper at one ready; write that with dashpot setting",
+            args.model.display()
+        );
     }
-    if let Some(path) = out {
-        if ready.softened.is_none() {
-            dashpot_output::say(on_stdout, "Nothing was replaced: the file is the damper as it was.")?;
+    let settings: Vec<Option<f64>> =
+        if of_family { file.axis.grid().iter().copied().map(Some).collect() } else { vec![None] };
+    let mut all = Vec::new();
+    for setting in settings {
+        let params = setting.map_or(file.params, |value| file.definition().params_at(value));
+        let ready = args.host.ready(&params)?;
+        let at = setting.map_or_else(String::new, |value| {
+            let name = if file.axis.name().is_empty() { "setting" } else { file.axis.name() };
+            format!("{} = {}: ", name, format!("{value} {}", file.axis.unit()).trim_end())
+        });
+        for line in ready.messages().into_iter().chain(ready.stiffness()?) {
+            dashpot_output::say(on_stdout, &format!("{at}{line}"))?;
         }
-        dashpot_output::write(path, model_file::plain(&ready.params, &ready.messages()))?;
+        if let Some(path) = out {
+            if ready.softened.is_none() {
+                dashpot_output::say(on_stdout, "Nothing was replaced: the file is the damper as it was.")?;
+            }
+            dashpot_output::write(path, model_file::plain(&ready.params, &ready.messages()))?;
+        }
+        all.push((setting, ready));
     }
     if let Some(path) = json {
-        dashpot_output::json(path, &ready.figures()?)?;
+        let figures = all.iter().map(|(setting, ready)| Ok(AtSetting { setting: *setting, figures: ready.figures()? }));
+        let figures = figures.collect::<anyhow::Result<Vec<_>>>()?;
+        match figures.as_slice() {
+            [only] if !of_family => dashpot_output::json(path, only)?,
+            all => dashpot_output::json(path, &all)?,
+        }
     }
-    Ok(if args.strict && ready.chatter.rings() { Verdict::Failed } else { Verdict::Passed })
+    Ok(if args.strict && all.iter().any(|(_, ready)| ready.chatter.rings()) {
+        Verdict::Failed
+    } else {
+        Verdict::Passed
+    })
+}
+
+/// Figures of a damper, at one of its settings where it has several.
+#[derive(Serialize)]
+struct AtSetting {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    setting: Option<f64>,
+    #[serde(flatten)]
+    figures: Figures,
 }

@@ -1,6 +1,7 @@
 //! Rig records on the command line: paths, units, columns, signs.
 
 use crate::progress::Progress;
+use crate::quantity::{metres, newtons, seconds};
 use anyhow::{Context as _, bail};
 use clap::Args;
 use dashpot_identification::model_file::ModelFile;
@@ -30,7 +31,7 @@ pub struct DataArgs {
     #[arg(long, value_name = "day-first|month-first")]
     dates: Option<DateOrder>,
     /// Displacement at the first sample, m, where only velocity was recorded
-    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", value_parser = metres, default_value_t = 0.0, allow_negative_numbers = true)]
     initial_position: f64,
     /// Files or tests to leave out, by name; * stands for anything
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
@@ -47,13 +48,13 @@ pub struct DataArgs {
 #[derive(Args, Debug, Clone)]
 struct SensorArgs {
     /// How much later than the motion the force was recorded, s; taken out
-    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = seconds, default_value_t = 0.0, allow_negative_numbers = true)]
     delay: f64,
     /// What the force channel shows without force, N, in the file's direction; taken off
-    #[arg(long, value_name = "N", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     force_zero: f64,
     /// What the displacement channel shows where displacement is to be zero, m, in the file's direction; taken off
-    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", value_parser = metres, default_value_t = 0.0, allow_negative_numbers = true)]
     displacement_zero: f64,
     /// Factor on the force, after its zero was taken off, or on another channel, such as displacement=1.02
     #[arg(long, value_name = "[CHANNEL=]FACTOR")]

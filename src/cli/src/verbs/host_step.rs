@@ -1,5 +1,6 @@
 //! The host's step and mass, as options of `dashpot check` and of every export.
 
+use crate::quantity::seconds;
 use dashpot_core::Params;
 use dashpot_simulation::chatter::{Host, HostError, Ready};
 
@@ -7,17 +8,22 @@ use dashpot_simulation::chatter::{Host, HostError, Ready};
 #[derive(clap::Args, Debug, Clone)]
 pub struct HostArgs {
     /// Step of the host, s, at which chatter is judged
-    #[arg(long, value_name = "S", default_value_t = Host::TYPICAL.step)]
+    #[arg(long, value_name = "S", value_parser = seconds, default_value_t = Host::TYPICAL.step)]
     host_step: f64,
     /// The lightest mass that the damper moves, kg
     #[arg(long, value_name = "KG", default_value_t = Host::TYPICAL.mass)]
     wheel_mass: f64,
     /// Replace friction that chatters in a host of this step, s, by presliding friction; what that changes is said
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", value_parser = seconds)]
     for_step: Option<f64>,
 }
 
 impl HostArgs {
+    /// Whether friction that chatters is to be replaced.
+    pub fn is_replacing(&self) -> bool {
+        self.for_step.is_some()
+    }
+
     /// The damper as the host gets it, and what is to be said of it there.
     pub fn ready(&self, params: &Params) -> Result<Ready, HostError> {
         Ready::prepare(params, self.host_step, self.wheel_mass, self.for_step)

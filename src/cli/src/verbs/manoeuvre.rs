@@ -3,6 +3,7 @@
 use super::data::DataArgs;
 use super::model;
 use crate::page::PageArgs;
+use crate::quantity::seconds;
 use anyhow::{Context as _, bail};
 use dashpot_core::element;
 use dashpot_core::{Model, Params};
@@ -33,7 +34,7 @@ pub struct Args {
     #[arg(long, value_name = "MODEL")]
     rear: Option<PathBuf>,
     /// Step of the vehicle, s
-    #[arg(long, value_name = "S", default_value_t = 1e-3, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = seconds, default_value_t = 1e-3, allow_negative_numbers = true)]
     step: f64,
     /// Rig records, to compare the region that they covered
     #[arg(long, value_name = "DATA")]
@@ -73,8 +74,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let rear = args.rear.as_deref().map(pair).transpose()?.unwrap_or(front);
     let car = match &args.vehicle {
         Some(path) => {
-            let text =
-                std::fs::read_to_string(path).with_context(|| format!("reading the vehicle {}", path.display()))?;
+            let text = dashpot_records::read_small_text(path)
+                .with_context(|| format!("reading the vehicle {}", path.display()))?;
             Car::read(&text).with_context(|| path.display().to_string())?
         }
         None => Car::default(),

@@ -1,6 +1,7 @@
 //! `dashpot rig`: a campaign measured on the virtual rig.
 
 use crate::progress::Progress;
+use crate::quantity::newtons;
 use anyhow::Context as _;
 use dashpot_output::FolderLock;
 use dashpot_rig::{Campaign, EFFECTS, InjectedCase, Matrix, NOTHING, Options, PLANS, Plan, UNKNOWN_EFFECTS};
@@ -44,7 +45,7 @@ pub struct Args {
     #[arg(long, value_name = "R", default_value_t = 0.0, allow_negative_numbers = true)]
     noise_colour: f64,
     /// Amplitude of mains hum on the force, N
-    #[arg(long, value_name = "N", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     hum: f64,
     /// Bits of the force channel's converter; not rounded if not given
     #[arg(long, value_name = "N")]

@@ -27,7 +27,7 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    dashpot_output::check([args.output.as_path()])?;
+    dashpot_output::check_kinds([(Some(args.output.as_path()), dashpot_output::Kind::Model)])?;
     let file = model::read_family(&args.model)?;
     if !file.axis.is_some() {
         bail!("{} depends on no setting; it is an ordinary damper already", args.model.display());

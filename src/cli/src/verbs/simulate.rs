@@ -3,6 +3,7 @@
 use super::data::ColumnArgs;
 use super::model;
 use crate::progress::Progress;
+use crate::quantity::{metres, seconds};
 use dashpot_core::Model;
 use dashpot_core::family::Family;
 use dashpot_core::step::LONG_STEP;
@@ -35,7 +36,7 @@ pub struct Args {
     #[arg(short, long, value_name = "OUT.csv")]
     output: PathBuf,
     /// Fixed step, s; the file's own times if not given
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     step: Option<f64>,
     /// Setting of a damper that depends on one: a number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2
     #[arg(long, value_name = "SETTING", value_parser = Commands::parse, allow_negative_numbers = true)]
@@ -43,7 +44,7 @@ pub struct Args {
     #[command(flatten)]
     columns: ColumnArgs,
     /// Displacement at the first sample, m, where the motion gives velocity alone; 0 if not given
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", value_parser = metres, allow_negative_numbers = true)]
     initial_position: Option<f64>,
 }
 

@@ -183,7 +183,7 @@ const COLUMNS: &str =
 /// # Errors
 /// [`LimitError`] with file, line and what to do.
 pub fn read(file: &Path) -> Result<Vec<Limit>, LimitError> {
-    let bytes = std::fs::read(file).map_err(|source| LimitError::Read { file: file.into(), source })?;
+    let bytes = dashpot_records::read_small(file).map_err(|source| LimitError::Read { file: file.into(), source })?;
     parse(file, &dashpot_records::text(&bytes))
 }
 

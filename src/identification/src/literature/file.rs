@@ -52,7 +52,8 @@ pub fn write(model: &Literature, tests: &[String]) -> String {
 /// # Errors
 /// [`FileError`], naming the file and what is wrong with it.
 pub fn read(path: &Path) -> Result<Literature, FileError> {
-    let text = std::fs::read_to_string(path).map_err(|why| FileError::Unreadable { file: path.to_path_buf(), why })?;
+    let text = dashpot_records::read_small_text(path)
+        .map_err(|why| FileError::Unreadable { file: path.to_path_buf(), why })?;
     toml::from_str(&text).map_err(|why| FileError::Wrong { file: path.to_path_buf(), why: why.to_string() })
 }
 

@@ -39,7 +39,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let libraries = handed_out::adams_libraries(args.library.as_deref())?;
     let text = match ready.softened {
         Some(_) => model_file::plain(&params, &ready.messages()).into_bytes(),
-        None => std::fs::read(&args.model).with_context(|| format!("cannot read {}", args.model.display()))?,
+        None => {
+            dashpot_records::read_small(&args.model).with_context(|| format!("cannot read {}", args.model.display()))?
+        }
     };
     dashpot_output::make_folder(&args.output)?;
     let put = |name: &str, bytes: &[u8]| {

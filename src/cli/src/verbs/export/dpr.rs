@@ -34,7 +34,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
     let file = model::read(&args.model)?;
     let named = args.model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let text = std::fs::read(&args.model)?;
+    let text = dashpot_records::read_small(&args.model)?;
     let chatters = |curve: &Params| remarks(curve, Host::TYPICAL);
     let made = property_file(&file, args.model_curve, &args.output, (&named, &text), &chatters)
         .with_context(|| args.model.display().to_string())?;

@@ -1,6 +1,7 @@
 //! `dashpot export fmu`: a model in the form that most simulators import.
 
 use super::super::host_step::HostArgs;
+use crate::quantity::metres;
 use crate::verbs::model;
 use anyhow::{Context as _, bail};
 use dashpot_core::family::Definition;
@@ -48,7 +49,7 @@ pub struct Args {
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     force_scale: Option<f64>,
     /// Damper extension from the rig's zero, in m, where the host's displacement is 0
-    #[arg(long, value_name = "M", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", value_parser = metres, default_value_t = 0.0, allow_negative_numbers = true)]
     position_offset: f64,
     /// When your importer sets the inputs of a co-simulation step: at its beginning or its end.
     /// FMPy and most masters set what they know at the beginning; the FMU then extrapolates, and the force is in time

@@ -7,6 +7,9 @@ mod fmu;
 
 /// Write a damper for another program
 #[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  dashpot export fmu damper.toml -o damper.fmu\n  dashpot export adams damper.toml -o run --length 412.5"
+)]
 pub struct Args {
     #[command(subcommand)]
     form: Form,

@@ -17,7 +17,7 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    dashpot_output::check([args.output.as_path()])?;
+    dashpot_output::check_kinds([(Some(args.output.as_path()), dashpot_output::Kind::Model)])?;
     let made = of_property_file(&args.input)?;
     dashpot_output::write(&args.output, &made.text)?;
     dashpot_output::say(

@@ -5,6 +5,9 @@ mod peaks;
 
 /// Start a model from the files of another program or a table
 #[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150\n  dashpot import dpr mdi_0001.dpr -o damper.toml"
+)]
 pub struct Args {
     #[command(subcommand)]
     form: Form,

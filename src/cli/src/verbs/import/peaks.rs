@@ -1,5 +1,6 @@
 //! `dashpot import peaks`: a model to begin with, from a table of peak force over peak velocity.
 
+use crate::quantity::newtons;
 use anyhow::{Context as _, bail};
 use dashpot_identification::of_peaks::of_peaks;
 use dashpot_output::Kind;
@@ -35,10 +36,10 @@ pub struct Args {
     #[arg(long, value_name = "N|all")]
     clicks: Option<String>,
     /// Gas force in the table's forces, N
-    #[arg(long, value_name = "N", default_value_t = 0.0)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
     gas_force: f64,
     /// Friction in the table's forces, N
-    #[arg(long, value_name = "N", default_value_t = 0.0)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
     friction: f64,
 }
 

@@ -1,0 +1,70 @@
+//! Numbers of the command line that may bear a unit: 5ms, 0.4in, 1.2kN; alone they are in SI units.
+
+use dashpot_records::{Dimension, Unit};
+
+/// Seconds, from `0.005`, `5ms` or `5 ms`.
+///
+/// # Errors
+/// What is no time.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    read(text, Dimension::Time, "a time in s, or with its unit, such as 5ms")
+}
+
+/// Metres, from `0.005`, `5mm` or `0.2in`.
+///
+/// # Errors
+/// What is no length.
+pub fn metres(text: &str) -> Result<f64, String> {
+    read(text, Dimension::Length, "a length in m, or with its unit, such as 5mm")
+}
+
+/// Newtons, from `120`, `0.12kN` or `27lbf`.
+///
+/// # Errors
+/// What is no force.
+pub fn newtons(text: &str) -> Result<f64, String> {
+    read(text, Dimension::Force, "a force in N, or with its unit, such as 0.12kN")
+}
+
+fn read(text: &str, dimension: Dimension, expected: &str) -> Result<f64, String> {
+    let refusal = || format!("{text:?} is not {expected}");
+    let (value, unit) = split(text.trim()).ok_or_else(refusal)?;
+    if unit.is_empty() {
+        return Ok(value);
+    }
+    match unit.parse::<Unit>() {
+        Ok(unit) if unit.dimension() == dimension => Ok(unit.to_si(value)),
+        _ => Err(refusal()),
+    }
+}
+
+/// The number that a text begins with, and the rest.
+fn split(text: &str) -> Option<(f64, &str)> {
+    let ends = text.char_indices().map(|(at, letter)| at + letter.len_utf8());
+    // The longest beginning that is a number; so the e of 1e-3s belongs to it.
+    let longest = ends.filter_map(|end| Some((text[..end].parse::<f64>().ok()?, text[end..].trim()))).last();
+    longest.filter(|(value, _)| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_may_bear_its_unit() {
+        for (text, value) in [("5ms", 0.005), ("5 ms", 0.005), ("1e-3s", 1e-3), ("-0.005", -0.005), ("2us", 2e-6)] {
+            assert_eq!(seconds(text), Ok(value), "{text}");
+        }
+        assert_eq!(metres("412.5mm"), Ok(0.4125));
+        assert_eq!(metres("2in"), Ok(0.0508));
+        assert_eq!(newtons("1.2 kN"), Ok(1200.0));
+    }
+
+    #[test]
+    fn what_is_no_such_quantity_is_refused_with_an_example() {
+        for text in ["5mm", "ms", "", "nan", "inf", "5 parsecs", "0,005"] {
+            assert!(seconds(text).unwrap_err().contains("5ms"), "{text}");
+        }
+        assert!(metres("5 N").is_err() && newtons("5 m").is_err());
+    }
+}
