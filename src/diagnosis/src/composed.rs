@@ -1,6 +1,6 @@
 //! The outcome put together: verdict, inventory, findings, changes, errors before and after, what to do next.
 
-use super::calibration::confidence;
+use super::calibration::confidence_against_reference;
 use super::changes::{Change, changes};
 use super::decisions::{MATERIAL, NAMED, QUIET, UNEXPLAINED};
 use super::effects::{self, meaning};
@@ -19,10 +19,10 @@ use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::component::{Component, element_of};
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, Status, inventory};
-use dashpot_estimation::structure::search::StructureSearch;
+use dashpot_estimation::structure::search::{StructureSearch, Temperatures, Visited};
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_estimation::vocabulary::Unnamed;
-use dashpot_identification::{TEMPERATURE, describe_priors};
+use dashpot_identification::describe_priors;
 use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence};
 use std::collections::{BTreeMap, BTreeSet};
@@ -122,11 +122,13 @@ impl Composed<'_> {
 
     /// All of it.
     pub fn diagnosis(mut self) -> Diagnosis {
-        let probabilities = self.search.probabilities(TEMPERATURE);
         let is_against = self.against.is_some();
-        let probability = |effect: &str| confidence(probabilities.get(effect).copied().unwrap_or(0.0), is_against);
+        let at = if is_against { Temperatures::AGAINST_REFERENCE } else { Temperatures::WITHOUT_REFERENCE };
+        let confidence = |p: f64| if is_against { confidence_against_reference(p) } else { p };
+        let probabilities = self.search.probabilities(at);
+        let probability = |effect: &str| confidence(probabilities.get(effect).copied().unwrap_or(0.0));
         self.settle(&probability);
-        let tree = tree::tree(&self.search, TEMPERATURE);
+        let tree = tree::tree(&self.search, at);
         let of = |structure: &Structure, tests: &[Test]| {
             errors(self.accuracy(), &structure.hypothesis, &structure.refit.theta, self.records, tests)
                 .unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
@@ -186,7 +188,7 @@ impl Composed<'_> {
             .then(|| phrases::OR_WARM_GAS.into());
         let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
         let deviations = self.deviations();
-        let findings = self.findings(&names, &inventory, (&tree, &judged.suspects), &probability, &deviations);
+        let findings = self.findings(&names, &inventory, &tree, &probability, &deviations);
         let estimates = improved::estimates(&self.best, &deviations);
         let too_small = (!immaterial.is_empty()).then(|| {
             let effects = immaterial.iter().map(|c| c.effect);
@@ -354,10 +356,15 @@ impl Composed<'_> {
             let told: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let more = changed.len().saturating_sub(TOLD);
             let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
-            let nothing_else = more.is_none().then(|| phrases::NOTHING_ELSE.into());
+            // With a form error beyond the noise, the set of changes is not known to be whole.
+            let rest = if after.sqrt() <= QUIET {
+                phrases::NOTHING_ELSE.into()
+            } else {
+                Sentence::from(phrases::MORE_MAY_HAVE_CHANGED).with_sentence("times", times(after))
+            };
             let summary = Sentence::from(phrases::CHANGED)
                 .with_list("numbers", told, phrases::COMMA)
-                .with_any("more", more.or(nothing_else));
+                .with_sentence("more", more.unwrap_or(rest));
             return Judged { verdict: Verdict::Changed, summary, suspects, notes };
         }
         let unnamed = self.search.unnamed.iter().max_by(|a, b| a.1.total_cmp(&b.1));
@@ -384,9 +391,8 @@ impl Composed<'_> {
                 notes.push(Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA));
             }
             let none = 1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>().min(0.99);
-            let summary = Sentence::from(phrases::NOTHING_MISSING)
-                .with("percent", percent(none))
-                .with_sentence("times", times(after));
+            let nothing = if self.against.is_some() { phrases::UNCHANGED } else { phrases::NOTHING_MISSING };
+            let summary = Sentence::from(nothing).with("percent", percent(none)).with_sentence("times", times(after));
             return Judged { verdict: Verdict::NothingMissing, summary, suspects: Vec::new(), notes };
         }
         let open: f64 = suspects.iter().map(|r| r.confidence).sum();
@@ -445,7 +451,7 @@ impl Composed<'_> {
         &self,
         names: &[&Component],
         items: &[InventoryItem],
-        (tree, suspects): (&[tree::Branch], &[Rival]),
+        tree: &[tree::Branch],
         probability: &dyn Fn(&str) -> f64,
         deviations: &[f64],
     ) -> Vec<Finding> {
@@ -480,8 +486,11 @@ impl Composed<'_> {
             let item = items.iter().find(|i| i.effect == effect);
             let family = card.map_or("", |c| c.family);
             let of_family = tree.iter().flat_map(|path| &path.branches).filter(|branch| branch.name == family);
-            let family_confidence =
-                of_family.map(|branch| confidence(branch.probability, self.against.is_some())).sum::<f64>();
+            let of_family = of_family.map(|branch| branch.probability);
+            let family_confidence = match self.against {
+                Some(_) => of_family.map(confidence_against_reference).sum::<f64>(),
+                None => of_family.sum::<f64>(),
+            };
             Finding {
                 effect,
                 form: component.form,
@@ -504,10 +513,40 @@ impl Composed<'_> {
                     negative_log_prior: self.best.evidence.negative_log_prior - other.evidence.negative_log_prior,
                     tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
-                rivals: suspects.to_vec(),
+                rivals: self.rivals(effect, probability),
             }
         };
         names.iter().map(one).collect()
+    }
+
+    /// Effects that explain the records in the place of a named one, most probable first, each in its most probable structure.
+    fn rivals(&self, named: &str, probability: &dyn Fn(&str) -> f64) -> Vec<Rival> {
+        let is_rival = |effect: &str| {
+            effect != named
+                && self.best.components.iter().all(|c| c.effect != effect)
+                && effects::card(effect).is_some()
+        };
+        let mut best: BTreeMap<&'static str, &Visited> = BTreeMap::new();
+        for (key, row) in self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != named)) {
+            for effect in key.iter().map(|form| form.0).filter(|effect| is_rival(effect)) {
+                let known = best.entry(effect).or_insert(row);
+                if known.log_posterior < row.log_posterior {
+                    *known = row;
+                }
+            }
+        }
+        let mut all: Vec<(f64, Rival)> = best
+            .into_iter()
+            .map(|(effect, row)| {
+                let share = explained(self.start.evidence.mean(), row.mean_square).max(0.0);
+                let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
+                (row.log_posterior, Rival { effect, confidence: probability(effect), fraction: share, why })
+            })
+            .filter(|(_, rival)| rival.confidence >= SUSPECT && rival.fraction >= EXPLAINING)
+            .collect();
+        all.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.effect.cmp(b.1.effect)));
+        all.truncate(LISTED);
+        all.into_iter().map(|(_, rival)| rival).collect()
     }
 
     /// Length of the lost stroke in the longest stroke of the tests.

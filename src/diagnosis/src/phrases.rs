@@ -37,11 +37,13 @@ dashpot_records::phrases! {
     TEST_AND_TIMES: "{test} ({times} times)";
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
+    UNCHANGED: "nothing has changed that these records can show ({percent} sure): the reference's model is off by {times}{not_seen}{not_confirmed}";
     WARMER: "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin and oil damps less when warm, so part of what differs may be the temperature, a drift of the force zero above all; compare campaigns of like temperature";
     WARMER_SENSE: "warmer";
     COLDER_SENSE: "colder";
     CHANGED: "{numbers}{more}";
     NOTHING_ELSE: "; nothing else changed";
+    MORE_MAY_HAVE_CHANGED: "; more may have changed, for the model is still off by {times}";
     CHANGED_BOTH: "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} mm/s)";
     CHANGED_REBOUND: "rebound force {percent} % at all speeds ({reference} -> {value} N at {velocity} mm/s)";
     CHANGED_COMPRESSION: "compression force {percent} % at all speeds ({reference} -> {value} N at {velocity} mm/s)";

@@ -1,7 +1,7 @@
 //! All probabilities: path, family, effect, form.
 
 use super::effects::CARDS;
-use dashpot_estimation::structure::search::StructureSearch;
+use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use serde::Serialize;
 
 /// A branch: everything below it together has its probability.
@@ -23,7 +23,7 @@ fn sorted(mut branches: Vec<Branch>) -> Vec<Branch> {
 }
 
 /// The tree of a search.
-pub fn tree(search: &StructureSearch, temperature: f64) -> Vec<Branch> {
+pub fn tree(search: &StructureSearch, at: Temperatures) -> Vec<Branch> {
     let distinct = |names: Vec<&'static str>| {
         let mut all: Vec<&'static str> = Vec::new();
         names.into_iter().for_each(|name| {
@@ -41,13 +41,13 @@ pub fn tree(search: &StructureSearch, temperature: f64) -> Vec<Branch> {
         let branch = |form: &'static str| Branch {
             name: form.to_owned(),
             level: "form",
-            probability: search.probability_of(temperature, &|own| *own == (effect, form)),
+            probability: search.probability_of(at, &|own| *own == (effect, form)),
             branches: Vec::new(),
         };
         sorted(names.into_iter().map(branch).collect())
     };
     let effect = |name: &'static str| {
-        let probability = search.probability_of(temperature, &|own| own.0 == name);
+        let probability = search.probability_of(at, &|own| own.0 == name);
         (probability > 0.0).then(|| Branch {
             name: name.to_owned(),
             level: "effect",
@@ -55,7 +55,7 @@ pub fn tree(search: &StructureSearch, temperature: f64) -> Vec<Branch> {
             branches: forms(name),
         })
     };
-    let of = |names: &[&'static str]| search.probability_of(temperature, &|own| names.contains(&own.0));
+    let of = |names: &[&'static str]| search.probability_of(at, &|own| names.contains(&own.0));
     let family = |family: &'static str| {
         let names: Vec<&'static str> = CARDS.iter().filter(|c| c.family == family).map(|c| c.name).collect();
         let branches = sorted(names.iter().filter_map(|name| effect(name)).collect());

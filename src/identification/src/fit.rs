@@ -26,7 +26,7 @@ use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
-use dashpot_estimation::structure::search::StructureSearch;
+use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use dashpot_estimation::structure::starts;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_estimation::vocabulary::Candidate;
@@ -156,6 +156,14 @@ pub struct Fit {
     pub fv_only: Params,
     /// Root mean square of the weighted residual: 1 is what noise and floor allow.
     pub misfit: f64,
+}
+
+impl Fit {
+    /// Notes that say more than the estimates do: a number that was not identified is among those.
+    pub fn notes_beside_estimates(&self) -> impl Iterator<Item = &Sentence> {
+        let repeats = [phrases::NOT_IDENTIFIED, phrases::HELD];
+        self.notes.iter().filter(move |note| !repeats.contains(&note.template()))
+    }
 }
 
 /// What comes out of the least-squares fits, before it is joined with what is known of the records.
@@ -292,11 +300,6 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         Family::Piecewise => fit_piecewise((&segments, &tests), &progress)?,
         Family::Lag => fit_lag((&segments, &tests), &progress)?,
     };
-    let plain = misfit(&tests, &fv_only);
-    if found.misfit > 1.02 * plain {
-        let (error, plain) = (format!("{:.2}", found.misfit), format!("{plain:.2}"));
-        found.notes.push(Sentence::from(phrases::WORSE_THAN_FV).with("error", error).with("plain", plain));
-    }
     found.notes.extend(selection.map(|(_, note)| note));
     found.notes.extend(describe_roads(&tests));
     found.notes.extend(coverage_notes(&segments));
@@ -439,10 +442,6 @@ const IN_EVERY_DAMPER: [(&[&str], &[Number]); 3] = [
     (&["coulomb_friction", "stribeck_friction", "presliding_friction"], &[number!("coulomb_force")]),
 ];
 
-/// Temperature by which log posteriors are divided before they become probabilities. The table holds the best structures alone, and the
-/// form error is correlated between tests.
-pub const TEMPERATURE: f64 = 2.0;
-
 /// Searches for the effects of an ordinary damper, from starts made of its records alone.
 pub(crate) fn search_structure(
     records: &[&Record],
@@ -481,7 +480,7 @@ fn fit_thesis(
     let not_finite = || FitError::NotFinite { test: tests.first().map_or(String::new(), |t| t.segment.name.clone()) };
     progress(Stage { done: 0.85, text: phrases::REFINING });
     let best = search.best.refitted(tests, refit::Effort::FINE).ok_or_else(not_finite)?;
-    let probabilities = search.probabilities(TEMPERATURE);
+    let probabilities = search.probabilities(Temperatures::WITHOUT_REFERENCE);
     let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
     let inventory = inventory(&best, None, tests, &probability);
     let mut found = finish(&best, tests, &about.given);

@@ -25,7 +25,7 @@ pub mod validation;
 pub use as_the_fit_saw::AS_THE_FIT_SAW;
 pub use dashpot_estimation::structure::inventory::InventoryItem;
 pub use expected::describe_priors;
-pub use fit::{Family, Fit, FitError, FitOptions, Stage, TEMPERATURE, describe_roads, fit, select_tests};
+pub use fit::{Family, Fit, FitError, FitOptions, Stage, describe_roads, fit, select_tests};
 pub use intervals::{Estimate, Standing};
 pub use inventory_text::describe_item;
 pub use kind::{KINDS, Kind};

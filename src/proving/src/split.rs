@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// A part of all seeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Split {
-    /// The numbers in `calibration.toml` are set by it.
+    /// The numbers in `calibration.toml` and the temperatures of the search are set by it.
     Calibrate,
     /// What is looked at while working.
     Check,

@@ -48,6 +48,8 @@ pub struct Structure {
     pub evidence: Evidence,
     /// Log posterior, up to a constant that all structures of a search share.
     pub log_posterior: f64,
+    /// The part of it that no record has: the odds of the effects and of the values of their numbers.
+    pub log_prior: f64,
 }
 
 impl Structure {
@@ -57,8 +59,10 @@ impl Structure {
         let numbers = numbers(&hypothesis, &components);
         let evidence = Evidence::new(&hypothesis, &refit.theta, &refit.residual, tests, numbers);
         let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
-        let log_posterior = evidence.log_evidence() + log_prior(&effects, &hypothesis.priors);
-        Structure { hypothesis, refit, components, evidence, log_posterior }
+        let odds = log_prior(&effects, &hypothesis.priors);
+        let log_posterior = evidence.log_evidence() + odds;
+        let log_prior = odds - evidence.negative_log_prior;
+        Structure { hypothesis, refit, components, evidence, log_posterior, log_prior }
     }
 
     /// Fits a hypothesis with its components from where it starts; `None` where it makes no finite force.

@@ -15,12 +15,14 @@ const RARE: f64 = -3.0;
 const FAULTS: [f64; 2] = [0.3, 10.0];
 
 /// Effects that are more frequent than [`RARE`], with their log odds. Friction, gas and a soft series path are in every damper; gas
-/// columns and springs in every monotube; the rest is a fault or a design of few.
-const FREQUENT: [(&str, f64); 10] = [
+/// columns and springs in every monotube; the rest is a fault or a design of few. The oil of every damper yields, and in every second one
+/// more than the series path can stand for.
+const FREQUENT: [(&str, f64); 11] = [
     ("series_compliance", COMMON),
     ("gas_preload", COMMON),
     ("presliding_friction", COMMON),
     ("coulomb_friction", EVEN),
+    ("oil_compressibility", EVEN),
     ("stribeck_friction", -1.0),
     ("parallel_spring", -1.5),
     ("gas_spring", -1.5),
@@ -139,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn an_oil_column_of_known_dimensions_is_no_rare_fault() {
+    fn an_oil_column_of_known_dimensions_is_certain() {
         use crate::distribution::Distribution;
         use crate::prior_set::DamperPrior;
         let effects = [("oil_compressibility", "both chambers", false)];
@@ -149,9 +151,8 @@ mod tests {
             source: String::new(),
         };
         let (unknown, known) = (PriorSet::default(), PriorSet::new(vec![row]));
-        assert_eq!(log_prior(&effects, &unknown), RARE);
+        assert_eq!(log_prior(&effects, &unknown), EVEN);
         assert_eq!(log_prior(&effects, &known), COMMON);
-        assert!(is_rare("oil_compressibility", "", &unknown) && !is_rare("oil_compressibility", "", &known));
-        assert!(is_rare("aeration", "", &known));
+        assert!(!is_rare("oil_compressibility", "", &unknown) && is_rare("aeration", "", &known));
     }
 }

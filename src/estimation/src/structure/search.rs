@@ -20,6 +20,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Visited {
     /// Log posterior of the best refit.
     pub log_posterior: f64,
+    /// Its log prior: of the effects and of the values of their numbers.
+    pub log_prior: f64,
     /// Mean square residual.
     pub mean_square: f64,
 }
@@ -233,21 +235,45 @@ impl StructureSearch {
         false
     }
 
-    /// Probability that the damper has one of the forms that satisfy a condition.
-    ///
-    /// It is the sum over the structures of the table that contain one, with log posteriors divided by `temperature`.
-    pub fn probability_of(&self, temperature: f64, is_in: &dyn Fn(&Form) -> bool) -> f64 {
-        let of = |row: &Visited| row.log_posterior / temperature;
-        let all: Vec<f64> = self.table.values().map(of).collect();
+    /// Probability that the damper has one of the forms that satisfy a condition: the sum over the structures of the table that contain one.
+    pub fn probability_of(&self, at: Temperatures, is_in: &dyn Fn(&Form) -> bool) -> f64 {
+        let all: Vec<f64> = self.table.values().map(|row| row.log_weight(at)).collect();
         let own: Vec<f64> =
-            self.table.iter().filter(|(key, _)| key.iter().any(is_in)).map(|(_, row)| of(row)).collect();
+            self.table.iter().filter(|(key, _)| key.iter().any(is_in)).map(|(_, row)| row.log_weight(at)).collect();
         if own.is_empty() { 0.0 } else { libm::exp(log_sum_exp(&own) - log_sum_exp(&all)) }
     }
 
     /// Probability of every effect of the table.
-    pub fn probabilities(&self, temperature: f64) -> BTreeMap<&'static str, f64> {
+    pub fn probabilities(&self, at: Temperatures) -> BTreeMap<&'static str, f64> {
         let effects: BTreeSet<&'static str> = self.table.keys().flatten().map(|form| form.0).collect();
-        effects.into_iter().map(|effect| (effect, self.probability_of(temperature, &|form| form.0 == effect))).collect()
+        effects.into_iter().map(|effect| (effect, self.probability_of(at, &|form| form.0 == effect))).collect()
+    }
+}
+
+/// What log evidence and log prior are divided by before structures become probabilities.
+///
+/// No law has the form of the damper, and the table holds the best structures alone, so records say less than their likelihood.
+#[derive(Debug, Clone, Copy)]
+pub struct Temperatures {
+    records: f64,
+    prior: f64,
+}
+
+impl Temperatures {
+    /// Without a reference: how often dampers have an effect, and such numbers of it, counts in full.
+    ///
+    /// This is a power posterior (Grünwald & van Ommen, Bayesian Anal. 12, 2017), fitted to names of the calibration split of the second
+    /// laboratory. With 1, names are right less often than their probability says; with 4, half of the names are lost.
+    pub const WITHOUT_REFERENCE: Temperatures = Temperatures { records: 2.5, prior: 1.0 };
+    /// Against a reference: what is wrong with the form of the laws is wrong with both dampers, and the comparison was made because something
+    /// changed. With the prior in full, a fifth of the right names is lost there.
+    pub const AGAINST_REFERENCE: Temperatures = Temperatures { records: 2.0, prior: 2.0 };
+}
+
+impl Visited {
+    /// Log weight of the structure among others.
+    fn log_weight(&self, at: Temperatures) -> f64 {
+        (self.log_posterior - self.log_prior) / at.records + self.log_prior / at.prior
     }
 }
 
@@ -257,7 +283,8 @@ fn most_probable<'s>(among: impl Iterator<Item = &'s Structure>) -> Option<&'s S
 }
 
 fn record(table: &mut BTreeMap<Vec<Form>, Visited>, structure: &Structure) {
-    let row = Visited { log_posterior: structure.log_posterior, mean_square: structure.evidence.mean() };
+    let Structure { log_posterior, log_prior, .. } = *structure;
+    let row = Visited { log_posterior, log_prior, mean_square: structure.evidence.mean() };
     let known = table.entry(structure.key()).or_insert_with(|| row.clone());
     if known.log_posterior < row.log_posterior {
         *known = row;

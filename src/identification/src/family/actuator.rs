@@ -1,8 +1,9 @@
 //! The actuator of a family, identified from tests whose setting changes.
 
+use super::TEMPERATURE;
 use super::left_out::SettingReport;
 use crate::intervals::{Estimate, Standing, Z};
-use crate::{TEMPERATURE, phrases};
+use crate::phrases;
 use dashpot_core::family::Definition;
 use dashpot_core::family::axis::{ENTRIES, index_of};
 use dashpot_estimation::deviations::robust_covariance;

@@ -1,5 +1,6 @@
 //! The fit of a family.
 
+use super::TEMPERATURE;
 use super::actuator::{self, ActuatorFit, identify_actuator};
 use super::left_out::{SettingReport, damper_through, reports};
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
@@ -9,7 +10,7 @@ use crate::fit::{
 };
 use crate::intervals::{Estimate, Known, Standing, sources};
 use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
-use crate::{FitOptions, Stage, TEMPERATURE, phrases};
+use crate::{FitOptions, Stage, phrases};
 use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
 use dashpot_core::{Fault, Params, element, list};

@@ -27,3 +27,7 @@ pub use figures::FamilyFigures;
 pub use fit::{FamilyEstimate, FamilyFit, SettingDependence, fit_family};
 pub use left_out::{SettingError, SettingReport};
 pub use settings::{FamilyError, SettingAxis, SettingRecords};
+
+/// Temperature by which log odds of a part of a family are divided before they become probabilities: the form error is correlated between
+/// tests.
+const TEMPERATURE: f64 = 2.0;

@@ -196,6 +196,11 @@ impl Sentence {
         Sentence::from(AS_IT_IS).with("text", text)
     }
 
+    /// The text that it was made of.
+    pub fn template(&self) -> Template {
+        self.template
+    }
+
     fn and(mut self, name: &'static str, value: Value) -> Self {
         debug_assert!(self.template.0.contains(&format!("{{{name}}}")), "no place for {name} in {:?}", self.template);
         self.values.push((name, value));

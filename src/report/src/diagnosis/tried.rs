@@ -3,7 +3,7 @@
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::Words;
-use dashpot_diagnosis::Diagnosis;
+use dashpot_diagnosis::{Diagnosis, Trial};
 
 /// One table per round; `None` where nothing was tried.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
@@ -13,14 +13,17 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     }
     let mut blocks = vec![Block::Paragraph(words.tried_about.to_owned())];
     for (k, round) in rounds.iter().enumerate() {
-        let rows = round
-            .iter()
-            .map(|t| {
-                let e = &t.evidence;
+        let of = |t: &Trial| (t.effect, t.form, t.confidence, t.evidence.clone());
+        // What was named is in the model to which the rest was added.
+        let named =
+            found.findings.iter().filter(|_| k == 0).map(|f| (f.effect, f.form, f.confidence, f.evidence.clone()));
+        let rows = named
+            .chain(round.iter().map(of))
+            .map(|(effect, form, confidence, e)| {
                 vec![
-                    words.named(t.effect).into(),
-                    words.word(t.form).into(),
-                    Cell::fraction(t.confidence),
+                    words.named(effect).into(),
+                    words.word(form).into(),
+                    Cell::fraction(confidence),
                     Cell::fraction(e.fraction),
                     Cell::digits(e.mean_square_after.sqrt(), 3),
                     Cell::digits(e.log_odds, 3),

@@ -147,6 +147,12 @@ pub const ALL: &[Said] = &[
         "没有这些记录能够显示的缺失效应（把握 {percent}）：模型偏差为{times}{not_seen}{not_confirmed}",
     ],
     [
+        "nothing has changed that these records can show ({percent} sure): the reference's model is off by {times}{not_seen}{not_confirmed}",
+        "es hat sich nichts geändert, was diese Messungen zeigen können ({percent} sicher): die Abweichung des Modells der Referenz ist {times}{not_seen}{not_confirmed}",
+        "rien n’a changé que ces mesures puissent montrer (sûr à {percent}) : le modèle de la référence s’écarte de {times}{not_seen}{not_confirmed}",
+        "没有这些记录能够显示的变化（把握 {percent}）：参考模型偏差为{times}{not_seen}{not_confirmed}",
+    ],
+    [
         "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin and oil damps less when warm, so part of what differs may be the temperature, a drift of the force zero above all; compare campaigns of like temperature",
         "Versuche waren bis zu {kelvin} K {sense} als am Referenzdämpfer ({test}: {here} und {there} °C im Mittel): die Gaskraft wächst um 0,34 % je Kelvin, und warmes Öl dämpft weniger, sodass ein Teil des Unterschieds von der Temperatur kommen kann, vor allem eine Drift des Kraftnullpunkts; vergleichen Sie Messreihen gleicher Temperatur",
         "des essais étaient jusqu’à {kelvin} K plus {sense} que sur la référence ({test} : {here} et {there} °C en moyenne) : la force du gaz croît de 0,34 % par kelvin et l’huile chaude amortit moins, une partie de l’écart peut donc venir de la température, surtout une dérive du zéro de force ; comparez des campagnes de même température",
@@ -155,6 +161,12 @@ pub const ALL: &[Said] = &[
     ["warmer", "wärmer", "chaud", "高"],
     ["colder", "kälter", "froid", "低"],
     ["{numbers}{more}", "{numbers}{more}", "{numbers}{more}", "{numbers}{more}"],
+    [
+        "; more may have changed, for the model is still off by {times}",
+        "; es kann sich mehr geändert haben, denn die Abweichung des Modells ist noch {times}",
+        " ; davantage a pu changer, car le modèle s’écarte encore de {times}",
+        "；可能还有其他变化，因为模型偏差仍为{times}",
+    ],
     ["; nothing else changed", "; sonst hat sich nichts geändert", " ; rien d’autre n’a changé", "；其余没有变化"],
     [
         "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} mm/s)",
