@@ -15,6 +15,7 @@ fn usual(row: Row) -> String {
         Some(Distribution::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
         Some(Distribution::Strength(median, factor)) => format!("strength {median} × {factor}"),
         Some(Distribution::Place(mean, deviation)) => format!("{mean} ± {deviation}"),
+        Some(Distribution::Skewed(mode, below, above)) => format!("{mode} −{below} +{above}"),
         None => String::new(),
     }
 }
@@ -37,7 +38,7 @@ fn page() -> String {
          within what it may be in a car's damper (in brackets), all of them a thousandth to a hundred times as large.\n\n\
          Usual is what dampers show before any record is seen: a size (median, and the factor by which one damper in three lies\n\
          off it), a strength (median of those that have the effect, and the factor by which one in six lies above it) or a place\n\
-         (mean ± standard deviation). A fit or a diagnosis stays there where records leave a number open. All of it was learned of the dampers of passenger\n\
+         (mean ± standard deviation, or the most frequent value with one to each side). A fit or a diagnosis stays there where records leave a number open. All of it was learned of the dampers of passenger\n\
          cars; with a largest force below 300 N or above 8 kN, what has a force in its unit (N, kg, J or W) is taken in proportion to\n\
          that force. A search goes no further than it would with a damper of a car, in proportion. Sources stand below.\n",
     );

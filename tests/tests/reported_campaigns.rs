@@ -2,7 +2,7 @@
 //!
 //! Some are made here, so that they run everywhere; the others are inputs beside the checkout (`../shared/data/reports`).
 
-use dashpot_core::{Params, element, list};
+use dashpot_core::{Params, element, list, number};
 use dashpot_diagnosis::{Diagnosis, Options as DiagnosisOptions, diagnose};
 use dashpot_identification::{Fit, FitOptions, fit};
 use dashpot_records::measurement_correction::{MeasurementError, correct_record};
@@ -112,6 +112,8 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
     assert_eq!(item.form, "rebound begins with a lost stroke");
     let lost = &finding.parameters["lost_stroke"];
     assert!((lost.value - 0.028).abs() < 0.003 && lost.low <= lost.value && lost.unit == "m", "{}", lost.value);
+    // The force begins between two samples of the mean cycle, 2 mm of the stroke apart.
+    assert!(lost.low < 0.0283 && lost.high - lost.low > 2e-4, "{} to {}", lost.low, lost.high);
     // 28 mm of the stroke of ±65 to 67 mm.
     let unfilled = finding.parameters["cavitation_unfilled"].value;
     let strokes = campaign.records.iter().map(|r| 2.0 * r.amplitude);
@@ -122,6 +124,9 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
 fn friction_that_fell_is_told_from_a_leak_in_rebound_by_constant_speeds() {
     let Some(path) = reported("staircase_pair") else { return };
     let [good, worn] = ["a", "b"].map(|name| read(&path.join(name)));
+    // Constant speeds do not tell friction from the curve, but no gas pulls the rod in.
+    let gas = fitted(&good).params.number(number!("gas_force"));
+    assert!(gas > -60.0, "{gas}");
     let records: Vec<&Record> = worn.records.iter().collect();
     let options = DiagnosisOptions { reference: good.records.clone(), ..DiagnosisOptions::default() };
     let found = diagnose(&records, &[], &fitted(&good).params, &options, &|_, _| ()).unwrap();

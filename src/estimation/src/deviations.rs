@@ -1,9 +1,12 @@
 //! How far the records leave the numbers of a refit open.
 
 use super::gram::gram;
-use super::hypothesis::{Hypothesis, Number};
+use super::hypothesis::{Free, Hypothesis, Number};
 use super::refit::Refit;
 use super::samples::Test;
+use crate::sensitivity::Accuracy;
+use crate::unknowns::Unknown;
+use dashpot_records::restrict;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
@@ -11,6 +14,8 @@ use rayon::prelude::*;
 ///
 /// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
 /// intervals. A number is determined apart from all others and from its prior: 1 fully, 0 not at all.
+/// Where the force jumps as a number moves, the tangent holds no further than to the next sample; its deviation is then that of the force
+/// itself ([`stretches`]).
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     let mut first = 0;
     let blocks: Vec<(DMatrix<f64>, Vec<f64>)> = tests
@@ -24,7 +29,83 @@ pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Optio
         .collect();
     let precision =
         |number: &Number| number.prior.map_or(1e-12 / (number.step * number.step), |(_, sd)| 1.0 / (sd * sd));
-    robust_covariance(&blocks, &hypothesis.numbers.iter().map(precision).collect::<Vec<_>>())
+    let precisions: Vec<f64> = hypothesis.numbers.iter().map(precision).collect();
+    let (mut covariance, determined) = robust_covariance(&blocks, &precisions)?;
+    let stretches = stretches(hypothesis, refit, tests, &covariance, &precisions);
+    for (i, j) in (0..precisions.len()).flat_map(|i| (0..precisions.len()).map(move |j| (i, j))) {
+        covariance[(i, j)] *= stretches[i] * stretches[j];
+    }
+    Some((covariance, determined))
+}
+
+/// Deviations to each side at which the tangent is compared with the force itself: the ends of an interval.
+const END: f64 = 2.0;
+/// Fraction of the squared change by the tangent below which the force is said to change less. A force that bends within the interval changes
+/// by half of it; one that jumps between two samples hardly at all.
+const FLAT: f64 = 0.25;
+/// Largest factor on a deviation.
+const FARTHEST: f64 = 1024.0;
+
+/// Factor on the deviation of each number by which it must move for the force to change as much as the tangent says.
+///
+/// The other numbers follow as far as they are correlated. The side on which the force changes less counts.
+fn stretches(
+    hypothesis: &Hypothesis,
+    refit: &Refit,
+    tests: &[Test],
+    covariance: &DMatrix<f64>,
+    precisions: &[f64],
+) -> Vec<f64> {
+    let residual_at = |theta: &[f64]| hypothesis.residual_by(Accuracy::Derivatives, tests, theta);
+    let Some(here) = residual_at(&refit.theta) else { return vec![1.0; refit.theta.len()] };
+    let of_number = |k: usize| {
+        // A curve bends the force in proportion.
+        let is_of_curve = matches!(
+            hypothesis.numbers[k].free,
+            Free::Curve(_) | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..))
+        );
+        let deviation = covariance[(k, k)].max(0.0).sqrt();
+        if is_of_curve || !(deviation > 0.0 && deviation.is_finite()) {
+            return 1.0;
+        }
+        let direction = covariance.column(k) * (END / deviation);
+        // A prior holds a number as a measurement of it would.
+        let by_prior: f64 = direction.iter().zip(precisions).map(|(by, precision)| precision * by * by).sum();
+        let by_tangent = (&refit.jacobian * &direction).norm_squared() + by_prior;
+        let change = |factor: f64| -> Option<f64> {
+            let (low, high) = hypothesis.numbers[k].bounds;
+            let beyond = refit.theta[k] + factor * direction[k];
+            if beyond < low || beyond > high {
+                return None;
+            }
+            let theta: Vec<f64> = hypothesis
+                .numbers
+                .iter()
+                .zip(&refit.theta)
+                .zip(direction.iter())
+                .map(|((number, at), by)| restrict(at + factor * by, number.bounds.0, number.bounds.1))
+                .collect();
+            residual_at(&theta).map(|there| (there - &here).norm_squared() + factor * factor * by_prior)
+        };
+        let least = FLAT * by_tangent;
+        // The factor at which the change reaches that, by doubling and then in the logarithms.
+        let stretch = |side: f64| {
+            let (mut factor, mut last) = (1.0, None);
+            while factor < FARTHEST {
+                let Some(squared) = change(side * factor) else { return factor };
+                if squared >= least {
+                    let between = |before: f64| libm::log(least / before) / libm::log(squared / before);
+                    let from_last = last.map_or(1.0, |before: f64| between(before.max(1e-9 * least)));
+                    return if last.is_some() { 0.5 * factor * libm::exp2(from_last) } else { factor };
+                }
+                last = Some(squared);
+                factor *= 2.0;
+            }
+            factor
+        };
+        stretch(1.0).max(stretch(-1.0))
+    };
+    (0..refit.theta.len()).into_par_iter().map(of_number).collect()
 }
 
 /// Covariance of free numbers in the sandwich form, and how well each is determined: see [`sandwich`].

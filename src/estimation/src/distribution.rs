@@ -11,6 +11,8 @@ pub enum Distribution {
     Strength(f64, f64),
     /// A place, or anything of either sign: its mean and standard deviation.
     Place(f64, f64),
+    /// A place that is far likelier off to one side: its mode, and the standard deviations below and above it (a split normal distribution).
+    Skewed(f64, f64, f64),
 }
 
 /// How many strengths a strength may lie above its median before a search is drawn back: far enough to bias nothing.
@@ -25,8 +27,11 @@ impl Distribution {
             }
             (Distribution::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
             (Distribution::Strength(median, factor), false) => (0.0, FREE * median * factor),
-            (Distribution::Place(mean, deviation), false) => (mean, deviation),
-            (Distribution::Place(mean, deviation), true) => {
+            // The search is drawn back on the narrow side no more than on the wide one; the evidence is.
+            (Distribution::Place(mean, deviation) | Distribution::Skewed(mean, _, deviation), false) => {
+                (mean, deviation)
+            }
+            (Distribution::Place(mean, deviation) | Distribution::Skewed(mean, _, deviation), true) => {
                 (libm::log(mean.abs().max(1e-12)), libm::log(1.0 + deviation / mean.abs().max(1e-12)))
             }
         }
@@ -38,6 +43,30 @@ impl Distribution {
             Distribution::Size(median, factor) => libm::log(value.abs().max(1e-300) / median) / libm::log(factor),
             Distribution::Strength(median, factor) => libm::log((value.abs() / median).max(1.0)) / libm::log(factor),
             Distribution::Place(mean, deviation) => (value - mean) / deviation,
+            Distribution::Skewed(mode, below, _) if value < mode => (value - mode) / below,
+            Distribution::Skewed(mode, _, above) => (value - mode) / above,
+        }
+    }
+
+    /// Its center: median, mean or mode.
+    pub fn center(self) -> f64 {
+        match self {
+            Distribution::Size(center, _)
+            | Distribution::Strength(center, _)
+            | Distribution::Place(center, _)
+            | Distribution::Skewed(center, ..) => center,
+        }
+    }
+
+    /// The ends of the interval of so many standard deviations to each side.
+    pub fn interval(self, deviations: f64) -> (f64, f64) {
+        match self {
+            Distribution::Size(median, factor) | Distribution::Strength(median, factor) => {
+                let factor = libm::pow(factor, deviations);
+                (median / factor, median * factor)
+            }
+            Distribution::Place(mean, deviation) => (mean - deviations * deviation, mean + deviations * deviation),
+            Distribution::Skewed(mode, below, above) => (mode - deviations * below, mode + deviations * above),
         }
     }
 }

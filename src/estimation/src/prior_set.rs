@@ -26,20 +26,12 @@ impl DamperPrior {
 
     /// The ends of its 95 % interval, in the parameter's own unit.
     pub fn interval(&self) -> (f64, f64) {
-        match self.expected {
-            Distribution::Size(median, factor) | Distribution::Strength(median, factor) => {
-                let factor = libm::pow(factor, Z);
-                (median / factor, median * factor)
-            }
-            Distribution::Place(mean, deviation) => (mean - Z * deviation, mean + Z * deviation),
-        }
+        self.expected.interval(Z)
     }
 
     /// Its center, in the parameter's own unit.
     pub fn center(&self) -> f64 {
-        let (Distribution::Size(center, _) | Distribution::Strength(center, _) | Distribution::Place(center, _)) =
-            self.expected;
-        center
+        self.expected.center()
     }
 
     /// Logarithm of how many times narrower it is than what all dampers show.

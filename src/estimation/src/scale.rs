@@ -105,6 +105,9 @@ impl Scale {
             Distribution::Size(median, spread) => Distribution::Size(factor * median, spread),
             Distribution::Strength(median, spread) => Distribution::Strength(factor * median, spread),
             Distribution::Place(mean, deviation) => Distribution::Place(factor * mean, factor * deviation),
+            Distribution::Skewed(mode, below, above) => {
+                Distribution::Skewed(factor * mode, factor * below, factor * above)
+            }
         }
     }
 

@@ -25,7 +25,6 @@ dashpot_records::phrases! {
     EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
     // What the campaign cannot show.
-    WORSE_THAN_FV: "this model fits worse than the plain FV curve ({error} against {plain} of the allowed error)";
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
     ROADS: "{roads} long tests without cycles are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";

@@ -72,21 +72,25 @@ fn of_groups(answers: &GroupResults, words: &Words) -> Table {
             rms(answer.diagnosis.before.noise_n),
         ]
     };
-    Table {
-        caption: words.groups_caption.to_owned(),
-        columns: vec![
-            Column::words(words.col_group),
-            Column::figures(words.col_tests),
-            Column::sentences(words.col_answer),
-            Column::sentences(words.col_named),
-            Column::figures(words.col_before_n),
-            Column::figures(words.col_after_n),
-            Column::figures(words.col_group_noise),
-        ],
-        rows: answers.groups.iter().map(of_group).collect(),
-        sortable: true,
+    let mut columns = vec![
+        Column::words(words.col_group),
+        Column::figures(words.col_tests),
+        Column::sentences(words.col_answer),
+        Column::sentences(words.col_named),
+        Column::figures(words.col_before_n),
+        Column::figures(words.col_after_n),
+        Column::figures(words.col_group_noise),
+    ];
+    let mut rows: Vec<Vec<Cell>> = answers.groups.iter().map(of_group).collect();
+    if answers.groups.iter().all(|answer| answer.diagnosis.findings.is_empty()) {
+        columns.remove(NAMES);
+        rows.iter_mut().for_each(|row| drop(row.remove(NAMES)));
     }
+    Table { caption: words.groups_caption.to_owned(), columns, rows, sortable: true }
 }
+
+/// Place of the names among the columns of [`of_groups`]: left out where no group has any.
+const NAMES: usize = 3;
 
 /// Size of the figure, px: printed across the page.
 const SIZE: [f64; 2] = [880.0, 400.0];

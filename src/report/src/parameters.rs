@@ -10,7 +10,7 @@ use dashpot_core::list;
 use dashpot_core::parameter::{self, Shape};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_estimation::prior_set::PriorSet;
-use dashpot_estimation::priors::{self, Distribution};
+use dashpot_estimation::priors;
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
 
@@ -86,9 +86,7 @@ fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: 
     }
     let is = |other: f64| (value - other).abs() <= 1e-9 * other.abs();
     let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
-    let median = prior.map(|prior| match prior.distribution {
-        Distribution::Size(median, _) | Distribution::Strength(median, _) | Distribution::Place(median, _) => median,
-    });
+    let median = prior.map(|prior| prior.distribution.center());
     let of_damper = own.rows().iter().find(|own| *own.number.row() == row);
     // Where the value is neither, a fit left it there: between what dampers show and what the records hardly say.
     let source = match (prior, median) {
@@ -271,7 +269,7 @@ mod tests {
         let told = assumed("internal_mass", default, &params, None, &EN);
         assert!(told.contains("the default of the model") || told.contains("what dampers show"), "{told}");
         let left = assumed("gas_stiffness", 1234.5, &params, None, &EN);
-        assert!(left.contains("where the fit left it"), "{left}");
+        assert!(left.contains("the records do not determine it"), "{left}");
         params.enable(element!("gas_spring"), false);
         let off = assumed("gas_stiffness", 1000.0, &params, Some("no test shows it"), &EN);
         assert_eq!(off, "not identified: its element is off (no test shows it)");

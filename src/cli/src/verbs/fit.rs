@@ -7,6 +7,7 @@ use crate::page::TextArgs;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use dashpot_core::{Params, list};
 use dashpot_identification::literature::{Literature, file, observation};
 use dashpot_identification::model_file;
 use dashpot_identification::validation::Deviation;
@@ -224,7 +225,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             _ => format!("  {:<30} {:>16}", e.name, with_unit(e.value, e.unit)),
         })?;
     }
-    for note in &found.notes {
+    say(&curve_lines(&found.params))?;
+    for note in found.notes_beside_estimates() {
         say(&format!("note: {note}"))?;
     }
     let quality = whole_records::quality(&found, &records)?;
@@ -254,6 +256,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         say(&format!("workbook: {}", path.display()))?;
     }
     Ok(())
+}
+
+/// The FV curve as lines of velocity and force; intervals are in the model file.
+fn curve_lines(params: &Params) -> String {
+    let (velocities, forces) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
+    let points = velocities.iter().zip(forces).map(|(v, f)| format!("{:>10.0} {:>10.0}", 1e3 * v, f));
+    let head = format!("  FV curve {:>5} {:>10}", "mm/s", "N");
+    std::iter::once(head).chain(points.map(|line| format!("    {line}"))).collect::<Vec<_>>().join("\n")
 }
 
 /// What the fit found, as the sheets of a workbook.

@@ -4,8 +4,36 @@ use super::data::is_shown_first;
 use dashpot_records::Campaign;
 use dashpot_report::words::TERMINAL;
 
-/// Damaged tests that are told one by one.
-const TOLD: usize = 10;
+/// Damaged tests that are listed one by one.
+const LISTED: usize = 10;
+/// Kinds of notes on how channels were made of the files' columns; most are the same in every file.
+const CHANNELS: [&str; 3] = ["ignored", "resampled", "crank"];
+
+/// How the channels were made of the columns, each text once with the tests that it holds for.
+fn channels(campaign: &Campaign) -> Vec<String> {
+    let mut tests: Vec<(String, Vec<&str>)> = Vec::new();
+    for record in &campaign.records {
+        for note in record.notes.iter().filter(|note| CHANNELS.contains(&note.kind)) {
+            let text = note.text.to_string();
+            match tests.iter_mut().find(|(known, _)| *known == text) {
+                Some((_, names)) => names.push(&record.name),
+                None => tests.push((text, vec![&record.name])),
+            }
+        }
+    }
+    let of = |names: &[&str]| match names {
+        [name] => (*name).to_owned(),
+        names if names.len() == campaign.records.len() => "all tests".to_owned(),
+        names => format!("{} of {} tests", names.len(), campaign.records.len()),
+    };
+    let mut lines: Vec<String> = tests.iter().map(|(text, names)| format!("{}: {text}", of(names))).collect();
+    if lines.len() > LISTED {
+        let more = lines.len() - LISTED;
+        lines.truncate(LISTED);
+        lines.push(format!("{more} more such notes; the report of dashpot validate has them"));
+    }
+    lines
+}
 
 /// What cleaning had to repair, by test.
 fn repairs(campaign: &Campaign) -> Vec<String> {
@@ -17,9 +45,9 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
             (!texts.is_empty()).then(|| format!("{}: {}", r.name, texts.join("; ")))
         })
         .collect();
-    if lines.len() > TOLD {
-        let more = lines.len() - TOLD;
-        lines.truncate(TOLD);
+    if lines.len() > LISTED {
+        let more = lines.len() - LISTED;
+        lines.truncate(LISTED);
         lines.push(format!("{more} more tests were repaired; the report of dashpot validate names them"));
     }
     lines
@@ -31,7 +59,7 @@ pub fn print_record_notes(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Re
     for note in campaign.notes.iter().filter(|n| !is_shown_first(n)) {
         say(&format!("note: {}", note.text))?;
     }
-    for line in repairs(campaign) {
+    for line in channels(campaign).into_iter().chain(repairs(campaign)) {
         say(&format!("note: {line}"))?;
     }
     Ok(())

@@ -341,8 +341,9 @@ impl Reach {
             Some(Distribution::Strength(median, factor)) => {
                 (median / (10.0 * libm::pow(factor, SPREADS)), median * libm::pow(factor, SPREADS), true)
             }
-            Some(Distribution::Place(mean, deviation)) => {
-                (mean - SPREADS * deviation, mean + SPREADS * deviation, false)
+            Some(usual @ (Distribution::Place(..) | Distribution::Skewed(..))) => {
+                let (low, high) = usual.interval(SPREADS);
+                (low, high, false)
             }
             None => {
                 let size = identified.abs().max(now.abs());
@@ -375,7 +376,7 @@ pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
     Some(match priors::distribution(Number::try_from(*row).ok()?, scale)? {
         Distribution::Size(median, factor) => [median / factor, median * factor],
         Distribution::Strength(median, factor) => [0.0, median * factor],
-        Distribution::Place(mean, deviation) => [mean - deviation, mean + deviation],
+        usual @ (Distribution::Place(..) | Distribution::Skewed(..)) => usual.interval(1.0).into(),
     })
 }
 
@@ -386,18 +387,15 @@ pub fn with_prior(params: &Params, element: Element, strength: f64) -> Params {
     let scale = Scale::from_params(params);
     let rows = parameter::table().filter(|row| row.element() == Some(element));
     for number in rows.filter_map(|row| Number::try_from(row).ok()) {
-        let value = match priors::distribution(number, scale) {
-            Some(Distribution::Size(median, _)) => median,
-            Some(Distribution::Strength(median, _)) => strength * median,
-            Some(Distribution::Place(mean, deviation)) => {
-                if mean == 0.0 {
-                    strength * deviation
-                } else {
-                    mean
+        let value =
+            match priors::distribution(number, scale) {
+                Some(Distribution::Size(median, _)) => median,
+                Some(Distribution::Strength(median, _)) => strength * median,
+                Some(Distribution::Place(mean, deviation) | Distribution::Skewed(mean, _, deviation)) => {
+                    if mean == 0.0 { strength * deviation } else { mean }
                 }
-            }
-            None => continue,
-        };
+                None => continue,
+            };
         let _ = with.set(number, number.inside(value));
     }
     with

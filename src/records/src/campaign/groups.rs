@@ -7,6 +7,7 @@ use super::unusable::Unusable;
 use crate::data::record::{Note, Record};
 use crate::error::RecordError;
 use crate::glob::matches as glob_matches;
+use crate::settings::assignment::note_settings_of_groups;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -112,6 +113,9 @@ pub fn split(
         _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
+    if by != "folders" {
+        note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
+    }
     // Pressures, clicks and serial numbers in the order of the number.
     let number = |group: &Group| group.name.replace(',', ".").parse::<f64>().ok();
     if split.groups.iter().all(|g| number(g).is_some()) {

@@ -19,7 +19,13 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
         }
     }
     name_settings(records);
-    tell(records, notes);
+    note_settings(records, notes);
+}
+
+/// Takes the note on several settings back, and makes it of each group that still has several.
+pub(crate) fn note_settings_of_groups<'a>(groups: impl Iterator<Item = &'a [Record]>, notes: &mut Vec<Note>) {
+    notes.retain(|note| note.text.template() != phrases::SEVERAL_SETTINGS);
+    groups.for_each(|records| note_settings(records, notes));
 }
 
 /// Takes settings from names where the user and the channels say none, and every such name does.
@@ -45,7 +51,7 @@ fn name_settings(records: &mut [Record]) {
 }
 
 /// Warns where the tests of a campaign have several settings.
-fn tell(records: &[Record], notes: &mut Vec<Note>) {
+fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
     let mut settings: BTreeMap<(String, i64), (Setting, Vec<usize>)> = BTreeMap::new();
     for (k, record) in records.iter().enumerate() {
         let Some(setting) = &record.setting else { continue };
@@ -91,6 +97,18 @@ mod tests {
         let told = notes[0].text.to_string();
         assert!(notes[0].kind == "settings" && told.contains("2 settings of current"), "{told}");
         assert!(told.contains("0 A: all of '*0A' (2)") || told.contains("0 A: all of '*_0A' (2)"), "{told}");
+        // The whole number, which takes no other that ends like it.
+        let (_, notes) = settled(&["a_0.4A", "b_0.4A", "a_1.6A", "b_1.6A"]);
+        let told = notes[0].text.to_string();
+        assert!(told.contains("'*0.4A' (2)") || told.contains("'*_0.4A' (2)"), "{told}");
+        // Groups by current have one setting each, and nothing is to be said; groups by damper still have two.
+        let (mut records, mut notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);
+        let mut of_dampers = notes.clone();
+        note_settings_of_groups([&records[..2], &records[2..]].into_iter(), &mut notes);
+        assert!(notes.is_empty());
+        records.swap(1, 2);
+        note_settings_of_groups([&records[..2], &records[2..]].into_iter(), &mut of_dampers);
+        assert_eq!(of_dampers.len(), 2);
         // Beside a channel, names that say the same quantity count, and others do not.
         for (name, expected) in [("voltage", Some(1.98)), ("current", None)] {
             let mut records = vec![record("a_1.98V"), record("b_1.98V"), record("steps")];

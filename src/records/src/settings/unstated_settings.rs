@@ -88,10 +88,14 @@ fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     let is_it =
         |pattern: &String| names.iter().enumerate().all(|(k, name)| glob::matches(pattern, name) == tests.contains(&k));
     let parts = |from: usize, to: usize| first[from..to].iter().collect::<String>();
-    // Whole words of the name, with what stands before or behind them, so that c1 does not take c10.
+    // Whole words and numbers of the name, with what stands before or behind them, so that c1 does not take c10, and 4A not 0.4A.
+    let is_digit = |k: Option<usize>| k.and_then(|k| first.get(k)).is_some_and(char::is_ascii_digit);
+    let is_point = |k: usize| ".,".contains(first[k]) && is_digit(k.checked_sub(1)) && is_digit(Some(k + 1));
     let edges: Vec<usize> = (0..=first.len())
         .filter(|&k| {
-            let is_word = |k: Option<usize>| k.and_then(|k| first.get(k)).is_some_and(|c| c.is_alphanumeric());
+            let is_word = |k: Option<usize>| {
+                k.filter(|k| *k < first.len()).is_some_and(|k| first[k].is_alphanumeric() || is_point(k))
+            };
             is_word(k.checked_sub(1)) != is_word(Some(k)) || k == 0 || k == first.len()
         })
         .collect();

@@ -55,12 +55,6 @@ pub const ALL: &[Said] = &[
     ],
     // What the campaign cannot show.
     [
-        "this model fits worse than the plain FV curve ({error} against {plain} of the allowed error)",
-        "dieses Modell passt schlechter als die einfache FV-Kurve (das {error}-Fache gegen das {plain}-Fache des zulässigen Fehlers)",
-        "ce modèle s’ajuste moins bien que la simple courbe FV ({error} contre {plain} de l’écart admis)",
-        "该模型的拟合不如单纯的 FV 曲线（允许误差的 {error} 倍对 {plain} 倍）",
-    ],
-    [
         "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart",
         "alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei dreifacher Frequenz würde sie unterscheiden",
         "tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course à trois fois la fréquence les distinguerait",
