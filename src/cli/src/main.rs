@@ -3,6 +3,7 @@
 mod inputs;
 mod limits;
 mod page;
+mod plural;
 mod progress;
 mod quantity;
 mod verbs;

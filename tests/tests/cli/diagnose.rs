@@ -511,11 +511,11 @@ fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
     let by_list = ["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:batch", "--report", "g.html"];
     let told = done(dir, &[&by_list[..], &few].concat());
     assert!(told.contains("Compared with autumn:") && told.contains("  spring: "), "{told}");
-    assert!(told.contains("1 tests belong to no group: fleet/b"), "{told}");
+    assert!(told.contains("1 test in no group: fleet/b"), "{told}");
     // Nor is a damper dropped without a word that the list does not name at all.
     std::fs::write(dir.join("fleet.csv"), "campaign,serial\nfleet/a,17\nfleet/b,18\n").unwrap();
     let told = done(dir, &[&["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:serial"][..], &few].concat());
-    assert!(told.contains("belong to no group: fleet/c"), "{told}");
+    assert!(told.contains("in no group: fleet/c"), "{told}");
     std::fs::write(dir.join("fleet.csv"), "campaign,serial\nfleet/a,17\nfleet/z,18\n").unwrap();
     let told = refused(dir, &["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:serial"]);
     assert!(told.contains("line 3") && told.contains("fleet/z"), "{told}");

@@ -4,6 +4,7 @@ use super::data::{DataArgs, name_of};
 use super::family::{self, Outputs};
 use super::record_notes::print_record_notes;
 use crate::page::TextArgs;
+use crate::plural::count_tests;
 use crate::progress::Progress;
 use anyhow::{Context as _, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -126,8 +127,8 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
     let say = |text: &str| dashpot_output::say(if on_stdout { Some(Path::new("-")) } else { None }, text);
     print_record_notes(campaign, &say)?;
     say(&format!(
-        "{} tests fitted; {name} in {}, which only dashpot validate --against reads",
-        tests.len(),
+        "{} fitted; {name} in {}, which only dashpot validate --against reads",
+        count_tests(tests.len()),
         args.output.display()
     ))?;
     if let Some(path) = args.json.as_deref() {
@@ -232,7 +233,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let quality = whole_records::quality(&found, &records)?;
     let over_whole_records = quality.model;
     let error = in_words(&over_whole_records, &TERMINAL);
-    say(&format!("{} tests fitted, off by {error}; model in {}", found.tests.len(), args.output.display()))?;
+    say(&format!("{} fitted, off by {error}; model in {}", count_tests(found.tests.len()), args.output.display()))?;
     say(&quality::sentence(&quality, &TERMINAL))?;
     if let Some(path) = json {
         dashpot_output::json(

@@ -1,5 +1,6 @@
 //! Many dampers, or one at many settings, each against its reference, in lines: `dashpot diagnose --group`.
 
+use crate::plural::count_tests;
 use dashpot_diagnosis::Change;
 use dashpot_diagnosis::groups::GroupResults;
 use dashpot_report::numbers::{fraction, with_interval, with_unit};
@@ -31,7 +32,7 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             .map(|f| format!("{} ({} sure)", f.effect, fraction(f.confidence)))
             .collect();
         let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
-        lines.push(format!("  {}: {} tests; {names}", answer.group, answer.tests));
+        lines.push(format!("  {}: {}; {names}", answer.group, count_tests(answer.tests)));
         let all = answer.diagnosis.changes.len();
         let changed = foremost(&answer.diagnosis.changes);
         for one in changed {
@@ -45,8 +46,8 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
     lines.extend(answers.as_the_fit_saw.iter().map(|text| format!("note: {text}")));
     if !answers.left_aside.is_empty() {
         lines.push(format!(
-            "note: {} tests belong to no group: {}",
-            answers.left_aside.len(),
+            "note: {} in no group: {}",
+            count_tests(answers.left_aside.len()),
             answers.left_aside.join(", ")
         ));
     }

@@ -1,6 +1,7 @@
 //! `dashpot import-profile`: what is known about records, written beside them.
 
 use super::data::DataArgs;
+use crate::plural::count_tests;
 use anyhow::bail;
 use dashpot_output::Kind;
 use dashpot_records::{Profile, profile};
@@ -46,5 +47,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     for note in campaign.notes.iter().filter(|n| !super::data::is_shown_first(n)) {
         dashpot_output::say(to, &format!("note: {}", note.text))?;
     }
-    dashpot_output::say(to, &format!("{} tests can be read so; said in {}", campaign.records.len(), path.display()))
+    dashpot_output::say(
+        to,
+        &format!("{} can be read so; said in {}", count_tests(campaign.records.len()), path.display()),
+    )
 }
