@@ -39,7 +39,7 @@ pub struct Args {
     /// Fixed step, s; the file's own times if not given
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     step: Option<f64>,
-    /// Setting of a damper that depends on one, where the motion has no column of it: a number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2
+    /// Setting of a damper that depends on one, for a motion without a column of it. A number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2
     #[arg(long, value_name = "SETTING", value_parser = Schedule::parse, allow_negative_numbers = true)]
     setting: Option<Schedule>,
     #[command(flatten)]

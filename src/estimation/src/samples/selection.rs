@@ -24,8 +24,10 @@ const SIDE_FORCE: f64 = 50.0;
 /// Bins of a setting that changes within a test over the range of the campaign.
 const SETTINGS: f64 = 4.0;
 
-/// Kind of motion of a test: amplitude, peak velocity, mean displacement, temperature, side force, whether it has cycles, and how its setting
-/// changes: whether it steps, its lowest and highest value.
+/// Kind of motion of a test.
+///
+/// Amplitude, peak velocity, mean displacement, temperature, side force, and whether it has cycles. Where its setting changes: whether it steps,
+/// its lowest and highest value.
 type Kind = (i64, i64, i64, i64, i64, bool, Option<(bool, i64, i64)>);
 
 /// Ranges of the campaign that kinds divide.
