@@ -7,11 +7,12 @@ use dashpot_core::parameter::Number;
 use dashpot_core::{Input, Model, Params, list, number};
 use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
-use dashpot_identification::family::{FamilyFit, fit_family};
+use dashpot_identification::family::{ActuatorFit, FamilyFit, fit_family};
 use dashpot_identification::model_file::prepared_family;
 use dashpot_identification::{FitOptions, Standing};
+use dashpot_other_lab::Protocol;
 use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, random, sines, steps};
-use dashpot_proving::semi_active::evaluate_tests;
+use dashpot_proving::semi_active::{evaluate_tests, measure};
 use dashpot_records::{Noise, Options, Record, Setting, SettingSignal, load};
 use dashpot_tests::cli::{done, json, refused};
 use dashpot_tests::kernel_campaign::{self, Sine};
@@ -283,7 +284,15 @@ const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"
      fv_force = [[-700.0, -300.0, -150.0, 0.0, 250.0, 500.0, 1100.0], [-1700.0, -900.0, -500.0, 0.0, 900.0, 1700.0, 3000.0]]\n";
 
 /// Runs the damper through a sine at commanded pressures and writes a record of it, with a column of the pressure where it changes.
-fn measure_piloted(dir: &Path, name: &str, (amplitude, frequency, step): (f64, f64, f64), commands: &[(f64, f64)]) {
+///
+/// The valve gets a command in the step that ends at its time. The column shows it from `late` s before on.
+fn measure_piloted(
+    dir: &Path,
+    name: &str,
+    (amplitude, frequency, step): (f64, f64, f64),
+    commands: &[(f64, f64)],
+    late: f64,
+) {
     let count = (4.0 / frequency / step) as usize;
     let rows = (0..=count).map(|k| k as f64 * step).map(|t| {
         let phase = TAU * frequency * t;
@@ -308,8 +317,11 @@ fn measure_piloted(dir: &Path, name: &str, (amplitude, frequency, step): (f64, f
         let noise = 6.0 * (((k * 7919) % 1000) as f64 / 1000.0 - 0.5);
         out += &format!("{time},{x},{v},{}", force + noise);
         if has_column {
-            let now =
-                commands.iter().rev().find(|(from, _)| *from <= time + 1e-9).map_or(commands[0].1, |(_, value)| *value);
+            let now = commands
+                .iter()
+                .rev()
+                .find(|(from, _)| *from <= time + late + 1e-9)
+                .map_or(commands[0].1, |(_, value)| *value);
             out += &format!(",{now}");
         }
         out += "\n";
@@ -326,11 +338,11 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     for (name, amplitude, frequency) in [("slow", 0.02, 0.04), ("middle", 0.02, 1.0), ("fast", 0.02, 4.0)] {
         for pressure in [2.0, 10.0] {
             let motion = (amplitude, frequency, 1.0 / (200.0 * frequency));
-            measure_piloted(dir, &format!("{name}_{pressure}bar"), motion, &[(0.0, pressure)]);
+            measure_piloted(dir, &format!("{name}_{pressure}bar"), motion, &[(0.0, pressure)], 0.0);
         }
     }
     let steps: Vec<(f64, f64)> = (0..20).map(|k| (0.21 * f64::from(k), if k % 2 == 0 { 2.0 } else { 10.0 })).collect();
-    measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps);
+    measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps, 0.0);
     // Without its column the test says no pressure; a slip in the name of the column is named.
     let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
     let told = refused(dir, &fit);
@@ -340,16 +352,45 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     let told = done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());
     assert!(told.contains("actuator from 1 tests"), "{told}");
     let found = json(&dir.join("fit.json"));
-    let number = |name: &str| {
+    let is_in_interval = |found: &serde_json::Value| {
         let all = found["actuator"]["estimates"].as_array().unwrap();
-        all.iter().find(|e| e["name"] == name).unwrap_or_else(|| panic!("{name}: {found}"))["value"].as_f64().unwrap()
+        for (name, truth) in [("setting_time_up", 0.012), ("setting_time_down", 0.020)] {
+            let of = all.iter().find(|e| e["name"] == name).unwrap_or_else(|| panic!("{name}: {found}"));
+            let [value, low, high] = ["value", "low", "high"].map(|key| of[key].as_f64().unwrap());
+            assert!((value - truth).abs() < 1e-3 && low < truth && truth < high, "{name}: {of}");
+        }
     };
-    for (name, truth) in [("setting_time_up", 0.012), ("setting_time_down", 0.020)] {
-        // A command is known to half a sample.
-        assert!((number(name) - truth).abs() < 1e-3, "{name} {}", number(name));
-    }
+    is_in_interval(&found);
     done(dir, &["validate", "family.toml", "records", "--column", "setting=p pilot", "--json", "errors.json"]);
     let errors = json(&dir.join("errors.json"));
     let responses = errors["step_responses"].as_array().unwrap();
     assert!(responses.len() == 2 && responses.iter().all(|of| of["measured"]["t63_s"].is_number()), "{errors}");
+    // A logger that shows the command at the other end of the sample leads to the same valve.
+    measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps, 1e-3);
+    done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());
+    is_in_interval(&json(&dir.join("fit.json")));
+}
+
+#[test]
+fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
+    let seed = 3;
+    let plant = SemiActivePlant::new(seed);
+    let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
+    tests.extend(steps(seed).into_iter().take(2));
+    let fitted = |rate: f64| {
+        let protocol = Protocol { noise_percent: 1.0, sample_rate_hz: rate, ..Protocol::default() };
+        let records = measure(&plant, &tests, &protocol, seed).unwrap();
+        fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
+    };
+    let (fast, slow) = (fitted(1000.0).actuator.unwrap(), fitted(250.0).actuator.unwrap());
+    // Rise and fall to 63 %: the dead time and the time constant take each other's part.
+    let sum = |of: &ActuatorFit, name: &str| {
+        let value = |name: &str| of.estimates.iter().find(|e| e.name == name).map_or(0.0, |e| e.value);
+        value(name) + value("setting_dead_time")
+    };
+    for name in ["setting_time_up", "setting_time_down"] {
+        let half_sample = 0.5 / 250.0;
+        let (a, b) = (sum(&fast, name), sum(&slow, name));
+        assert!((a - b).abs() < half_sample, "{name}: {a} {b} {fast:?} {slow:?}");
+    }
 }

@@ -7,7 +7,7 @@ use super::samples::Test;
 use crate::sensitivity::Accuracy;
 use crate::unknowns::Unknown;
 use dashpot_records::restrict;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 /// Covariance in the sandwich form (White, Econometrica 48, 1980), with how well each number is determined.
@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
 /// intervals. A number is determined apart from all others and from its prior: 1 fully, 0 not at all.
 /// Where the force jumps as a number moves, the tangent holds no further than to the next sample; its deviation is then that of the force
-/// itself ([`stretches`]).
+/// itself.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     let mut first = 0;
     let blocks: Vec<(DMatrix<f64>, Vec<f64>)> = tests
@@ -136,6 +136,30 @@ pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]
     let determined = (0..n).map(|i| (information[i] / (scale[i] * scale[i])) / inverse[(i, i)].max(1.0)).collect();
     let bread = DMatrix::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j]));
     Some((&bread * meat * &bread, determined))
+}
+
+/// How far each free number moves where a number that is considered and not estimated is off by 1.
+///
+/// A block holds derivatives of one test; `considered` are the derivatives of its residuals over that number. This is the term that a consider
+/// parameter adds to an estimate (Bierman, Factorization Methods for Discrete Sequential Estimation, 1977, VIII).
+pub fn considered_shift(
+    blocks: &[(DMatrix<f64>, Vec<f64>)],
+    precisions: &[f64],
+    considered: &[Vec<f64>],
+) -> Option<DVector<f64>> {
+    let n = precisions.len();
+    let (mut hessian, mut right) = (DMatrix::zeros(n, n), DVector::zeros(n));
+    for ((rows, _), column) in blocks.iter().zip(considered) {
+        hessian += gram(rows);
+        right -= rows.tr_mul(&DVector::from_column_slice(column));
+    }
+    for (i, precision) in precisions.iter().enumerate() {
+        hessian[(i, i)] += precision;
+    }
+    let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
+    let scaled = DMatrix::from_fn(n, n, |i, j| hessian[(i, j)] / (scale[i] * scale[j]));
+    let found = scaled.cholesky()?.solve(&DVector::from_fn(n, |i, _| right[i] / scale[i]));
+    Some(DVector::from_fn(n, |i, _| found[i] / scale[i]))
 }
 
 /// Number of samples that equal one independent sample: the integrated autocorrelation of the residual.

@@ -118,7 +118,7 @@ impl Family {
             let note = file.identification.right(&mut read.records);
             read.notes.extend(note);
             // That the tests have several settings is what the damper is for.
-            read.notes.retain(|note| note.kind != "settings");
+            read.accept_settings();
             let compared = compare_family(file, &read, given, &say)?;
             let mut validation = figures(&read, &compared, None, &[])?;
             let settings = summarize_settings(&mut validation, file, &read, given)?;
@@ -166,11 +166,10 @@ impl Family {
         if time.len() < 2 || !increases {
             return Err(PyValueError::new_err("a motion has at least two times, which increase"));
         }
-        let record = MotionRecord { time: time.clone(), displacement, velocity, side_force: None, temperature: None };
+        let record = MotionRecord { time, displacement, velocity, ..MotionRecord::default() };
         let answers = py.detach(|| {
             let motion = ImposedMotion::new(record, initial_position)?;
-            let at = |t: f64| setting[time.partition_point(|other| *other < t).min(setting.len() - 1)];
-            motion.drive_family(&self.prepared, &at)
+            motion.drive_family(&self.prepared, &|sample| setting[sample])
         });
         let answers = answers.map_err(raise::<MotionError>)?;
         let column = |of: fn(&dashpot_simulation::imposed_motion::SimulatedSample) -> f64| {

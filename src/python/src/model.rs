@@ -215,6 +215,7 @@ impl Model {
             velocity: channel("velocity_m_s", velocity)?,
             side_force: channel("side_force_n", side_force)?,
             temperature: channel("temperature_c", temperature)?,
+            setting: None,
             time: time.clone(),
         };
         if time.len() < 2 {

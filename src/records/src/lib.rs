@@ -31,6 +31,7 @@ mod tuning;
 pub use campaign::common_clock::apart;
 pub use campaign::imposed_motion::{MotionRecord, read_motion};
 pub use campaign::loading::{Campaign, Progress, load};
+pub use campaign::motion_setting::{MotionSetting, SettingSource};
 pub use campaign::profile::Profile;
 pub use campaign::rig_sign::agree_on_sign;
 pub use campaign::unusable::Unusable;

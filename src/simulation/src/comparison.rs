@@ -1,5 +1,6 @@
 //! A model and its FV curve alone beside the records of a campaign.
 
+use crate::own_setting::OwnSetting;
 use crate::prediction::{between_velocities, predict, predict_family};
 use crate::step_response::step_responses;
 use crate::warm_starts::WarmStarts;
@@ -108,15 +109,13 @@ pub fn settings_of(
     given: Option<f64>,
 ) -> Result<Vec<Option<f64>>, CompareError> {
     let name = file.axis.name();
-    let of = |record: &Record| {
-        if record.setting_signal.as_ref().is_some_and(|signal| name.is_empty() || signal.name == name) {
-            return Ok(None);
-        }
-        let own = record.setting.as_ref().filter(|setting| name.is_empty() || setting.name == name);
-        own.map(|setting| setting.value).or(given).map(Some).ok_or_else(|| CompareError::NoSetting {
+    let of = |record: &Record| match OwnSetting::find(&file.axis, record) {
+        OwnSetting::Changing => Ok(None),
+        OwnSetting::Constant(value) => Ok(Some(value)),
+        OwnSetting::Unstated => given.map(Some).ok_or_else(|| CompareError::NoSetting {
             test: record.name.clone(),
             name: if name.is_empty() { "setting".to_owned() } else { name.to_owned() },
-        })
+        }),
     };
     campaign.records.iter().map(of).collect()
 }

@@ -26,6 +26,8 @@ pub struct ImposedMotion {
     pub side_force: Option<Vec<f64>>,
     /// Damper temperature, °C, where known.
     pub temperature: Option<Vec<f64>>,
+    /// Setting of an adjustable damper, where known.
+    pub setting: Option<Vec<f64>>,
     /// Displacement at the first sample, m.
     pub initial_position: f64,
 }
@@ -91,7 +93,8 @@ impl ImposedMotion {
     /// # Errors
     /// Where an initial position is given for a motion with displacement, or a slope overflows.
     pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
-        let MotionRecord { time, displacement, velocity, side_force, temperature } = record;
+        let MotionRecord { time, displacement, velocity, side_force, temperature, setting } = record;
+        let setting = setting.map(|of| of.values);
         let (initial_position, velocity) = match (&displacement, velocity) {
             (Some(_), _) if initial_position.is_some() => return Err(ImposeError::InitialPositionKnown),
             (Some(x), Some(v)) => (x.first().copied().unwrap_or(0.0), v),
@@ -104,13 +107,13 @@ impl ImposedMotion {
         if let Some(row) = velocity.iter().position(|v| !v.is_finite()) {
             return Err(ImposeError::NotFinite(time[row], "velocity"));
         }
-        Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, initial_position })
+        Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, setting, initial_position })
     }
 
     /// Resamples the motion at a fixed step, s, from its first time on.
     ///
     /// Displacement and velocity from the cubic through displacement and velocity of the neighbouring samples, the
-    /// path that the kernel itself takes between two steps; side force and temperature run straight.
+    /// path that the kernel itself takes between two steps; side force, temperature and setting run straight.
     ///
     /// # Errors
     /// Where the step is not above zero, longer than the motion, or makes too many rows.
@@ -145,6 +148,7 @@ impl ImposedMotion {
             velocity: Vec::with_capacity(rows),
             side_force: self.side_force.as_ref().map(|_| Vec::with_capacity(rows)),
             temperature: self.temperature.as_ref().map(|_| Vec::with_capacity(rows)),
+            setting: self.setting.as_ref().map(|_| Vec::with_capacity(rows)),
             initial_position: self.initial_position,
         };
         let mut i = 0;
@@ -159,7 +163,11 @@ impl ImposedMotion {
             out.time.push(start + k as f64 * step);
             out.displacement.get_or_insert_default().push(x);
             out.velocity.push(v);
-            for (to, from) in [(&mut out.side_force, &self.side_force), (&mut out.temperature, &self.temperature)] {
+            for (to, from) in [
+                (&mut out.side_force, &self.side_force),
+                (&mut out.temperature, &self.temperature),
+                (&mut out.setting, &self.setting),
+            ] {
                 if let (Some(to), Some(from)) = (to, from) {
                     to.push(from[i] + s * (from[i + 1] - from[i]));
                 }
@@ -198,17 +206,25 @@ impl ImposedMotion {
         self.drive_telling(model, &|_, _| {})
     }
 
-    /// Drives a damper that depends on a setting: `setting` is the command in the step that ends at a time, s.
+    /// The command in the step that ends at a sample, where the motion has a setting.
+    ///
+    /// It is the mean of the setting at both ends of the step: a change is as likely in the first half of it as in the second.
+    pub fn command(&self, sample: usize) -> Option<f64> {
+        let setting = self.setting.as_ref()?;
+        Some(0.5 * (setting.get(sample.saturating_sub(1))? + setting.get(sample)?))
+    }
+
+    /// Drives a damper that depends on a setting: `command` is that of the step that ends at a sample.
     ///
     /// # Errors
     /// The errors of [`ImposedMotion::drive`].
     pub fn drive_family(
         &self,
         family: &Family,
-        setting: &dyn Fn(f64) -> f64,
+        command: &dyn Fn(usize) -> f64,
     ) -> Result<Vec<SimulatedSample>, ImposeError> {
         let first = Input { displacement: Some(self.initial_position), ..self.input(0) };
-        let start = Some(setting(self.time.first().copied().unwrap_or(0.0)));
+        let start = Some(command(0));
         let mut state = family.steady_state(&first, start);
         let mut delay = family.steady_delay(start);
         let mut output = family.evaluate(&state, &first, start).0;
@@ -216,7 +232,7 @@ impl ImposedMotion {
         for (i, &time) in self.time.iter().enumerate() {
             if i > 0 {
                 let (to, dt) = (self.input(i), time - self.time[i - 1]);
-                if !family.step_in_place(&mut state, &mut delay, &to, Some(setting(time)), dt, &mut output, false) {
+                if !family.step_in_place(&mut state, &mut delay, &to, Some(command(i)), dt, &mut output, false) {
                     return Err(ImposeError::NotFinite(time, "force"));
                 }
             }
@@ -314,6 +330,7 @@ fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
 mod tests {
     use super::*;
     use dashpot_core::Params;
+    use dashpot_records::{MotionSetting, SettingSource};
     use dashpot_test_support::drawn;
     use proptest::prelude::*;
     use std::f64::consts::TAU;
@@ -367,15 +384,24 @@ mod tests {
     }
 
     #[test]
-    fn side_force_and_temperature_run_straight_between_samples() {
+    fn side_force_temperature_and_setting_run_straight_between_samples() {
         let record = MotionRecord {
             time: vec![0.0, 1.0, 3.0],
             velocity: Some(vec![0.0; 3]),
             side_force: Some(vec![0.0, 10.0, 50.0]),
             temperature: Some(vec![20.0, 30.0, 20.0]),
+            setting: Some(MotionSetting {
+                name: "current".into(),
+                unit: "A".into(),
+                values: vec![0.4, 0.4, 1.6],
+                source: SettingSource::Name,
+            }),
             ..MotionRecord::default()
         };
-        let motion = ImposedMotion::new(record, None).unwrap().resampled(0.5).unwrap();
+        let motion = ImposedMotion::new(record, None).unwrap();
+        assert_eq!([0, 1, 2].map(|sample| motion.command(sample)), [0.4, 0.4, 1.0].map(Some));
+        let motion = motion.resampled(0.5).unwrap();
+        assert!((motion.command(6).unwrap() - 1.45).abs() < 1e-12);
         assert_eq!(motion.side_force.unwrap(), [0.0, 5.0, 10.0, 20.0, 30.0, 40.0, 50.0]);
         assert_eq!(motion.temperature.unwrap(), [20.0, 25.0, 30.0, 27.5, 25.0, 22.5, 20.0]);
     }

@@ -6,6 +6,7 @@
 //! | [`step_response`] | how fast the force follows a step of the setting |
 //! | [`valve_response`] | how fast the valve does, by the numbers of its actuator |
 //! | [`warm_starts`] | how warm the damper is when each record begins |
+//! | [`own_setting`] | what a record says of the setting that a damper depends on |
 //! | [`comparison`] | a model and its FV curve beside a campaign |
 //! | [`against`] | models of the literature beside them |
 //! | [`whole_records`] | how far a model is off over every sample of records |
@@ -23,6 +24,7 @@ pub mod comparison;
 pub mod followed;
 pub mod imposed_motion;
 mod limit;
+pub mod own_setting;
 pub mod prediction;
 pub mod step_response;
 pub mod stiffness;

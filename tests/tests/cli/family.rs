@@ -1,9 +1,10 @@
 //! `dashpot fit --setting` and `dashpot validate` of a damper over a setting, on campaigns of a known one.
 
 use dashpot_core::Params;
+use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_core::list;
-use dashpot_tests::cli::{done, json, number, refused, run, run_with};
+use dashpot_tests::cli::{done, json, number, refused, run, run_with, table};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -106,7 +107,7 @@ fn a_family_is_fitted_validated_and_simulated() {
     done(dir, &["validate", "family.toml", "between", "--setting", "0", "--json", "wrong.json"]);
     assert!(number(&json(&dir.join("wrong.json"))["settings"][0], "error_percent") > 10.0);
 
-    // Without a setting the force is that at the start, and says so.
+    // Without a setting the force is that at the start, with a note.
     let motion = std::fs::read_dir(dir.join("between")).unwrap().next().unwrap().unwrap().path();
     let simulate = ["simulate", "family.toml", motion.to_str().unwrap(), "-o", "force.csv"];
     assert!(done(dir, &simulate).contains("at the start setting of family.toml, 0;"));
@@ -262,4 +263,103 @@ fn limits_hold_at_the_setting_that_they_name() {
     done(dir, &["setting", "family.toml", "0.6", "-o", "one.toml"]);
     let ordinary = judge("kept.csv", "one.toml");
     assert!(ordinary.code == Some(2) && ordinary.err.contains("line 2"), "{ordinary:?}");
+}
+
+/// A family with a valve, and a motion of it at 1 kHz with other columns behind time and displacement.
+fn write_valve_and_motion(dir: &Path, headings: &str, columns: impl Fn(f64) -> String) {
+    let mut damper = damper();
+    damper.axis.set_name("current").unwrap();
+    damper.axis.set_unit("A").unwrap();
+    for (entry, value) in [("setting_time_up", 0.008), ("setting_time_down", 0.012), ("setting_dead_time", 0.003)] {
+        let index = ENTRIES.iter().position(|known| known.name == entry).unwrap();
+        damper.axis.set_number(index, value).unwrap();
+    }
+    let text = dashpot_identification::model_file::flat_family(&damper, |_| String::new());
+    std::fs::write(dir.join("valve.toml"), text).unwrap();
+    let mut text = format!("time_s,displacement_m,velocity_m_s{headings}\n");
+    for k in 0..2000 {
+        let t = 1e-3 * f64::from(k);
+        let (x, v) = (0.02 * (9.0 * t).sin(), 0.18 * (9.0 * t).cos());
+        let _ = writeln!(text, "{t:?},{x:?},{v:?}{}", columns(t));
+    }
+    std::fs::write(dir.join("motion.csv"), text).unwrap();
+}
+
+/// Forces that `dashpot simulate` writes with these options, and what it prints.
+fn simulated(dir: &Path, options: &[&str]) -> (Vec<f64>, String) {
+    let printed = done(dir, &[&["simulate", "valve.toml", "motion.csv", "-o", "force.csv"], options].concat());
+    (table(&dir.join("force.csv")).1.iter().map(|row| row[3]).collect(), printed)
+}
+
+#[test]
+fn a_constant_column_of_the_motion_is_the_option() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    write_valve_and_motion(dir, "", |_| String::new());
+    let given = |setting: &str| simulated(dir, &["--setting", setting]).0;
+    let (at_start, printed) = simulated(dir, &[]);
+    assert!(printed.contains("at the start setting") && printed.contains("--column setting=HEADING"), "{printed}");
+    let (hard, half, outside) = (given("1.2"), given("0.45"), given("5"));
+    assert!(hard == outside && hard != half && at_start != half);
+    for (heading, cell, options, expected) in [
+        (",current [A]", ",0.45", &[][..], &half),
+        (",current [mA]", ",450", &[], &half),
+        (",current [A]", ",0.45", &["--step", "0.001"], &half),
+        (",command", ",0.45", &["--column", "setting=command"], &half),
+        (",current [A]", ",7", &[], &hard),
+        (",current [A]", ",0.45", &["--ignore", "current", "--setting", "1.2"], &hard),
+    ] {
+        write_valve_and_motion(dir, heading, |_| cell.to_owned());
+        let (forces, printed) = simulated(dir, options);
+        let furthest = forces.iter().zip(expected).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+        assert!(forces.len() == 2000 && furthest < 1e-6, "{heading} {options:?}: {furthest} {printed}");
+        assert_eq!(printed.contains("at 2000 of 2000 samples the current lies outside"), cell == ",7", "{printed}");
+    }
+    // Another quantity is not the setting.
+    write_valve_and_motion(dir, "", |_| String::new());
+    std::fs::rename(dir.join("motion.csv"), dir.join("motion_3bar.csv")).unwrap();
+    let printed = done(dir, &["simulate", "valve.toml", "motion_3bar.csv", "-o", "force.csv"]);
+    assert!(printed.contains("depends on current; the pressure is not read"), "{printed}");
+    assert!(printed.contains("at the start setting"), "{printed}");
+    write_valve_and_motion(dir, ",current [A]", |_| ",0.45".to_owned());
+    let message = refused(dir, &["simulate", "valve.toml", "motion.csv", "-o", "f.csv", "--setting", "1.2"]);
+    for words in ["column 'current [A]'", "--setting", "--ignore current", "motion.csv"] {
+        assert!(message.contains(words), "{words}: {message}");
+    }
+    let message = refused(dir, &["simulate", "valve.toml", "motion.csv", "-o", "f.csv", "--column", "setting=lost"]);
+    assert!(message.contains("'lost'"), "{message}");
+    write_valve_and_motion(dir, ",p [bar]", |_| ",0.45".to_owned());
+    let message = refused(dir, &["simulate", "valve.toml", "motion.csv", "-o", "f.csv", "--column", "setting=p"]);
+    assert!(message.contains("in bar") && message.contains("valve.toml in A"), "{message}");
+}
+
+#[test]
+fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    let current = |t: f64| if (0.7..1.4).contains(&t) { 1.2 } else { 0.2 };
+    write_valve_and_motion(dir, ",current [A]", |t| format!(",{}", current(t)));
+    let (forces, printed) = simulated(dir, &[]);
+    assert!(printed.contains("current from the column 'current [A]' of motion.csv: 0.2 to 1.2 A"), "{printed}");
+    // The same motion as a record, with a measured force of its own.
+    let text = std::fs::read_to_string(dir.join("motion.csv")).unwrap();
+    let mut record = String::new();
+    for (k, line) in text.lines().enumerate() {
+        let force = if k == 0 { "force_N".to_owned() } else { format!("{:?}", forces[k - 1]) };
+        let _ = writeln!(record, "{line},{force}");
+    }
+    std::fs::create_dir(dir.join("rig")).unwrap();
+    std::fs::write(dir.join("rig/steps.csv"), record).unwrap();
+    let ran = run(dir, &["validate", "valve.toml", "rig", "--positive", "rebound", "--json", "v.json"]);
+    let change = "'steps': the current of the damper's valve steps 2 times between 0.20 and 1.20 A within the test";
+    assert!(ran.code == Some(0) && ran.err.contains(change) && !ran.err.contains("--exclude"), "{}", ran.err);
+    let of = json(&dir.join("v.json"))["changing"].clone();
+    // The record is smoothed, the motion is not.
+    assert!(number(&of, "error_percent") < 0.1, "{of}");
+    // The command that an option steps at the same time is at most half a sample away.
+    write_valve_and_motion(dir, "", |_| String::new());
+    let (given, _) = simulated(dir, &["--setting", "0:0.2,0.7:1.2,1.4:0.2"]);
+    let furthest = forces.iter().zip(&given).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    let peak = forces.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+    assert!(furthest > 0.0 && furthest < 0.1 * peak, "{furthest} of {peak}");
 }

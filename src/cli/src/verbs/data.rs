@@ -179,8 +179,12 @@ impl DataArgs {
 
     /// Reads and cleans records of several settings by the same options, before they agree on their direction with others.
     pub fn load_over_setting_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
-        let mut campaign = self.read_noting(paths, &self.options()?, &|note| note.kind != "settings")?;
-        campaign.notes.retain(|note| note.kind != "settings");
+        let is_wanted = |note: &Note| !["settings", "changing_setting"].contains(&note.kind);
+        let mut campaign = self.read_noting(paths, &self.options()?, &is_wanted)?;
+        campaign.accept_settings();
+        for note in campaign.notes.iter().filter(|note| note.kind == "setting_over_time") {
+            dashpot_output::warn(&format!("note: {}", note.text));
+        }
         Ok(campaign)
     }
 
@@ -250,6 +254,8 @@ pub fn is_shown_first(note: &Note) -> bool {
         "torn",
         "sign_unsure",
         "settings",
+        "changing_setting",
+        "setting_over_time",
         "cut_off",
         "stale",
         "late_velocity",

@@ -27,6 +27,7 @@ mod record_notes;
 pub mod rig;
 pub mod setting;
 pub mod simulate;
+mod simulate_setting;
 pub mod validate;
 mod verdict;
 

@@ -2,6 +2,7 @@
 
 use super::data::ColumnArgs;
 use super::model;
+use super::simulate_setting::{Commands, Schedule};
 use crate::progress::Progress;
 use crate::quantity::{metres, seconds};
 use dashpot_core::Model;
@@ -19,17 +20,18 @@ use std::path::PathBuf;
 /// drive the model; displacement alone is differentiated by a cubic spline; velocity alone is integrated. Noise of a
 /// measured displacement comes back multiplied by the series stiffness: `dashpot validate` smooths, this does not. The
 /// damper starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
-/// time_s, displacement_m, velocity_m_s and force_N; tension is positive. A damper that depends on a setting is at that of
-/// --setting, or at the start setting of its file, whatever setting the motion's file has.
+/// time_s, displacement_m, velocity_m_s and force_N; tension is positive. A damper over a setting follows the motion's own
+/// setting, through its actuator: a column such as current [A], one that --column setting=HEADING names, or the name of the
+/// file. Between two samples the command is the mean of both. Without any it is at --setting, else at the start setting.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head\n  dashpot simulate semi_active.toml road.csv --setting 0:0.4,1.5:1.2 -o force.csv"
+    after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head\n  dashpot simulate semi_active.toml road.csv --setting 0:0.4,1.5:1.2 -o force.csv\n  dashpot simulate adjuster.toml road.csv --column setting=\"p pilot [bar]\" -o force.csv"
 )]
 pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
     model: PathBuf,
-    /// File with time, and displacement or velocity or both (CSV, XLSX, MAT v5)
+    /// File with time, displacement or velocity or both, and the setting where it has one (CSV, XLSX, MAT v5)
     #[arg(value_name = "MOTION")]
     motion: PathBuf,
     /// Where to write; - for standard output
@@ -38,9 +40,9 @@ pub struct Args {
     /// Fixed step, s; the file's own times if not given
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     step: Option<f64>,
-    /// Setting of a damper that depends on one: a number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2
-    #[arg(long, value_name = "SETTING", value_parser = Commands::parse, allow_negative_numbers = true)]
-    setting: Option<Commands>,
+    /// Setting of a damper that depends on one, for a motion without a column of it. A number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2
+    #[arg(long, value_name = "SETTING", value_parser = Schedule::parse, allow_negative_numbers = true)]
+    setting: Option<Schedule>,
     #[command(flatten)]
     columns: ColumnArgs,
     /// Displacement at the first sample, m, where the motion gives velocity alone; 0 if not given
@@ -57,77 +59,42 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         anyhow::bail!("{} depends on no setting; leave --setting out", args.model.display());
     }
     let record = read_motion(&args.motion, &args.columns.options()?)?;
+    let own = record.setting.as_ref();
+    let commands = match file.axis.is_some() {
+        true => Some(Commands::choose((&args.model, &file.axis), (&args.motion, own), args.setting.as_ref())?),
+        false => None,
+    };
+    let unread =
+        own.filter(|of| commands.is_none() && of.values.iter().any(|value| *value != of.values[0])).map(|of| {
+            format!(
+                "{} depends on no setting; the {} of the motion, which changes, is not read",
+                args.model.display(),
+                of.name
+            )
+        });
     let mut motion = ImposedMotion::new(record, args.initial_position)?;
     if let Some(step) = args.step {
         motion = motion.resampled(step)?;
     }
     let progress = Progress::new("simulating");
     progress.set(0.2);
-    let answers = if file.axis.is_some() {
-        let mut family = Box::new(Family::OFF);
-        // The reader of the file has checked it.
-        family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
-        let start = family.start();
-        motion.drive_family(&family, &|time| args.setting.as_ref().map_or(start, |commands| commands.at(time)))?
-    } else {
-        motion.drive(&model)?
+    let answers = match &commands {
+        Some(commands) => {
+            let mut family = Box::new(Family::OFF);
+            // The reader of the file has checked it.
+            family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
+            motion.drive_family(&family, &|sample| commands.command(&motion, sample))?
+        }
+        None => motion.drive(&model)?,
     };
     drop(progress);
     dashpot_output::write(&args.output, csv(&answers))?;
     // Remarks go where the rows do not.
-    let outside = args.setting.as_ref().and_then(|commands| commands.outside(file.axis.range()));
-    let at_start = (file.axis.is_some() && args.setting.is_none()).then(|| {
-        format!(
-            "the damper is at the start setting of {}, {}; a setting in the motion's file is not read. \
-             Give --setting, such as --setting 0.8 or --setting 0:0.4,1.5:1.2",
-            args.model.display(),
-            file.axis.start()
-        )
-    });
-    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(outside).chain(at_start) {
+    let of_setting = commands.map_or_else(Vec::new, |commands| commands.notes);
+    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(of_setting).chain(unread) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
-}
-
-/// Settings over the time.
-#[derive(Debug, Clone, PartialEq)]
-struct Commands(Vec<(f64, f64)>);
-
-impl Commands {
-    /// From a number, or from times and numbers.
-    fn parse(text: &str) -> Result<Commands, String> {
-        let number = |text: &str| {
-            let value = text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
-            value.ok_or_else(|| format!("{text:?} is no number; give one, or times and numbers such as 0:0.4,1.5:1.2"))
-        };
-        if !text.contains(':') {
-            return Ok(Commands(vec![(f64::NEG_INFINITY, number(text)?)]));
-        }
-        let mut all = Vec::new();
-        for part in text.split(',') {
-            let (time, value) = part.split_once(':').ok_or_else(|| format!("{part:?} has no time, as in 1.5:1.2"))?;
-            all.push((number(time)?, number(value)?));
-        }
-        if all.windows(2).any(|pair| pair[1].0 <= pair[0].0) {
-            return Err("the times must increase".to_owned());
-        }
-        Ok(Commands(all))
-    }
-
-    /// That at a time; before the first time the first.
-    fn at(&self, time: f64) -> f64 {
-        let begun = self.0.iter().rev().find(|(from, _)| *from <= time);
-        begun.or(self.0.first()).map_or(0.0, |(_, value)| *value)
-    }
-
-    /// A remark where one lies outside the grid.
-    fn outside(&self, (low, high): (f64, f64)) -> Option<String> {
-        let (_, value) = self.0.iter().find(|(_, value)| *value < low || *value > high)?;
-        Some(format!(
-            "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them"
-        ))
-    }
 }
 
 /// Numbers are written so that they read back to the bit.

@@ -1,9 +1,11 @@
 //! The actuator of a damper over a setting as an estimation problem: forces under a setting that changes within the test.
 //!
 //! The damper at constant settings is given. Free are numbers of the actuator, and how far the force at each setting of the grid is off in each
-//! direction: what the family misses at a level must not become a part of the response.
+//! direction: what the family misses at a level must not become a part of the response. [When](super::command_time) within a sample the command
+//! changes is not known, and widens the intervals.
 
-use super::response::run;
+use super::command_time::{STEP, shifted};
+use super::response::run_commanded;
 use crate::hypothesis::Hypothesis;
 use crate::refit::HUBER;
 use crate::samples::Test;
@@ -154,6 +156,8 @@ pub struct ActuatorContext<'a> {
     pub rig_theta: &'a [f64],
     /// Tests whose setting changes.
     pub tests: &'a [Test],
+    /// Time between two samples of the record of each test, s.
+    pub sample_times: &'a [f64],
 }
 
 /// An actuator with its free numbers.
@@ -223,13 +227,26 @@ impl<'a> ActuatorProblem<'a> {
         self.context.definition.axis.grid()
     }
 
-    /// Forces at the scored samples of a test, and their derivatives over the levels where they are wanted.
-    fn forces(&self, test: &Test, family: &Family, x: &[f64], with_levels: bool) -> (Vec<f64>, DMatrix<f64>) {
+    /// Forces at the scored samples of the test of a block, and their derivatives over the levels where they are wanted.
+    ///
+    /// The command comes `later` than counted, in samples.
+    fn forces(
+        &self,
+        block: usize,
+        family: &Family,
+        x: &[f64],
+        with_levels: bool,
+        later: f64,
+    ) -> (Vec<f64>, DMatrix<f64>) {
+        let test = &self.context.tests[block];
         let (grid, levels) = (self.grid(), &x[self.numbers.len()..]);
+        let later = later * self.context.sample_times.get(block).copied().unwrap_or(0.0);
         let count = if with_levels { levels.len() } else { 0 };
         let found = RefCell::new((DMatrix::zeros(0, 0), 1));
         let along = |segment: &crate::segment::Segment| {
-            let (mut forces, settings) = run(family, segment);
+            let moved = segment.setting.as_ref().filter(|_| later != 0.0).map(|all| shifted(&segment.dt, all, later));
+            let commands = moved.as_deref().or(segment.setting.as_deref());
+            let (mut forces, settings) = run_commanded(family, segment, commands);
             let mut columns = DMatrix::zeros(forces.len(), count);
             for (i, (force, setting)) in forces.iter_mut().zip(&settings).enumerate() {
                 let mut gain = 1.0;
@@ -312,6 +329,22 @@ impl<'a> ActuatorProblem<'a> {
     }
 }
 
+impl ActuatorProblem<'_> {
+    /// Derivatives of the weighted residuals of each test over the instant within a sample at which the command changes, in samples.
+    pub fn timing_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let family = family_with(self.context.definition, &self.numbers, x)?;
+        let of_test = |block: usize| {
+            let at = |later: f64| {
+                let forces = self.forces(block, &family, x, false, later).0;
+                self.weighted(&self.context.tests[block], &forces)
+            };
+            let (early, late) = (at(-STEP)?, at(STEP)?);
+            Some(early.iter().zip(&late).map(|(early, late)| (late - early) / (2.0 * STEP)).collect())
+        };
+        (0..self.context.tests.len()).map(of_test).collect()
+    }
+}
+
 impl ActuatorRefit {
     /// Precisions of the priors of all numbers.
     pub fn precisions(&self) -> Vec<f64> {
@@ -345,8 +378,7 @@ impl Residuals for ActuatorProblem<'_> {
     }
 
     fn residuals(&self, block: usize, at: &ActuatorPoint) -> Option<Vec<f64>> {
-        let test = &self.context.tests[block];
-        self.weighted(test, &self.forces(test, &at.family, &at.x, false).0)
+        self.weighted(&self.context.tests[block], &self.forces(block, &at.family, &at.x, false, 0.0).0)
     }
 
     fn jacobian(&self, block: usize, at: &ActuatorPoint) -> Option<(Vec<f64>, DMatrix<f64>)> {
@@ -360,10 +392,10 @@ impl Residuals for ActuatorProblem<'_> {
             };
             self.numbers.iter().enumerate().map(of).collect()
         });
-        let (forces, levels) = self.forces(test, &at.family, &at.x, true);
+        let (forces, levels) = self.forces(block, &at.family, &at.x, true, 0.0);
         let mut jacobian = DMatrix::zeros(forces.len(), at.x.len());
         for (column, (family, step)) in moved.as_ref()?.iter().enumerate() {
-            let (near, _) = self.forces(test, family, &at.x, false);
+            let (near, _) = self.forces(block, family, &at.x, false, 0.0);
             for (row, (near, force)) in near.iter().zip(&forces).enumerate() {
                 jacobian[(row, column)] = (near - force) / step / test.allowed[row];
             }

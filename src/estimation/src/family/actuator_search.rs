@@ -42,6 +42,8 @@ pub struct ActuatorSearch {
     pub best: ActuatorRefit,
     /// What it has and has not.
     pub parts: Vec<ActuatorPart>,
+    /// Derivatives of the residuals over the instant within a sample at which the command changes: see [`ActuatorProblem::timing_derivatives`].
+    pub timing: Vec<Vec<f64>>,
 }
 
 /// A form with one part more or less.
@@ -152,6 +154,8 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         })
         .collect();
     let start = best.theta.clone();
-    let best = ActuatorProblem::new(context, best.form).refit(best.form, Some(&start), FINE.0, FINE.1)?;
-    Some(ActuatorSearch { best, parts })
+    let problem = ActuatorProblem::new(context, best.form);
+    let best = problem.refit(best.form, Some(&start), FINE.0, FINE.1)?;
+    let timing = problem.timing_derivatives(&best.theta)?;
+    Some(ActuatorSearch { best, parts, timing })
 }

@@ -11,12 +11,14 @@
 //! | [`prediction`] | first-order estimate of a family with other shared numbers |
 //! | [`template`] | a family made of a structure that was found at one setting |
 //! | [`search`] | the search for effects and for numbers that depend on the setting |
+//! | [`command_time`] | when within a sample a command changes |
 //! | [`response`] | the damper under a setting that changes |
 //! | [`actuator`] | its actuator as an estimation problem |
 //! | [`actuator_search`] | the search for the parts of the actuator |
 
 pub mod actuator;
 pub mod actuator_search;
+pub mod command_time;
 pub mod pattern;
 pub mod prediction;
 pub mod problem;

@@ -5,7 +5,12 @@ use dashpot_core::family::Family;
 
 /// Forces at the samples of a segment, and where the valve stands there. The run begins at the equilibrium of the first sample.
 pub fn run(family: &Family, segment: &Segment) -> (Vec<f64>, Vec<f64>) {
-    let command = |sample: usize| segment.setting.as_ref().and_then(|all| all.get(sample)).copied();
+    run_commanded(family, segment, segment.setting.as_deref())
+}
+
+/// Forces and stands of the valve under other commands than those of the segment, one for the step that ends at each sample.
+pub fn run_commanded(family: &Family, segment: &Segment, commands: Option<&[f64]>) -> (Vec<f64>, Vec<f64>) {
+    let command = |sample: usize| commands.and_then(|all| all.get(sample)).copied();
     let count = segment.input.len();
     let (mut forces, mut settings) = (Vec::with_capacity(count), Vec::with_capacity(count));
     let Some(first) = segment.input.first() else { return (forces, settings) };

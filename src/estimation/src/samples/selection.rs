@@ -3,7 +3,7 @@
 //! Every test costs a fit about as much as any other. Beyond some hundred the next one rarely visits anything new, so a
 //! selection stands for all: tests of every kind of motion in turn, spread over the order of the campaign.
 
-use dashpot_records::Record;
+use dashpot_records::{Record, SettingPattern};
 use std::collections::BTreeMap;
 
 /// Most tests that a fit sees.
@@ -15,50 +15,85 @@ pub const MOST_TESTS: usize = 240;
 const PER_OCTAVE: f64 = 2.0;
 /// Bins of the mean displacement over the range of the campaign.
 const MEANS: f64 = 8.0;
+/// Factor of the bins beyond which kinds merge no further: some are of another sort, such as with and without cycles.
+const WIDEST: f64 = 1024.0;
 /// Widths of the bins of temperature, K, and of side force, N.
 const TEMPERATURE: f64 = 10.0;
 const SIDE_FORCE: f64 = 50.0;
 
-/// Kind of motion of a test: amplitude, peak velocity, mean displacement, temperature, side force, whether it has cycles.
-type Kind = (i64, i64, i64, i64, i64, bool);
+/// Bins of a setting that changes within a test over the range of the campaign.
+const SETTINGS: f64 = 4.0;
+
+/// Kind of motion of a test.
+///
+/// Amplitude, peak velocity, mean displacement, temperature, side force, and whether it has cycles. Where its setting changes: whether it steps,
+/// its lowest and highest value.
+type Kind = (i64, i64, i64, i64, i64, bool, Option<(bool, i64, i64)>);
+
+/// Ranges of the campaign that kinds divide.
+struct Ranges {
+    mean: (f64, f64),
+    setting: (f64, f64),
+}
+
+/// Smallest and largest value.
+fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+}
 
 /// The mean of a channel in bins of a width; 0 without the channel.
 fn bin(channel: Option<&Vec<f64>>, width: f64) -> i64 {
     channel.filter(|c| !c.is_empty()).map_or(0, |c| (c.iter().sum::<f64>() / c.len() as f64 / width).round() as i64)
 }
 
+/// The bin of a value in a range that has so many.
+fn bin_of_range(value: f64, (low, high): (f64, f64), bins: f64, least: f64) -> i64 {
+    (bins * (value - low) / (high - low).max(least)).round() as i64
+}
+
 /// The kind of a test in bins `wide` times as wide as the constants above.
-fn kind(record: &Record, (low, high): (f64, f64), wide: f64) -> Kind {
+fn kind(record: &Record, ranges: &Ranges, wide: f64) -> Kind {
     let octaves = |value: f64| (PER_OCTAVE / wide * libm::log2(value.max(1e-9))).round() as i64;
-    let mean = (MEANS / wide * (record.mean_displacement - low) / (high - low).max(1e-3)).round() as i64;
+    let setting = record.setting_signal.as_ref().map(|signal| {
+        let [low, high] = signal.range.map(|value| bin_of_range(value, ranges.setting, SETTINGS / wide, 1e-9));
+        (signal.pattern == SettingPattern::Steps, low, high)
+    });
     (
         octaves(record.amplitude),
         octaves(record.peak_velocity),
-        mean,
+        bin_of_range(record.mean_displacement, ranges.mean, MEANS / wide, 1e-3),
         bin(record.temperature.as_ref(), wide * TEMPERATURE),
         bin(record.side_force.as_ref(), wide * SIDE_FORCE),
         record.cycles.is_empty(),
+        setting,
     )
 }
 
 /// Positions of the tests that a fit sees, in their order; `None` where it sees all of them.
 pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
-    if records.len() <= MOST_TESTS {
+    select_at_most(records, MOST_TESTS)
+}
+
+/// Positions of at most so many tests, of every kind of motion, in their order; `None` where all are so few.
+pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
+    if records.len() <= most {
         return None;
     }
-    let means = || records.iter().map(|r| r.mean_displacement);
-    let range = (means().fold(f64::INFINITY, f64::min), means().fold(f64::NEG_INFINITY, f64::max));
+    let ranges = Ranges {
+        mean: extremes(records.iter().map(|r| r.mean_displacement)),
+        setting: extremes(records.iter().filter_map(|r| r.setting_signal.as_ref()).flat_map(|of| of.range)),
+    };
     let sort = |wide: f64| {
         let mut kinds: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
         for (place, record) in records.iter().enumerate() {
-            kinds.entry(kind(record, range, wide)).or_default().push(place);
+            kinds.entry(kind(record, &ranges, wide)).or_default().push(place);
         }
         kinds
     };
     // More kinds than tests that a fit sees: coarser kinds, so that none is missed whole.
     let mut wide = 1.0;
     let mut kinds = sort(wide);
-    while kinds.len() > MOST_TESTS {
+    while kinds.len() > most && wide < WIDEST {
         wide *= 2.0;
         kinds = sort(wide);
     }
@@ -66,7 +101,7 @@ pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
     let mut kinds: Vec<Vec<usize>> = kinds.into_values().collect();
     kinds.sort_by_key(|places| (places.len(), places[0]));
     let mut counts = vec![0; kinds.len()];
-    let mut left = MOST_TESTS;
+    let mut left = most;
     while left > 0 {
         for (count, places) in counts.iter_mut().zip(&kinds) {
             if left > 0 && *count < places.len() {
@@ -83,9 +118,20 @@ pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
     Some(selected)
 }
 
+/// Most tests that the fit of a damper over a setting sees at each of `settings` settings.
+///
+/// Together they are twice as many as an ordinary fit sees. A test matrix has some dozens of kinds of motion, which each setting keeps.
+pub fn most_at_setting(settings: usize) -> usize {
+    2 * MOST_TESTS / settings.max(1)
+}
+
+/// Most tests with a changing setting from which an actuator is identified: each is run sample by sample, as long as it is.
+pub const MOST_CHANGING: usize = 24;
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashpot_records::SettingSignal;
 
     fn record(amplitude: f64, peak_velocity: f64, mean_displacement: f64) -> Record {
         Record { amplitude, peak_velocity, mean_displacement, cycles: vec![0..1, 1..2], ..Record::default() }
@@ -108,6 +154,24 @@ mod tests {
             assert!(of_it[0] < 100 && of_it[of_it.len() - 1] > 7800, "{of_it:?}");
         }
         assert_eq!(select(&refs[..MOST_TESTS]), None);
+    }
+
+    #[test]
+    fn steps_between_all_levels_are_selected() {
+        let mut records: Vec<Record> = (0..300).map(|_| record(0.01, 0.1, 0.0)).collect();
+        for (k, of) in records.iter_mut().enumerate() {
+            let (low, high) = [(0.0, 1.6), (0.0, 0.4), (1.2, 1.6)][usize::from(k % 50 == 7) + usize::from(k == 157)];
+            let values: Vec<f64> = (0..40).map(|i| if i < 20 { low } else { high }).collect();
+            of.setting_signal = Some(SettingSignal::new("current", "A", &values));
+        }
+        let refs: Vec<&Record> = records.iter().collect();
+        let selected = select_at_most(&refs, MOST_CHANGING).unwrap();
+        assert_eq!(selected.len(), MOST_CHANGING);
+        for k in [7, 57, 107, 157, 207, 257] {
+            assert!(selected.contains(&k), "{k}: {selected:?}");
+        }
+        // Even where there are fewer places than kinds.
+        assert_eq!(select_at_most(&refs, 2).unwrap().len(), 2);
     }
 
     #[test]

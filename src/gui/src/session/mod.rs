@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | [`campaign`] | the records that are open |
+//! | [`dampers`], [`comparison`] | the damper of each test, and the ticked tests beside its forces |
 //! | [`model`], [`history`] | the model that is tuned, with undo |
 //! | [`simulation`] | its forces for every test, computed beside the window |
 //! | [`tasks`] | long work with progress and cancel |
@@ -18,6 +19,8 @@
 //! | [`recent`] | campaigns that were open lately |
 
 pub mod campaign;
+pub mod comparison;
+pub mod dampers;
 pub mod drawing;
 pub mod exports;
 pub mod guarded;
@@ -39,12 +42,14 @@ pub mod velocities;
 pub mod verbs;
 
 use campaign::Loaded;
+use dampers::{Dampers, TestDamper};
 use dashpot_core::Params;
 use dashpot_core::parameter::Element;
 use dashpot_identification::Estimate;
 use dashpot_records::{Options, Profile, Record, Sentence, Unusable};
 use model::Tuned;
 use recent::Recent;
+use replacing::Replacement;
 use results::{Finding, Results};
 use simulation::{Simulated, Simulator, Wanted};
 use std::collections::BTreeSet;
@@ -78,6 +83,8 @@ pub struct Session {
     pub selected: BTreeSet<usize>,
     /// Tests that fit, validation and diagnosis leave out.
     pub unticked: BTreeSet<usize>,
+    /// Whether each test is compared with a damper over a setting at its own setting.
+    pub own_settings: bool,
     /// The model's forces, newest.
     pub simulated: Option<Arc<Simulated>>,
     /// Forces of the identified model, to compare with.
@@ -127,6 +134,7 @@ impl Session {
             model: None,
             selected: BTreeSet::new(),
             unticked: BTreeSet::new(),
+            own_settings: true,
             simulated: None,
             identified: None,
             results: Results::default(),
@@ -317,6 +325,29 @@ impl Session {
         }
     }
 
+    /// Puts each test at its own setting, or all at the one on screen.
+    pub fn use_own_settings(&mut self, own: bool) {
+        if self.own_settings != own {
+            self.own_settings = own;
+            self.identified = None;
+            self.order(false);
+            self.generation += 1;
+        }
+    }
+
+    /// The damper of each test; none without a model.
+    pub fn dampers(&self) -> Option<Dampers> {
+        let model = self.model.as_ref()?;
+        Some(model.dampers(model.params(), self.own_settings))
+    }
+
+    /// Whether some open test states the setting that the model depends on.
+    pub fn has_own_settings(&self) -> bool {
+        let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return false };
+        let dampers = model.dampers(&model.identified, true);
+        loaded.campaign.records.iter().any(|record| dampers.of_test(record) != TestDamper::Shown)
+    }
+
     /// Changes the model, or goes a step back or forth in it.
     fn step(&mut self, change: impl FnOnce(&mut Tuned) -> bool) -> bool {
         let Some(model) = &mut self.model else { return false };
@@ -331,7 +362,8 @@ impl Session {
     /// Orders the forces of the model as it is.
     pub fn order(&mut self, quick: bool) {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return };
-        self.simulator.order(Wanted { params: *model.params(), loaded: loaded.clone(), quick });
+        let dampers = model.dampers(model.params(), self.own_settings);
+        self.simulator.order(Wanted { dampers, loaded: loaded.clone(), quick });
     }
 
     /// Takes over what threads have finished. Returns whether work is under way that the window should look at again soon.
@@ -340,12 +372,14 @@ impl Session {
             let current = self.campaign.as_ref().is_some_and(|c| Arc::ptr_eq(c, &simulated.loaded));
             if current {
                 let simulated = Arc::new(simulated);
-                let model = self.model.as_ref();
-                if model.is_some_and(|m| m.identified == simulated.params) && !simulated.quick {
+                let own = self.own_settings;
+                let is_of = |m: &Tuned| m.dampers(&m.identified, own) == simulated.dampers;
+                let is_identified = self.model.as_ref().is_some_and(is_of);
+                if is_identified && !simulated.quick {
                     self.identified = Some(simulated.clone());
                 }
                 // Forces of the identified model alone are not those of the tuned one.
-                if model.is_some_and(|m| !m.is_tuned() || m.identified != simulated.params) {
+                if self.model.as_ref().is_some_and(|m| !m.is_tuned() || !is_identified) {
                     self.simulated = Some(simulated);
                 }
                 self.generation += 1;
@@ -381,7 +415,8 @@ impl Session {
         }
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return };
         if model.is_tuned() && self.simulated.is_some() {
-            self.simulator.order(Wanted { params: model.identified, loaded: loaded.clone(), quick: false });
+            let dampers = model.dampers(&model.identified, self.own_settings);
+            self.simulator.order(Wanted { dampers, loaded: loaded.clone(), quick: false });
         }
     }
 
@@ -395,15 +430,19 @@ impl Session {
                 self.generation += 1;
             }
             Outcome::Fitted(fit) => {
-                self.fit_is_done(fit);
+                self.fit_is_done(Replacement::Fitted(fit));
+                self.arrived = Some(Kind::Fit);
+            }
+            Outcome::FittedFamily(fit) => {
+                self.fit_is_done(Replacement::FittedFamily(fit));
                 self.arrived = Some(Kind::Fit);
             }
             Outcome::Validated(validation, basis) => {
-                self.results.validation = Some(Finding::new(validation, *basis));
+                self.results.validation = Some(Finding::of_validation(validation, *basis));
                 self.arrived = Some(Kind::Validate);
             }
             Outcome::Diagnosed(diagnosed, basis) => {
-                self.results.diagnosis = Some(Finding::new(diagnosed, *basis));
+                self.results.diagnosis = Some(Finding::of_diagnosis(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
             // They come by a task of their own: see `poll_responses`.
@@ -459,7 +498,8 @@ impl Session {
         if !again {
             self.reference = None;
         }
-        self.results = Results { fit: self.results.fit.take(), ..Results::default() };
+        let (fit, family_fit) = (self.results.fit.take(), self.results.family_fit.take());
+        self.results = Results { fit, family_fit, ..Results::default() };
         self.read += 1;
         self.study = None;
         self.simulated = None;
@@ -481,9 +521,9 @@ impl Session {
         }
     }
 
-    /// Values of an effect beside the present ones, for a look at what it would do.
-    pub fn with_effect(&self, element: Element, strength: f64) -> Option<Params> {
-        Some(model::with_prior(self.model.as_ref()?.params(), element, strength))
+    /// Values of a test's damper with an effect more; none where its setting changes.
+    pub fn with_effect(&self, record: &Record, element: Element, strength: f64) -> Option<Params> {
+        Some(model::with_prior(&self.dampers()?.params_of(record)?, element, strength))
     }
 
     /// What the last fit says of its numbers.

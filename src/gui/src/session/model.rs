@@ -1,5 +1,6 @@
 //! The model that is tuned, beside the one that was identified, with every step back.
 
+use crate::session::dampers::Dampers;
 use crate::session::history::History;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_core::parameter::{self, Element, List, Number, Row, Shape};
@@ -11,6 +12,9 @@ use dashpot_identification::model_file::{self, Identification, Interval, ModelFi
 use dashpot_records::restrict;
 use dashpot_records::sentence::Sentence;
 use std::path::{Path, PathBuf};
+
+/// Index of the start setting among the entries of an axis.
+const START: usize = 0;
 
 /// A model file that is open.
 pub struct Tuned {
@@ -51,27 +55,25 @@ impl Tuned {
     /// # Errors
     /// The reader's sentence.
     pub fn read(path: &Path) -> Result<Tuned, String> {
-        let mut file = model_file::read_family(path).map_err(|e| e.to_string())?;
-        // The window shows a damper over a setting at one: the start first.
-        let over = file.axis.is_some().then(|| (file.definition(), file.axis.start()));
-        if let Some((damper, setting)) = &over {
-            file.params = damper.params_at(*setting);
-        }
-        Ok(Tuned {
-            path: Some(path.to_owned()),
-            over,
-            saved: Some(file.params),
-            text: std::fs::read_to_string(path).ok(),
-            ..Tuned::new(file)
-        })
+        let file = model_file::read_family(path).map_err(|e| e.to_string())?;
+        let text = std::fs::read_to_string(path).ok();
+        let model = Tuned::new(file);
+        Ok(Tuned { path: Some(path.to_owned()), saved: Some(model.identified), text, ..model })
     }
 
     fn new(file: ModelFile) -> Tuned {
-        // A damper over a setting is kept whole by who reads it.
-        let ModelFile { params, identification, specified: given, axis: _ } = file;
+        // The window shows a damper over a setting at one: the start first.
+        let over = file.axis.is_some().then(|| {
+            let (mut damper, start) = (file.definition(), file.axis.start());
+            // A start that the file leaves out is no number, and equal to nothing: dampers are compared. That of the axis is always allowed.
+            let _ = damper.axis.set_number(START, start);
+            (damper, start)
+        });
+        let params = over.as_ref().map_or(file.params, |(damper, setting)| damper.params_at(*setting));
+        let ModelFile { identification, specified: given, .. } = file;
         Tuned {
             path: None,
-            over: None,
+            over,
             identified: params,
             identification,
             given,
@@ -87,7 +89,7 @@ impl Tuned {
     /// # Errors
     /// Where the text is no model file; what a fit writes is.
     pub fn identified(text: String) -> Result<Tuned, String> {
-        let file = model_file::of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
+        let file = model_file::family_of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
         Ok(Tuned { text: Some(text), ..Tuned::new(file) })
     }
 
@@ -110,6 +112,20 @@ impl Tuned {
     /// The damper over a setting, as its file has it.
     pub fn definition(&self) -> Option<&Definition> {
         self.over.as_ref().map(|(damper, _)| damper)
+    }
+
+    /// The file of the whole damper over its setting; none of an ordinary damper.
+    pub fn whole_file(&self) -> Option<ModelFile> {
+        let Definition { params, axis } = *self.definition()?;
+        Some(ModelFile { params, axis, identification: self.identification.clone(), specified: self.given.clone() })
+    }
+
+    /// The damper of each test with these values on screen; where `own`, each test is at its own setting.
+    pub fn dampers(&self, params: &Params, own: bool) -> Dampers {
+        match &self.over {
+            Some((damper, at)) if own => Dampers::over_setting(*params, *damper, *at),
+            _ => Dampers::shown(*params),
+        }
     }
 
     /// Goes to the damper at another setting. Not while it is tuned: the values belong to the setting that they were tuned at.
@@ -146,11 +162,10 @@ impl Tuned {
 
     /// As the file it would be saved to reads.
     pub fn file(&self) -> ModelFile {
-        let (identification, specified) = (self.identification.clone(), self.given.clone());
-        let Some((Definition { params, axis }, setting)) = self.over.as_ref().map(|(damper, at)| (*damper, *at)) else {
+        let (Some(whole), Some((_, setting))) = (self.whole_file(), self.over_setting()) else {
+            let (identification, specified) = (self.identification.clone(), self.given.clone());
             return ModelFile { params: *self.params(), axis: Axis::NONE, identification, specified };
         };
-        let whole = ModelFile { params, axis, identification, specified };
         ModelFile { params: *self.params(), ..at_setting(&whole, setting) }
     }
 

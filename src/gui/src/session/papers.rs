@@ -7,13 +7,11 @@ use crate::session::model::Tuned;
 use crate::session::outputs::error_sentence;
 use crate::session::results::Diagnosed;
 use crate::session::tasks::{Kind as Work, Outcome};
-use crate::session::verbs::compared;
-use dashpot_identification::validation::validate;
 use dashpot_output::Kind;
 use dashpot_records::{Record, Sentence};
 use dashpot_report::diagnosis::DiagnosisReport;
 use dashpot_report::words::Words;
-use dashpot_report::{Made, Print, ReportInput, parameters, reading, write_workbook};
+use dashpot_report::{FamilyReport, Made, Print, ReportInput, parameters, reading, write_workbook};
 use dashpot_simulation::whole_records;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -98,21 +96,28 @@ impl Session {
     }
 
     fn write_validation(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
-        let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
+        let (Some(comparison), Some(model)) = (self.comparison(), &self.model) else { return };
         let (name, model_path) = (model.name(), file_of(model));
-        let (file, ticked) = (model.file(), self.ticked());
+        let family_fit = self.results.family_fit.as_ref().filter(|of| !of.is_old(self)).map(|of| of.found.clone());
         self.begin(Work::Write, move |report| {
-            let compared = compared(&file, &loaded, &ticked, report)?;
-            let mut validation = validate(&compared).map_err(Sentence::as_it_is)?;
-            validation.unusable.clone_from(&loaded.campaign.unusable);
-            let input = ReportInput {
+            let loaded = comparison.loaded();
+            let compared = comparison.run(report)?;
+            let validation = comparison.validate(&compared)?;
+            let family = comparison.family();
+            let file = family.unwrap_or(&comparison.file);
+            let mut input = ReportInput {
                 print: Print::Brief,
-                made: made(model_path.as_ref(), [&loaded]),
+                made: made(model_path.as_ref(), [loaded]),
                 model_file: name,
                 data: loaded.named(),
-                ..ReportInput::from_validation(&file, &loaded.campaign, &compared, &validation, words)
+                ..ReportInput::from_validation(file, &loaded.campaign, &compared, &validation, words)
                     .map_err(|e| error_sentence(&e))?
             };
+            if let Some(model) = family {
+                // A curve at one setting would stand for none of the others.
+                input.curve.clear();
+                input.family = Some(FamilyReport { model, fit: family_fit.as_deref() });
+            }
             write(path, paper.kind(), |path| match paper.kind() {
                 Kind::Workbook => write_workbook(&dashpot_report::workbook(&input), path),
                 _ => dashpot_report::write_atomic(&input, path),
@@ -127,7 +132,7 @@ impl Session {
             return;
         };
         let (model_file, model_path) = (model.name(), file_of(model));
-        let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.ticked());
+        let (found, over_whole_records, ticked) = (found.clone(), *over_whole_records, self.diagnosed());
         let mut said = reading::sentences(&loaded.campaign, words);
         let reference = reference.clone();
         let others = reference.iter().flat_map(|other| &other.campaign.unusable);

@@ -6,6 +6,7 @@ use crate::session::Session;
 use crate::session::model::Tuned;
 use crate::session::results::{Finding, Fitted};
 use dashpot_core::Params;
+use dashpot_identification::family::FamilyFit;
 use dashpot_identification::model_file;
 use dashpot_records::Sentence;
 use std::path::PathBuf;
@@ -16,8 +17,12 @@ pub enum Replacement {
     File(PathBuf),
     /// What a fit will find.
     Fit,
+    /// The damper over a setting that a fit will find, by the name of the setting.
+    FitOver(String),
     /// What a fit has found, while the model was tuned.
     Fitted(Fitted),
+    /// The damper over a setting that a fit has found, while the model was tuned.
+    FittedFamily(Box<FamilyFit>),
     /// The improved model of the diagnosis.
     Improved,
 }
@@ -63,18 +68,23 @@ impl Session {
                 self.others.allowed = self.model.as_ref().map(|m| *m.params());
                 self.fit();
             }
+            Replacement::FitOver(setting) => {
+                self.others.allowed = self.model.as_ref().map(|m| *m.params());
+                self.fit_over(setting);
+            }
             Replacement::Fitted(fit) => self.take_fit(fit),
+            Replacement::FittedFamily(fit) => self.take_family_fit(fit),
             Replacement::Improved => self.take_improved(),
         }
     }
 
     /// A fit is done: its model takes the place of the one on screen, unless that was tuned meanwhile.
-    pub(super) fn fit_is_done(&mut self, fit: Fitted) {
+    pub(super) fn fit_is_done(&mut self, fit: Replacement) {
         let now = self.model.as_ref().map(|m| *m.params());
         if self.has_unsaved_tuning() && self.others.allowed != now {
-            self.pending = Some(Replacement::Fitted(fit));
+            self.pending = Some(fit);
         } else {
-            self.take_fit(fit);
+            self.carry_out(fit);
         }
     }
 
@@ -83,7 +93,18 @@ impl Session {
             Ok(model) => self.take_model(model),
             Err(error) => return self.complain(Sentence::as_it_is(error)),
         }
-        self.results.fit = self.basis().map(|basis| Finding::new(fit, basis));
+        self.results.family_fit = None;
+        self.results.fit = self.basis_of_fit().map(|basis| Finding::of_fit(fit, basis));
+    }
+
+    fn take_family_fit(&mut self, fit: Box<FamilyFit>) {
+        match Tuned::identified(dashpot_identification::family::model_file::write(&fit)) {
+            Ok(model) => self.take_model(model),
+            Err(error) => return self.complain(Sentence::as_it_is(error)),
+        }
+        self.own_settings = true;
+        self.results.fit = None;
+        self.results.family_fit = self.basis_of_fit().map(|basis| Finding::of_fit(fit, basis));
     }
 
     /// The model takes the place of the one on screen, which can be gone back to.

@@ -2,9 +2,9 @@
 
 use crate::session::Waker;
 use crate::session::campaign::{Loaded, Seen};
-use dashpot_core::{Model, Params};
+use crate::session::dampers::Dampers;
 use dashpot_records::Record;
-use dashpot_simulation::prediction::predict;
+use dashpot_records::smoothing::Motion;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
@@ -12,8 +12,8 @@ use std::time::{Duration, Instant};
 
 /// What is to be computed.
 pub struct Wanted {
-    /// Values of the model.
-    pub params: Params,
+    /// The damper of each test.
+    pub dampers: Dampers,
     /// The tests.
     pub loaded: Arc<Loaded>,
     /// Whether one cycle of each test is enough for now: a slider is moving.
@@ -22,8 +22,8 @@ pub struct Wanted {
 
 /// What the model makes of all tests.
 pub struct Simulated {
-    /// Values of the model.
-    pub params: Params,
+    /// The damper of each test.
+    pub dampers: Dampers,
     /// The tests.
     pub loaded: Arc<Loaded>,
     /// One entry a test.
@@ -64,13 +64,18 @@ impl OfTest {
         }
     }
 
-    /// Of a whole test, or of its shown cycle alone, from oil that is warmer than the surroundings by `rise`, K.
-    pub fn simulate(model: &Model, record: &Record, seen: &Seen, rise: f64, quick: bool) -> OfTest {
+    /// Of a whole test, or of its shown cycle alone; `predict` computes the forces along a record or a part of it.
+    pub fn simulate(
+        predict: impl Fn(&Record, &Motion) -> Vec<f64>,
+        record: &Record,
+        seen: &Seen,
+        quick: bool,
+    ) -> OfTest {
         if quick {
-            let forces = predict(model, &seen.cycle, &seen.cycle_motion, rise);
+            let forces = predict(&seen.cycle, &seen.cycle_motion);
             OfTest::new(&forces, &seen.cycle, 0..seen.cycle_samples, seen.stride, seen.max_force)
         } else {
-            OfTest::new(&predict(model, record, &seen.motion, rise), record, seen.shown.clone(), 1, seen.max_force)
+            OfTest::new(&predict(record, &seen.motion), record, seen.shown.clone(), 1, seen.max_force)
         }
     }
 }
@@ -173,14 +178,16 @@ fn work(shared: &Shared, waker: &Waker) {
 /// Everything that was ordered; nothing where it is outdated on the way or makes no model.
 pub fn simulate(wanted: &Wanted, outdated: &(dyn Fn() -> bool + Sync)) -> Option<Simulated> {
     let began = Instant::now();
-    let model = Model::new(&wanted.params).ok()?;
-    let all = wanted.loaded.campaign.records.par_iter().zip(&wanted.loaded.tests).enumerate();
-    let rise = |k| wanted.loaded.warm.rise(&wanted.params, k);
-    let tests: Option<Vec<OfTest>> = all
-        .map(|(k, (record, seen))| (!outdated()).then(|| OfTest::simulate(&model, record, seen, rise(k), wanted.quick)))
-        .collect();
+    let loaded = &wanted.loaded;
+    let prepared = wanted.dampers.prepare(&loaded.campaign.records)?;
+    let all = loaded.campaign.records.par_iter().zip(&loaded.tests).enumerate();
+    let of_test = |(k, (record, seen)): (usize, (&Record, &Seen))| {
+        let predict = |record: &Record, motion: &Motion| prepared.predict(loaded, k, record, motion);
+        (!outdated()).then(|| OfTest::simulate(predict, record, seen, wanted.quick))
+    };
+    let tests: Option<Vec<OfTest>> = all.map(of_test).collect();
     Some(Simulated {
-        params: wanted.params,
+        dampers: wanted.dampers.clone(),
         loaded: wanted.loaded.clone(),
         tests: tests?,
         quick: wanted.quick,

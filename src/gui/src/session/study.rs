@@ -4,6 +4,9 @@ use crate::session::campaign::Loaded;
 use crate::session::simulation::OfTest;
 use dashpot_core::parameter::Number;
 use dashpot_core::{Model, Params};
+use dashpot_records::Record;
+use dashpot_records::smoothing::Motion;
+use dashpot_simulation::prediction::predict;
 use rayon::prelude::*;
 
 /// What is asked.
@@ -64,7 +67,8 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
             with.set(question.number, value(k)).ok()?;
             let model = Model::new(&with).ok()?;
             let rise = loaded.warm.rise(&with, question.test);
-            let force = OfTest::simulate(&model, record, seen, rise, true).shown;
+            let along = |record: &Record, motion: &Motion| predict(&model, record, motion, rise);
+            let force = OfTest::simulate(along, record, seen, true).shown;
             let [area, gap] = figures(&force);
             Some(Member { value: value(k), force, area, gap })
         })

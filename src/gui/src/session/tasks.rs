@@ -7,6 +7,7 @@ use crate::session::progress::{Progress, Report};
 use crate::session::results::{Basis, Diagnosed, Fitted};
 use crate::session::study::Study;
 use dashpot_estimation::cancel::Cancel;
+use dashpot_identification::family::FamilyFit;
 use dashpot_identification::validation::{StepResponse, Validation};
 use dashpot_records::Sentence;
 use dashpot_records::sentence::Template;
@@ -44,6 +45,8 @@ pub enum Outcome {
     Reference(Loaded),
     /// A model.
     Fitted(Fitted),
+    /// A damper over a setting.
+    FittedFamily(Box<FamilyFit>),
     /// Errors, and of what.
     Validated(Box<Validation>, Box<Basis>),
     /// What a model lacks, and of what.

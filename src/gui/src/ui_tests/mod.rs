@@ -8,6 +8,7 @@ mod made_up;
 mod models;
 mod narrow;
 mod reference;
+mod settings;
 mod unusable;
 mod valves;
 
@@ -163,7 +164,7 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
         app.session
             .simulated
             .as_ref()
-            .is_some_and(|s| s.params.number(number!("series_stiffness")) == after && !s.quick)
+            .is_some_and(|s| s.dampers.params().number(number!("series_stiffness")) == after && !s.quick)
     });
     assert!(harness.state().session.generation > generation);
     until(&mut harness, "forces of the identified model", |app| app.session.identified.is_some());
@@ -191,7 +192,10 @@ fn an_element_is_switched_and_shows_in_every_force() {
     harness.step();
     assert!(!harness.state().session.model.as_ref().unwrap().params().is_on(element!("series_compliance")));
     until(&mut harness, "forces without it", |app| {
-        app.session.simulated.as_ref().is_some_and(|s| !s.params.is_on(element!("series_compliance")) && !s.quick)
+        app.session
+            .simulated
+            .as_ref()
+            .is_some_and(|s| !s.dampers.params().is_on(element!("series_compliance")) && !s.quick)
     });
     let after = harness.state().session.simulated.clone().unwrap();
     assert!(before.tests.iter().zip(&after.tests).any(|(a, b)| (a.percent - b.percent).abs() > 0.01));
@@ -604,7 +608,10 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let model = harness.state().session.model.as_ref().unwrap();
     assert!(model.params().is_on(Element::find(named).unwrap()) && model.is_unsaved());
     until(&mut harness, "its forces", |app| {
-        app.session.simulated.as_ref().is_some_and(|s| !s.quick && s.params.is_on(Element::find(named).unwrap()))
+        app.session
+            .simulated
+            .as_ref()
+            .is_some_and(|s| !s.quick && s.dampers.params().is_on(Element::find(named).unwrap()))
     });
 }
 
@@ -670,7 +677,7 @@ fn latency() {
             let frame = Instant::now();
             harness.step();
             frames.push(frame.elapsed().as_secs_f64());
-            let there = |s: &Arc<Simulated>| s.params.number(number!("series_stiffness")) == wanted;
+            let there = |s: &Arc<Simulated>| s.dampers.params().number(number!("series_stiffness")) == wanted;
             if harness.state().session.simulated.as_ref().is_some_and(there) {
                 break;
             }

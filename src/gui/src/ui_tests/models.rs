@@ -333,7 +333,7 @@ fn a_slider_goes_over_the_setting_of_a_family_and_its_loops_follow() {
     assert!(at(&harness) > 0.4, "{}", at(&harness));
     let wanted = params(&harness);
     until(&mut harness, "forces there", |app| {
-        app.session.simulated.as_ref().is_some_and(|s| !s.quick && s.params == wanted)
+        app.session.simulated.as_ref().is_some_and(|s| !s.quick && *s.dampers.params() == wanted)
     });
     harness.step();
     assert!(most(&harness) > 1.5 * soft, "{} at {} A, {soft} at 0 A", most(&harness), at(&harness));

@@ -3,7 +3,7 @@
 use super::*;
 
 /// Texts of a kind between two edges of the window that reach beyond the right one.
-fn cut_off(harness: &Harness<'_, App>, role: Role, (left, right): (f32, f32)) -> Vec<String> {
+pub(super) fn cut_off(harness: &Harness<'_, App>, role: Role, (left, right): (f32, f32)) -> Vec<String> {
     let of_panel = harness.query_all(by().role(role)).filter(|node| (left..right).contains(&node.rect().left()));
     of_panel.filter(|node| node.rect().right() > right + 1.0).map(|node| format!("{node:?}")).collect()
 }

@@ -4,9 +4,8 @@ use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::exports::Host;
 use crate::session::papers::Paper;
-use crate::session::replacing::Replacement;
 use crate::units::{Force, Units, Velocity};
-use crate::views::{Side, View, named_list};
+use crate::views::{Side, View, fit, named_list};
 use crate::words::{self, Language};
 use eframe::egui::{self, Key, KeyboardShortcut, Modifiers, Ui};
 
@@ -48,12 +47,12 @@ pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
     }
     let (records, model) = (session.has_records(), session.model.is_some());
     if pressed(&FIT) && records {
-        session.replace(Replacement::Fit);
+        fit::begin(session);
     }
     if pressed(&VALIDATE) && records && model {
         validate(session, view);
     }
-    if pressed(&DIAGNOSE) && records && model {
+    if pressed(&DIAGNOSE) && records && model && !session.diagnosed().is_empty() {
         diagnose(session, view);
     }
 }
@@ -94,13 +93,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         ui.separator();
         let free = session.task.is_none();
         let (records, model) = (session.has_records() && free, session.model.is_some());
-        if can(ui, records, w.fit, w.fit_hint) {
-            session.replace(Replacement::Fit);
-        }
+        fit::button(ui, session, records, w);
         if can(ui, records && model, w.validate, w.validate_hint) {
             validate(session, view);
         }
-        if can(ui, records && model, w.diagnose, w.diagnose_hint) {
+        let is_elsewhere = model && records && !session.ticked().is_empty() && session.diagnosed().is_empty();
+        let diagnose_hint = if is_elsewhere { w.diagnose_elsewhere } else { w.diagnose_hint };
+        let diagnose_button = ui.add_enabled(records && model && !is_elsewhere, egui::Button::new(w.diagnose));
+        if diagnose_button.on_hover_text(diagnose_hint).on_disabled_hover_text(diagnose_hint).clicked() {
             diagnose(session, view);
         }
         ui.separator();

@@ -1,12 +1,16 @@
 //! The lines of the loop plots: thinned to what a screen shows, and made anew only when something changed.
 
 use crate::session::Session;
+use crate::session::dampers::TestDamper;
 use crate::session::simulation::OfTest;
 use crate::session::two_ways::two_ways;
 use crate::units::Units;
 use crate::words::Words;
 use dashpot_core::Model;
 use dashpot_core::parameter::Element;
+use dashpot_records::Record;
+use dashpot_records::smoothing::Motion;
+use dashpot_simulation::prediction::predict;
 use egui_plot::PlotPoint;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -104,14 +108,13 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
     let mut lines = Vec::new();
     for (place, test) in tests.iter().enumerate() {
         let (record, seen) = (&loaded.campaign.records[*test], &loaded.tests[*test]);
-        // The model is at one setting, so a test whose setting changes must not look like one that the model follows.
-        let changes =
-            record.setting_signal.as_ref().map_or_else(String::new, |_| format!(" ({})", words.setting_changes));
+        let at = at_setting(session, record, words);
         let over = |whose: Whose, force: &[f64], stride: usize| {
+            let at = if whose == Whose::Measured { "" } else { at.as_str() };
             line(
                 whose,
                 place,
-                format!("{}{changes} · {}", record.name, named(whose, words)),
+                format!("{} · {}{at}", record.name, named(whose, words)),
                 record,
                 seen,
                 (force, stride),
@@ -137,16 +140,32 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
         if session.model.is_some() {
             lines.extend(simulated(&session.simulated).map(|(f, stride)| over(Whose::Model, &f, stride)));
         }
-        let with =
-            effect.filter(|_| place < EFFECTS).and_then(|(element, strength)| session.with_effect(element, strength));
+        let with = effect
+            .filter(|_| place < EFFECTS)
+            .and_then(|(element, strength)| session.with_effect(record, element, strength));
         if let Some((params, model)) = with.and_then(|p| Some((p, Model::new(&p).ok()?))) {
-            let of = OfTest::simulate(&model, record, seen, loaded.warm.rise(&params, *test), true);
+            let rise = loaded.warm.rise(&params, *test);
+            let along = |record: &Record, motion: &Motion| predict(&model, record, motion, rise);
+            let of = OfTest::simulate(along, record, seen, true);
             lines.push(over(Whose::Effect, &of.shown, of.stride));
         }
     }
     // Models over measurements.
     lines.sort_by_key(|l| l.whose as usize);
     lines
+}
+
+/// The setting at which the model is compared with a test, behind its name; that of the test or none.
+///
+/// A test whose setting changes must not look like one that the model follows where it stands at one setting.
+fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
+    let Some(dampers) = session.dampers() else { return String::new() };
+    let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
+    match dampers.of_test(record) {
+        TestDamper::AtSetting(value) => format!(" ({})", format!("{} {unit}", words.typed(value)).trim_end()),
+        TestDamper::Shown if record.setting_signal.is_some() => format!(" ({})", words.setting_changes),
+        _ => String::new(),
+    }
 }
 
 /// Whose forces, in words.

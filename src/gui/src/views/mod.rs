@@ -3,6 +3,7 @@
 //! | file | view |
 //! |---|---|
 //! | [`bar`] | menus and verbs at the top |
+//! | [`fit`] | the button that fits a model |
 //! | [`status`] | progress, cancel and what was said last, at the bottom |
 //! | [`tests`] | the tests with what was noticed about each |
 //! | [`plots`], [`lines`] | loops, force over time, peak forces with the curve that is dragged |
@@ -21,6 +22,7 @@ pub mod bar;
 pub mod choosing;
 pub mod closing;
 pub mod drawing;
+pub mod fit;
 mod grid;
 pub mod lines;
 pub mod matrix;
@@ -127,6 +129,17 @@ impl View {
 /// The name of an element or a parameter as the reports have it, without the identifier, which stands under the pointer.
 pub fn translate_name(identifier: &str, words: &dashpot_report::words::Words) -> String {
     words.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
+}
+
+/// The name of a setting, translated where the reports know it.
+pub fn setting_name<'a>(name: &'a str, words: &dashpot_report::words::Words) -> &'a str {
+    match name {
+        "current" => words.word("current"),
+        "clicks" => words.word("clicks"),
+        "voltage" => words.word("voltage"),
+        "pressure" => words.word("pressure"),
+        _ => name,
+    }
 }
 
 /// Colour of a `#rrggbb` text of the report's palette.

@@ -314,6 +314,16 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         |params: &Params| -> Vec<[f64; 2]> { steady(params, reach(&loaded, params)).into_iter().map(shown).collect() };
     let now = session.model.as_ref().map(|m| curve(m.params()));
     let identified = session.model.as_ref().filter(|m| m.is_tuned()).map(|m| curve(&m.identified));
+    // Where tests are at their own settings, a curve for each of them.
+    let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
+    let own = session.dampers().map_or_else(Vec::new, |dampers| dampers.settings(&loaded.campaign.records));
+    let own: Vec<(String, Vec<[f64; 2]>)> = own
+        .iter()
+        .map(|(setting, params)| {
+            let at = format!("{} {unit}", words.typed(*setting));
+            (format!("{} ({})", words.steady_force, at.trim_end()), curve(params))
+        })
+        .collect();
     let is_there = |p: &[f64; 2]| p[0].is_finite() && p[1].is_finite();
     let measured: Vec<[f64; 2]> = loaded.tests.iter().flat_map(|t| t.peaks).filter(is_there).map(shown).collect();
     let top = ui.cursor().min;
@@ -323,6 +333,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         for (curve, role, name) in curves {
             lines.extend(curve.as_ref().map(|c| (role, name.to_owned(), c.clone())));
         }
+        lines.extend(own.iter().map(|(name, curve)| (Role::Model, name.clone(), curve.clone())));
         lines
     });
     let handles: Vec<(f64, f64)> = session.model.as_ref().map_or_else(Vec::new, |m| handles(m.params()));
@@ -356,6 +367,10 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         plot.points(grey);
         for (place, peak) in &selected {
             plot.points(Points::new(words.measured, PlotPoints::from(vec![*peak])).radius(4.0).color(hue(*place)));
+        }
+        for (name, curve) in &own {
+            let line = Line::new(name.clone(), PlotPoints::from(curve.clone()));
+            plot.line(line.color(ink.gamma_multiply(0.5)).width(1.0));
         }
         if let Some(curve) = &identified {
             plot.line(Line::new(words.identified_model, PlotPoints::from(curve.clone())).color(weak).width(1.0));

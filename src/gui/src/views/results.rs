@@ -4,9 +4,10 @@ use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::papers::Paper;
 use crate::session::replacing::Replacement;
-use crate::views::{View, translate_name};
+use crate::views::{View, setting_name, translate_name};
 use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::{Diagnosis, InventoryItem};
+use dashpot_identification::family::{FamilyEstimate, FamilyFit};
 use dashpot_identification::validation::{Errors, Validation};
 use dashpot_identification::{Fit, Standing};
 use dashpot_report::diagnosis::changed_name;
@@ -22,6 +23,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     egui::ScrollArea::vertical().id_salt("answer").auto_shrink([false, false]).show(ui, |ui| {
         let nothing = session.results.fit.is_none()
+            && session.results.family_fit.is_none()
             && session.results.validation.is_none()
             && session.results.diagnosis.is_none();
         if nothing {
@@ -46,7 +48,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         if let Some(answer) = &session.results.validation {
             let old = answer.is_old(session);
             heading(ui, w.validation_result, old, w);
-            validation(ui, &answer.found, w);
+            let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit()));
+            validation(ui, &answer.found, unit.unwrap_or_default(), w);
             let offered = [(w.write_report, Paper::ValidationReport), (w.save_tables, Paper::ValidationTables)];
             ui.horizontal_wrapped(|ui| papers(ui, free && !old, view, &offered));
             ui.separator();
@@ -61,6 +64,10 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             }
             papers(ui, free && !old, view, &[(w.save_tables, Paper::FitTables)]);
             fit(ui, &answer.found.fit, view.language);
+        }
+        if let Some(answer) = &session.results.family_fit {
+            heading(ui, w.fit_result, answer.is_old(session), w);
+            family_fit(ui, &answer.found, view.language);
         }
         if take {
             session.replace(Replacement::Improved);
@@ -112,6 +119,52 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     }
 }
 
+/// A damper over a setting: what depends on it, the errors at each setting, and its numbers.
+fn family_fit(ui: &mut Ui, found: &FamilyFit, language: Language) {
+    let (w, said) = (texts(language), language.words());
+    let at = |setting: f64| format!("{} {}", w.typed(setting), found.setting.unit).trim_end().to_owned();
+    wrapped(ui, RichText::new(format!("{} {}", found.tests.len(), w.tests_fitted)));
+    ui.strong(said.family_errors_section);
+    egui::Grid::new("family_errors").num_columns(4).striped(true).show(ui, |ui| {
+        let name = setting_name(&found.setting.name, said);
+        for heading in [name, said.family_own_fit, said.family_fit, said.family_without] {
+            ui.add(egui::Label::new(RichText::new(heading).small().strong()).wrap());
+        }
+        ui.end_row();
+        for of in &found.settings {
+            ui.label(at(of.setting));
+            for error in [Some(&of.own_fit), Some(&of.family), of.left_out.as_ref()] {
+                let Some(error) = error else {
+                    ui.label("–");
+                    continue;
+                };
+                ui.label(format!("{} %", w.fixed(error.error_percent, 2)))
+                    .on_hover_text(format!("{} N", w.digits(error.mean_error_n)));
+            }
+            ui.end_row();
+        }
+    });
+    wrapped(ui, RichText::new(said.family_dependences).small().weak());
+    for of in &found.dependences {
+        let how = if of.varies { said.yes } else { said.no };
+        let figures = [how, &probability(of.probability)].join(said.semicolon);
+        let line = format!("{}{}{figures}", translate_name(of.name, said), said.colon);
+        ui.add(egui::Label::new(RichText::new(line).small()).wrap()).on_hover_text(of.name);
+    }
+    inventory(ui, &found.inventory, false, language);
+    for FamilyEstimate { setting, estimate: e } in found.estimates.iter().filter(|e| e.estimate.index.is_none()) {
+        let (Some(low), Some(high)) = (e.low, e.high) else { continue };
+        let (value, interval) = with_interval(e.value, low, high, e.unit, said);
+        let of = setting.map_or_else(String::new, |setting| format!(" ({})", at(setting)));
+        let figures = said.number(&format!("{value} ({interval})"));
+        let line = RichText::new(format!("{}{of}{}{figures}", translate_name(e.name, said), said.colon)).small();
+        ui.add(egui::Label::new(line).wrap()).on_hover_text(e.name);
+    }
+    for note in &found.notes {
+        wrapped(ui, RichText::new(format!("• {}", said.say(note))).weak());
+    }
+}
+
 /// Each effect with its force and probability and, beside a given model, what became of it.
 fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Language) {
     if items.is_empty() {
@@ -136,7 +189,7 @@ fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Langu
     }
 }
 
-fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
+fn validation(ui: &mut Ui, found: &Validation, unit: &str, w: &Words) {
     egui::Grid::new("validation").num_columns(4).striped(true).show(ui, |ui| {
         for heading in ["", w.tests, w.model, w.fv_curve] {
             ui.strong(heading);
@@ -158,6 +211,12 @@ fn validation(ui: &mut Ui, found: &Validation, w: &Words) {
             if let Some(s) = summary {
                 row(name, s.tests, &s.errors);
             }
+        }
+        for of in &found.settings {
+            row(format!("{} {unit}", w.typed(of.setting)).trim_end(), of.summary.tests, &of.summary.errors);
+        }
+        if let Some(of) = &found.changing {
+            row(w.of.words().family_changing, of.summary.tests, &of.summary.errors);
         }
         row(w.all_tests, found.overall.tests, &found.overall.errors);
     });

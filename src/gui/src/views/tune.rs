@@ -2,9 +2,8 @@
 
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, prior_band};
-use crate::session::replacing::Replacement;
 use crate::units::{Units, read};
-use crate::views::{View, named_list, translate_name};
+use crate::views::{View, fit, named_list, translate_name};
 use crate::words::Words;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Element, Row, Shape};
@@ -22,9 +21,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     let Some(model) = &session.model else {
         ui.label(w.no_model);
         let can = session.has_records() && session.task.is_none();
-        if ui.add_enabled(can, egui::Button::new(w.fit)).on_hover_text(w.fit_hint).clicked() {
-            session.replace(Replacement::Fit);
-        }
+        fit::button(ui, session, can, w);
         return;
     };
     let name = Some(model.name()).filter(|n| !n.is_empty()).unwrap_or_else(|| w.unsaved_model.to_owned());
@@ -82,6 +79,11 @@ fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     slider.on_hover_text(w.setting_hint).on_disabled_hover_text(w.setting_tuned);
     if moved != at {
         session.move_to(moved);
+    }
+    if session.has_own_settings() {
+        let mut own = session.own_settings;
+        ui.checkbox(&mut own, w.own_settings).on_hover_text(w.own_settings_hint);
+        session.use_own_settings(own);
     }
 }
 

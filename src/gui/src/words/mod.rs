@@ -99,10 +99,17 @@ pub struct Words {
     pub reset_hint: &'static str,
     pub fit: &'static str,
     pub fit_hint: &'static str,
+    /// A fit of one damper over `{setting}`.
+    pub fit_over: &'static str,
+    pub fit_over_hint: &'static str,
+    pub fit_ordinary: &'static str,
+    pub fit_ordinary_hint: &'static str,
     pub validate: &'static str,
     pub validate_hint: &'static str,
     pub diagnose: &'static str,
     pub diagnose_hint: &'static str,
+    /// Why there is nothing to diagnose.
+    pub diagnose_elsewhere: &'static str,
     pub export: &'static str,
     pub export_fmu: &'static str,
     pub export_fmu3: &'static str,
@@ -175,6 +182,9 @@ pub struct Words {
     pub setting: &'static str,
     /// What its slider shows.
     pub setting_hint: &'static str,
+    /// Whether each test is compared with the damper at its own setting.
+    pub own_settings: &'static str,
+    pub own_settings_hint: &'static str,
     /// Why its slider stands still.
     pub setting_tuned: &'static str,
     /// Behind the name of a test whose setting changes.

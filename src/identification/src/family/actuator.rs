@@ -6,9 +6,10 @@ use crate::intervals::{Estimate, Standing, Z};
 use crate::phrases;
 use dashpot_core::family::Definition;
 use dashpot_core::family::axis::{ENTRIES, index_of};
-use dashpot_estimation::deviations::robust_covariance;
+use dashpot_estimation::deviations::{considered_shift, robust_covariance};
 use dashpot_estimation::family::actuator::{ActuatorContext, ActuatorRefit, axis_with};
 use dashpot_estimation::family::actuator_search::{ActuatorSearch, search_actuator};
+use dashpot_estimation::family::command_time::SPREAD;
 use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_records::{Record, Sentence};
@@ -67,10 +68,16 @@ pub fn identify_actuator(
     }
     let percent = reports.iter().map(|of| of.family.error_percent).sum::<f64>() / reports.len().max(1) as f64;
     let tests = with_form_error(samples::tests(records), RMS_OF_MEAN * percent / 100.0);
+    let sample_time = |test: &Test| {
+        let time = &records[test.record].time;
+        time.last().zip(time.first()).map_or(0.0, |(last, first)| (last - first) / (time.len() - 1).max(1) as f64)
+    };
+    let sample_times: Vec<f64> = tests.iter().map(sample_time).collect();
     let rig = &family.hypothesis.template;
     let rig_theta = family.hypothesis.theta_at(&family.refit.theta, 0);
-    let context = ActuatorContext { definition: damper, rig, rig_theta: &rig_theta, tests: &tests };
-    let ActuatorSearch { best, parts } = search_actuator(&context, progress)?;
+    let context =
+        ActuatorContext { definition: damper, rig, rig_theta: &rig_theta, tests: &tests, sample_times: &sample_times };
+    let ActuatorSearch { best, parts, timing } = search_actuator(&context, progress)?;
     let axis = axis_with(&damper.axis, &best.numbers, &best.theta)?;
     damper.axis = axis;
     let decision = |of: &dashpot_estimation::family::actuator_search::ActuatorPart| ActuatorDecision {
@@ -79,19 +86,23 @@ pub fn identify_actuator(
         probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
     };
     Some(ActuatorFit {
-        estimates: estimates(&best, damper),
+        estimates: estimates(&best, &timing, damper),
         parts: parts.iter().map(decision).collect(),
         tests: records.iter().map(|record| record.name.clone()).collect(),
     })
 }
 
 /// The numbers with their intervals.
-fn estimates(refit: &ActuatorRefit, damper: &Definition) -> Vec<Estimate> {
-    let Some((covariance, _)) = robust_covariance(&refit.blocks, &refit.precisions()) else { return Vec::new() };
+fn estimates(refit: &ActuatorRefit, timing: &[Vec<f64>], damper: &Definition) -> Vec<Estimate> {
+    let precisions = refit.precisions();
+    let Some((covariance, _)) = robust_covariance(&refit.blocks, &precisions) else { return Vec::new() };
+    let shift = considered_shift(&refit.blocks, &precisions, timing);
+    // The instant of the command is off by the same time at all steps.
+    let of_timing = |place: usize| shift.as_ref().map_or(0.0, |shift| SPREAD * shift[place]);
     let unit = damper.axis.unit();
     let mut all = Vec::new();
     for (place, number) in refit.numbers.iter().enumerate() {
-        let deviation = covariance[(place, place)].max(0.0).sqrt();
+        let deviation = libm::hypot(covariance[(place, place)].max(0.0).sqrt(), of_timing(place));
         let (low, high) = number.bounds;
         let at = |z: f64| number.value(dashpot_records::restrict(refit.theta[place] + z * deviation, low, high));
         let is_at_bound = refit.theta[place] <= low || refit.theta[place] >= high;

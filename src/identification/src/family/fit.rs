@@ -3,6 +3,7 @@
 use super::TEMPERATURE;
 use super::actuator::{self, ActuatorFit, identify_actuator};
 use super::left_out::{SettingReport, damper_through, reports};
+use super::selection::select_tests;
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::expected::{contradiction, expectation, is_contradiction};
 use crate::fit::{
@@ -103,11 +104,17 @@ pub fn fit_family(
     progress: impl Fn(Stage) + Sync,
 ) -> Result<FamilyFit, FamilyError> {
     progress(Stage { done: 0.0, text: phrases::PREPARING });
-    let (constant, changing) = split_changing(records, setting);
+    let (constant, mut changing) = split_changing(records, setting);
     if constant.is_empty() && !changing.is_empty() {
         return Err(FamilyError::OnlyChanging { name: setting.to_owned(), count: changing.len() });
     }
-    let (axis, sorted) = by_setting(&constant, setting)?;
+    let (axis, mut sorted) = by_setting(&constant, setting)?;
+    let selection = select_tests(&mut sorted, &mut changing);
+    let constant: Vec<&Record> = sorted.iter().flat_map(|of| of.records.iter().copied()).collect();
+    let used: Vec<&Record> = constant.iter().chain(&changing).copied().collect();
+    let is_used = |record: &&&Record| used.iter().any(|of| std::ptr::eq(*of, **record));
+    let records: Vec<&Record> = records.iter().filter(is_used).copied().collect();
+    let records = &records[..];
     let fail = |of: &SettingRecords, why| FamilyError::At { name: axis.name.clone(), value: of.value, why };
     for of in &sorted {
         check_elements(options).and_then(|()| check_motion(&segments(&of.records))).map_err(|why| fail(of, why))?;
@@ -150,11 +157,10 @@ pub fn fit_family(
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(notes_of_priors(&options.priors, &estimates, &axis));
+    notes.extend(selection);
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));
     notes.extend(coverage_notes(&segments(&constant)));
     notes.extend(measured.iter().map(Measured::in_words));
-    let sorted_records = sorted.iter().flat_map(|of| of.records.iter().copied());
-    let used: Vec<&Record> = sorted_records.chain(changing.iter().copied()).collect();
     let scored: usize = all.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
     progress(Stage { done: 1.0, text: phrases::DONE });
     Ok(FamilyFit {

@@ -18,6 +18,7 @@ mod figures;
 mod fit;
 mod left_out;
 pub mod model_file;
+mod selection;
 mod settings;
 
 pub use actuator::{ActuatorDecision, ActuatorFit};

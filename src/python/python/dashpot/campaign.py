@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     Channel = npt.NDArray[np.float64]
 
 #: Kinds of notes that are warnings: a result may be wrong where nobody acts on them.
-_LOUD = ("sign_unsure", "settings", "cut_off")
+_LOUD = ("sign_unsure", "settings", "changing_setting", "cut_off")
 
 #: A path as Python knows them.
 Path = Union[str, "os.PathLike[str]"]

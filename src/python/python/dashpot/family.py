@@ -144,7 +144,8 @@ class Family:
     ) -> Response:
         """The force for a motion, as :meth:`Model.simulate`, actuator included.
 
-        :param setting: commanded setting, one number or one for every time: that of the step that ends there. The start setting if not given.
+        :param setting: commanded setting, one number or one for every time: that of the step that ends there, clamped to the grid. The start setting if not given.
+            Of a sampled channel, ``dashpot simulate`` takes the mean at both ends of the step.
         :raises MotionError: where a number overflows.
         :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """

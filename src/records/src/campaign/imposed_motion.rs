@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::motion_setting::MotionSetting;
 use super::profile::{self, Profile};
 use super::record_file::read_file;
 use crate::data::samples::Samples;
@@ -25,27 +26,34 @@ pub struct MotionRecord {
     pub side_force: Option<Vec<f64>>,
     /// Damper temperature, °C.
     pub temperature: Option<Vec<f64>>,
+    /// What an adjustable damper is set to, where the file says it.
+    pub setting: Option<MotionSetting>,
 }
 
 /// Reads a motion. Units, columns and channels to ignore are read from `options` as for records; signs are not: the
-/// file counts extension positive, unless a profile beside it says otherwise. A force column is left unread.
+/// file counts extension positive, unless a profile beside it says otherwise. A force column is left unread. The setting is
+/// recognized as in records.
 ///
 /// # Errors
-/// [`RecordError`] where the file cannot be read, lacks a value, holds several tests, its time does not increase, or its velocity
-/// is that of another motion than its displacement.
+/// [`RecordError`] where the file cannot be read, lacks a value or the column that the options name for the setting, holds several
+/// tests, its time does not increase, or its velocity is that of another motion than its displacement.
 pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, RecordError> {
     if !file.exists() {
         return Err(RecordError::NotFound { file: file.into() });
     }
+    let setting_column = options.columns.get(&Channel::Setting).filter(|_| !options.ignore.contains(&Channel::Setting));
     let profile = Profile::read(&profile::folder_of(file))?.map(|p| p.options().unwrap_or_default());
     let mut options = profile.as_ref().map_or_else(|| options.clone(), |profile| options.over(profile));
     options.ignore.insert(Channel::Force);
     let mut tests = read_file(file, &options)?;
-    let Some(samples) = tests.pop() else {
+    let Some(mut samples) = tests.pop() else {
         return Err(RecordError::NoData { at: crate::Place::file(file) });
     };
     if let Some(other) = tests.first() {
         return Err(RecordError::SeveralMotions { file: file.into(), first: other.name.clone(), second: samples.name });
+    }
+    if let Some(wanted) = setting_column.filter(|_| samples.setting.is_none()) {
+        return Err(RecordError::NoSettingColumn { wanted: wanted.clone() });
     }
     check(&samples)?;
     if let (Some(displacement), Some(velocity)) = (&samples.displacement, &samples.velocity)
@@ -54,6 +62,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     {
         return Err(RecordError::Contradiction { at: samples.at, cause });
     }
+    let setting = MotionSetting::take(&mut samples, &options.settings);
     let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
     // A profile says how the files beside it count; without one they count extension positive.
     if let Some(profile) = profile {
@@ -62,7 +71,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
         displacement.iter_mut().flatten().for_each(|x| *x = sign * (*x - profile.displacement_zero_m));
         velocity.iter_mut().flatten().for_each(|v| *v *= sign);
     }
-    Ok(MotionRecord { time, displacement, velocity, side_force, temperature })
+    Ok(MotionRecord { time, displacement, velocity, side_force, temperature, setting })
 }
 
 fn check(samples: &Samples) -> Result<(), RecordError> {
@@ -90,6 +99,7 @@ fn check(samples: &Samples) -> Result<(), RecordError> {
 mod tests {
     use super::*;
     use crate::Channel;
+    use crate::SettingSource;
     use crate::Unit;
 
     fn read(text: &str, options: &Options) -> Result<MotionRecord, String> {
@@ -109,6 +119,37 @@ mod tests {
         let options = Options { units: [(Channel::Velocity, Unit::MillimetrePerSecond)].into(), ..Options::default() };
         let motion = read("time [s],velocity\n0,5\n1,6\n", &options).unwrap();
         assert_eq!(motion.velocity.unwrap(), [0.005, 0.006]);
+    }
+
+    #[test]
+    fn the_setting_of_a_motion_is_recognized_as_in_records() {
+        let setting = |text: &str, options: &Options| read(text, options).map(|motion| motion.setting);
+        let found = setting("t_ms,x_mm,current [mA]\n0,1,200\n1,1,1400\n", &Options::default()).unwrap().unwrap();
+        assert_eq!((found.name.as_str(), found.unit.as_str(), &found.values[..]), ("current", "A", &[0.2, 1.4][..]));
+        assert_eq!(found.source, SettingSource::Column("current [mA]".into(), Channel::Current));
+        let text = "t_ms,x_mm,p pilot [bar]\n0,1,5\n1,1,6\n";
+        assert_eq!(setting(text, &Options::default()).unwrap(), None);
+        let named =
+            |heading: &str| Options { columns: [(Channel::Setting, heading.to_owned())].into(), ..Options::default() };
+        let found = setting(text, &named("p pilot [bar]")).unwrap().unwrap();
+        assert_eq!((found.name.as_str(), found.unit.as_str(), &found.values[..]), ("pressure", "bar", &[5.0, 6.0][..]));
+        assert!(setting(text, &named("lost")).unwrap_err().contains("'lost'"));
+        let message = setting("t_ms,x_mm,current [A]\n0,1,0\n1,1,\n", &Options::default()).unwrap_err();
+        assert!(message.contains("line 3: current is missing"), "{message}");
+        // What the user says of the file goes before its column, and its name counts where no column does.
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("road_1.6A.csv");
+        let read = |text: &str| {
+            std::fs::write(&file, text).unwrap();
+            let setting = read_motion(&file, &Options::default()).unwrap().setting.unwrap();
+            (setting.values[0], setting.source)
+        };
+        assert_eq!(read("t_ms,x_mm\n0,1\n1,1\n"), (1.6, SettingSource::Name));
+        let column = SettingSource::Column("current [A]".into(), Channel::Current);
+        assert_eq!(read("t_ms,x_mm,current [A]\n0,1,0.4\n1,1,0.4\n"), (0.4, column));
+        let profile = "format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"road*\" = 0.8\n";
+        std::fs::write(folder.path().join("campaign.toml"), profile).unwrap();
+        assert_eq!(read("t_ms,x_mm,current [A]\n0,1,0.4\n1,1,0.4\n"), (0.8, SettingSource::Profile));
     }
 
     #[test]

@@ -18,6 +18,7 @@ use crate::data::complete_motion::Motion;
 use crate::data::record::{Note, Record};
 use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
+use crate::data::setting_signal::SettingSignal;
 use crate::error::RecordError;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
@@ -50,6 +51,27 @@ impl Campaign {
     pub fn also_without(&mut self, others: Vec<Unusable>) {
         self.notes.extend(unusable::notes(&others));
         self.unusable.extend(others);
+    }
+
+    /// Takes the records as those of one damper over a setting: several settings are no warning, and changes within a test are noted.
+    pub fn accept_settings(&mut self) {
+        self.notes.retain(|note| !["settings", "changing_setting"].contains(&note.kind));
+        let mut changes: Vec<(Sentence, Vec<usize>)> = Vec::new();
+        for (place, record) in self.records.iter().enumerate() {
+            let Some(change) = record.setting_signal.as_ref().map(SettingSignal::describe) else { continue };
+            match changes.iter_mut().find(|(known, _)| *known == change) {
+                Some((_, tests)) => tests.push(place),
+                None => changes.push((change, vec![place])),
+            }
+        }
+        let names: Vec<&str> = self.records.iter().map(|record| record.name.as_str()).collect();
+        let notes = changes.into_iter().map(|(change, tests)| {
+            let named = unstated_settings::together(&names, &tests);
+            let text = Sentence::from(phrases::OF_FILE).with_sentence("file", named).with_sentence("text", change);
+            Note { kind: "setting_over_time", text }
+        });
+        let notes: Vec<Note> = notes.collect();
+        self.notes.splice(0..0, notes);
     }
 }
 
@@ -197,7 +219,7 @@ fn rig_frame(records: &[Record], positive: Positive, options: &Options, counts_i
 }
 
 /// Notes of a test that concern its file, or what counts as a test.
-const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "settings"];
+const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "changing_setting"];
 
 /// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
 ///

@@ -8,6 +8,7 @@ pub mod groups;
 pub mod hold_out;
 pub(crate) mod imposed_motion;
 pub(crate) mod loading;
+pub(crate) mod motion_setting;
 pub mod profile;
 mod record_file;
 pub(crate) mod rig_sign;

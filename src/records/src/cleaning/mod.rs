@@ -12,7 +12,7 @@ mod missing;
 mod order;
 mod outliers;
 mod rests;
-mod set_to;
+pub(crate) mod set_to;
 mod settings;
 mod stairs;
 mod still;
@@ -423,7 +423,9 @@ mod tests {
         assert!(record.cycles.is_empty() && record.time.len() == n && record.setting.is_none());
         let signal = record.setting_signal.as_ref().unwrap();
         assert_eq!((signal.pattern, signal.values.len(), signal.range), (SettingPattern::Steps, n, [0.2, 1.4]));
-        assert!(record.notes.iter().any(|note| note.kind == "settings" && note.text.to_string().contains("steps")));
+        assert!(
+            record.notes.iter().any(|note| note.kind == "changing_setting" && note.text.to_string().contains("steps"))
+        );
         // Cycles that differ by their current are no measure of noise.
         assert_eq!(record.noise.from, NoiseSource::SampleDifferences);
         samples.current = Some(vec![0.8; n]);

@@ -2,11 +2,11 @@
 
 use crate::columns::heading::{without_unit, written_unit};
 use crate::data::samples::Samples;
-use crate::data::setting_signal::{SettingPattern, SettingSignal};
+use crate::data::setting_signal::SettingSignal;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::{NAMES, Setting, SettingRules, setting_in_unit};
+use crate::quantities::setting_value::{Setting, SettingRules, setting_in_unit};
 
 /// A column that holds what a damper is set to.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,32 +36,28 @@ impl SettingColumn {
     }
 }
 
-/// What the damper was set to: a value, or a signal where it changes. The column that the user named goes before that of the current.
-pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
-    let (channel, name, unit) = match (samples.setting.take(), samples.current.take()) {
+/// Takes the channel of the setting out of the samples, with its name and unit. The column that the user named goes before that of the current.
+pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Option<(Vec<f64>, String, String)> {
+    match (samples.setting.take(), samples.current.take()) {
         (Some(mut values), _) => {
             let column = SettingColumn::new(&samples.heading(Channel::Setting), rules);
             values.iter_mut().for_each(|value| *value *= column.factor);
-            (values, column.name, column.unit)
+            Some((values, column.name, column.unit))
         }
-        (None, Some(current)) => (current, "current".to_owned(), "A".to_owned()),
-        (None, None) => return (None, None),
-    };
+        (None, Some(current)) => Some((current, "current".to_owned(), "A".to_owned())),
+        (None, None) => None,
+    }
+}
+
+/// What the damper was set to: a value, or a signal where it changes.
+pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
+    let Some((channel, name, unit)) = setting_channel(samples, rules) else { return (None, None) };
     match Setting::of_channel(&channel, &name, &unit) {
         Ok(setting) => (setting, None),
-        Err((low, high)) => {
+        Err(_) => {
             let signal = SettingSignal::new(&name, &unit, &channel);
-            let text = match signal.pattern {
-                SettingPattern::Steps => Sentence::from(phrases::SETTING_STEPS).with("count", signal.steps().len()),
-                SettingPattern::Varying => phrases::SETTING_VARIES.into(),
-            };
-            let high = format!("{high:.2} {unit}");
-            let text = match NAMES.contains(&name.as_str()) {
-                true => text.with_word("setting", &name),
-                false => text.with("setting", &name),
-            };
-            let text = text.with("low", format!("{low:.2}")).with("high", high.trim_end()).with("option", &name);
-            samples.note("settings", text);
+            let change = Sentence::from(phrases::SETTING_CHANGES).with_sentence("change", signal.describe());
+            samples.note("changing_setting", change.with("option", &name));
             (None, Some(signal))
         }
     }

@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::messages::phrases;
+use crate::messages::sentence::Sentence;
 use crate::numbers::median;
+use crate::quantities::setting_value::NAMES;
 
 /// Tolerance of a level as a fraction of the range of the signal: a step of less than three times it is none.
 const LEVEL: f64 = 0.03;
@@ -97,6 +100,22 @@ impl SettingSignal {
     pub fn command(&self, sample: usize) -> f64 {
         let at = |index: usize| self.values.get(index).copied().unwrap_or(0.0);
         0.5 * (at(sample.saturating_sub(1)) + at(sample))
+    }
+
+    /// How it changes, in a sentence.
+    pub fn describe(&self) -> Sentence {
+        let text = match self.pattern {
+            SettingPattern::Steps => Sentence::from(phrases::SETTING_STEPS).with("count", self.steps().len()),
+            SettingPattern::Varying => phrases::SETTING_VARIES.into(),
+        };
+        let text = match NAMES.contains(&self.name.as_str()) {
+            true => text.with_word("setting", &self.name),
+            // A name that the user gave is the same in every language.
+            false => text.with("setting", &self.name),
+        };
+        let [low, high] = self.range;
+        let high = format!("{high:.2} {}", self.unit);
+        text.with("low", format!("{low:.2}")).with("high", high.trim_end())
     }
 
     /// Largest and smallest value of a range of samples have this distance.

@@ -119,8 +119,9 @@ crate::phrases! {
     OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}";
     SEVERAL_SETTINGS: "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit them as one damper over {name} with dashpot fit --setting {option}, or each by itself, the others left out with --exclude; dashpot diagnose --group compares them";
     SETTING_AT: "{value}: {names}";
-    SETTING_VARIES: "the {setting} of the damper's valve changes between {low} and {high} all through the test. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
-    SETTING_STEPS: "the {setting} of the damper's valve steps {count} times between {low} and {high} within the test. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
+    SETTING_VARIES: "the {setting} of the damper's valve changes between {low} and {high} all through the test";
+    SETTING_CHANGES: "{change}. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
+    SETTING_STEPS: "the {setting} of the damper's valve steps {count} times between {low} and {high} within the test";
     SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";
     SETTING: "{number}) {names}";
     SETTING_ALL: "all of '{name}' ({count})";

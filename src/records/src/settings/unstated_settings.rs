@@ -33,7 +33,7 @@ const NAMES: usize = 6;
 /// Notes tests that are the same motion as others and have another force; `seen` are their levels in the middle of the strokes.
 pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     // Said already, by name.
-    if notes.iter().any(|note| note.kind == "settings") {
+    if notes.iter().any(|note| ["settings", "changing_setting"].contains(&note.kind)) {
         return;
     }
     let motions: Vec<Motion> = records.iter().map(Motion::of).collect();

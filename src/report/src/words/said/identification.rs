@@ -73,6 +73,12 @@ pub const ALL: &[Said] = &[
         "本次测量有 {all} 个试验，多于搜索所能使用的数量：以其中 {selected} 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹",
     ],
     [
+        "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, at most {most} of each setting and {changing} whose setting changes, of every amplitude, speed, mean displacement, temperature and side force. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder",
+        "die Messreihe hat {all} Versuche, mehr als eine Suche nutzen kann: {selected} davon stehen für alle, höchstens {most} je Einstellung und {changing} mit wechselnder Einstellung, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben",
+        "la campagne compte {all} essais, plus qu’une recherche n’en peut utiliser : {selected} d’entre eux représentent l’ensemble, au plus {most} par réglage et {changing} dont le réglage varie, de chaque amplitude, vitesse, position moyenne, température et effort latéral. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit",
+        "本次测量有 {all} 个试验，多于搜索所能使用的数量：以其中 {selected} 个代表全部，每个设置最多 {most} 个，设置变化的 {changing} 个，涵盖各种振幅、速度、平均位置、温度和侧向力。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹",
+    ],
+    [
         "there is no slow test (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests",
         "es gibt keinen langsamen Versuch (Spitze unter {velocity} mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche",
         "il n’y a pas d’essai lent (pointe sous {velocity} mm/s) : le frottement est tiré des parties lentes d’essais plus rapides",

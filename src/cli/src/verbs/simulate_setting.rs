@@ -1,0 +1,180 @@
+//! The setting of the damper along a motion: that of the motion's file, or of `dashpot simulate --setting`.
+
+use super::data::name_of;
+use anyhow::bail;
+use dashpot_core::family::Axis;
+use dashpot_records::{Channel, MotionSetting, SettingSource};
+use dashpot_simulation::imposed_motion::ImposedMotion;
+use std::path::Path;
+
+/// Settings over time, as the option gives them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Schedule(Vec<(f64, f64)>);
+
+impl Schedule {
+    /// Reads a number, or times and numbers.
+    ///
+    /// # Errors
+    /// A sentence where the text is neither, or the times do not increase.
+    pub fn parse(text: &str) -> Result<Schedule, String> {
+        let number = |text: &str| {
+            let value = text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
+            value.ok_or_else(|| format!("{text:?} is no number; give one, or times and numbers such as 0:0.4,1.5:1.2"))
+        };
+        if !text.contains(':') {
+            return Ok(Schedule(vec![(f64::NEG_INFINITY, number(text)?)]));
+        }
+        let mut all = Vec::new();
+        for part in text.split(',') {
+            let (time, value) = part.split_once(':').ok_or_else(|| format!("{part:?} has no time, as in 1.5:1.2"))?;
+            all.push((number(time)?, number(value)?));
+        }
+        if all.windows(2).any(|pair| pair[1].0 <= pair[0].0) {
+            return Err("the times must increase".to_owned());
+        }
+        Ok(Schedule(all))
+    }
+
+    /// The setting at a time; before the first time the first.
+    fn value_at(&self, time: f64) -> f64 {
+        let begun = self.0.iter().rev().find(|(from, _)| *from <= time);
+        begun.or(self.0.first()).map_or(0.0, |(_, value)| *value)
+    }
+
+    /// A note where a setting lies outside the grid.
+    fn outside(&self, (low, high): (f64, f64)) -> Option<String> {
+        let (_, value) = self.0.iter().find(|(_, value)| *value < low || *value > high)?;
+        Some(format!(
+            "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them"
+        ))
+    }
+}
+
+/// Where the setting of each step comes from.
+#[derive(Debug, Clone, PartialEq)]
+enum Source<'a> {
+    /// The option.
+    Schedule(&'a Schedule),
+    /// The file of the motion.
+    Motion,
+    /// The start setting of the model file.
+    Start(f64),
+}
+
+/// The commands of a run, and what the user must know of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Commands<'a> {
+    source: Source<'a>,
+    /// Notes.
+    pub notes: Vec<String>,
+}
+
+impl<'a> Commands<'a> {
+    /// Chooses between the option and the motion's own setting.
+    ///
+    /// # Errors
+    /// Where both the option and a column of the motion give a setting, or the column has another unit than the model.
+    pub fn choose(
+        (model, axis): (&Path, &Axis),
+        (motion, own): (&Path, Option<&MotionSetting>),
+        given: Option<&'a Schedule>,
+    ) -> anyhow::Result<Commands<'a>> {
+        // A column that the user named is the setting, whatever its heading calls it.
+        let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
+        let is_of_model = |of: &&MotionSetting| axis.name().is_empty() || axis.name() == of.name || is_named(of);
+        let mut notes = Vec::new();
+        if let Some(other) = own.filter(|of| !is_of_model(of)) {
+            notes.push(format!(
+                "{} states its {}, but {} depends on {}; the {} is not read",
+                name_of(motion),
+                other.name,
+                model.display(),
+                axis.name(),
+                other.name
+            ));
+        }
+        let own = own.filter(is_of_model);
+        if let Some(schedule) = given {
+            match own.map(|of| &of.source) {
+                // Two commands for one valve: neither is the one that was meant for sure.
+                Some(SettingSource::Column(heading, channel)) => bail!(
+                    "{} has the setting of each sample in its column '{heading}': leave --setting out, or leave the column unread with \
+                     --ignore {channel}",
+                    motion.display()
+                ),
+                Some(SettingSource::Name) => {
+                    notes.push(format!("--setting goes before the setting in the name {}", name_of(motion)));
+                }
+                Some(SettingSource::Profile) => notes.push(format!(
+                    "--setting goes before the setting that campaign.toml states for {}",
+                    name_of(motion)
+                )),
+                None => {}
+            }
+            notes.extend(schedule.outside(axis.range()));
+            return Ok(Commands { source: Source::Schedule(schedule), notes });
+        }
+        let Some(of) = own else {
+            notes.push(format!(
+                "the damper is at the start setting of {}, {}; the motion has no setting. Give --setting, such as --setting 0.8 or \
+                 --setting 0:0.4,1.5:1.2, or name its column with --column setting=HEADING",
+                model.display(),
+                axis.start()
+            ));
+            return Ok(Commands { source: Source::Start(axis.start()), notes });
+        };
+        if !axis.unit().is_empty() && !of.unit.is_empty() && axis.unit() != of.unit {
+            bail!(
+                "{} has its {} in {}, {} in {}: convert the one or the other, or give --setting",
+                motion.display(),
+                of.name,
+                of.unit,
+                model.display(),
+                axis.unit()
+            );
+        }
+        notes.push(describe(of, motion));
+        notes.extend(outside(of, axis));
+        Ok(Commands { source: Source::Motion, notes })
+    }
+
+    /// The command in the step of a motion that ends at a sample.
+    pub fn command(&self, motion: &ImposedMotion, sample: usize) -> f64 {
+        match self.source {
+            Source::Schedule(schedule) => schedule.value_at(motion.time.get(sample).copied().unwrap_or(0.0)),
+            Source::Motion => motion.command(sample).unwrap_or(0.0),
+            Source::Start(start) => start,
+        }
+    }
+}
+
+/// Lowest and highest value.
+fn range(of: &MotionSetting) -> (f64, f64) {
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    of.values.iter().fold(ends, |(low, high), value| (low.min(*value), high.max(*value)))
+}
+
+/// Says where the setting comes from, and between which values it is.
+fn describe(of: &MotionSetting, motion: &Path) -> String {
+    let (low, high) = range(of);
+    let values = if low < high { format!("{low} to {high} {}", of.unit) } else { format!("{low} {}", of.unit) };
+    let source = match &of.source {
+        SettingSource::Column(heading, _) => format!("from the column '{heading}' of {}", name_of(motion)),
+        SettingSource::Name => format!("from the name {}", name_of(motion)),
+        SettingSource::Profile => format!("from campaign.toml for {}", name_of(motion)),
+    };
+    format!("{} {source}: {}", of.name, values.trim_end())
+}
+
+/// A note where samples lie outside the grid.
+fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
+    let (low, high) = axis.range();
+    let count = of.values.iter().filter(|value| **value < low || **value > high).count();
+    (count > 0).then(|| {
+        format!(
+            "at {count} of {} samples the {} lies outside the settings of the model file, {low} to {high}, and is clamped to them",
+            of.values.len(),
+            of.name
+        )
+    })
+}

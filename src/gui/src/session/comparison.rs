@@ -1,0 +1,142 @@
+//! The ticked tests beside the forces of model and plain FV curve: what a validation and its report are made from.
+
+use crate::session::campaign::Loaded;
+use crate::session::dampers::{Dampers, TestDamper};
+use crate::session::{Session, progress};
+use dashpot_core::{Model, Params};
+use dashpot_identification::model_file::ModelFile;
+use dashpot_identification::validation::{Compared, Validation, validate};
+use dashpot_identification::{Family, FitOptions, fit};
+use dashpot_records::{Campaign, Record, Sentence};
+use dashpot_simulation::comparison::{compare_family, summarize_settings};
+use dashpot_simulation::prediction::predict;
+use rayon::prelude::*;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Model and tests as they are on screen.
+pub struct Comparison {
+    /// The model as its file would read.
+    pub file: ModelFile,
+    /// The damper over the setting and the setting on screen, where each test is at its own.
+    family: Option<(ModelFile, f64)>,
+    dampers: Dampers,
+    loaded: Arc<Loaded>,
+    ticked: Vec<usize>,
+}
+
+impl Session {
+    /// Model and ticked tests as they are now; none without both.
+    pub fn comparison(&self) -> Option<Comparison> {
+        let (loaded, model) = (self.campaign.clone()?, self.model.as_ref()?);
+        let at = model.over_setting().filter(|_| self.own_settings).map(|(_, at)| at);
+        Some(Comparison {
+            file: model.file(),
+            family: model.whole_file().zip(at),
+            dampers: model.dampers(model.params(), self.own_settings),
+            loaded,
+            ticked: self.ticked(),
+        })
+    }
+}
+
+impl Comparison {
+    /// The damper over the setting, where the forces are its own.
+    pub fn family(&self) -> Option<&ModelFile> {
+        let (whole, at) = self.family.as_ref()?;
+        (whole.definition().params_at(*at) == self.file.params).then_some(whole)
+    }
+
+    /// The ticked tests as a campaign of their own.
+    fn ticked_campaign(&self) -> Campaign {
+        let all = &self.loaded.campaign;
+        Campaign {
+            records: self.ticked.iter().map(|k| all.records[*k].clone()).collect(),
+            sign: all.sign.clone(),
+            delay: None,
+            notes: Vec::new(),
+            unusable: Vec::new(),
+            files: Vec::new(),
+        }
+    }
+
+    /// The tests with their forces.
+    ///
+    /// # Errors
+    /// Where a model cannot run, or no FV curve can be fitted.
+    pub fn run(&self, report: progress::Report<'_>) -> Result<Vec<Compared<'_>>, Sentence> {
+        match &self.family {
+            Some((whole, at)) => self.run_family(whole, *at, report),
+            None => self.run_shown(report),
+        }
+    }
+
+    /// Each test at its own setting. Values that were tuned hold for the tests at their setting.
+    fn run_family(
+        &self,
+        whole: &ModelFile,
+        at: f64,
+        report: progress::Report<'_>,
+    ) -> Result<Vec<Compared<'_>>, Sentence> {
+        let campaign = self.ticked_campaign();
+        let done = |done: usize, total: usize| report(done as f64 / total.max(1) as f64, None);
+        let found = compare_family(whole, &campaign, Some(at), &done).map_err(Sentence::as_it_is)?;
+        let shown = Model::new(&self.file.params).map_err(|fault| Sentence::as_it_is(fault.reason.text()))?;
+        let of_test = |(k, of): (&usize, Compared<'_>)| {
+            let (record, seen) = (&self.loaded.campaign.records[*k], &self.loaded.tests[*k]);
+            let is_shown = self.dampers.of_test(record) == TestDamper::Shown;
+            let rise = || self.loaded.warm.rise(&self.file.params, *k);
+            let model = if is_shown { predict(&shown, record, &seen.motion, rise()) } else { of.model };
+            Compared { record, model, fv_only: of.fv_only, used_in_fit: of.used_in_fit }
+        };
+        Ok(self.ticked.par_iter().zip(found).map(of_test).collect())
+    }
+
+    /// All tests with the values on screen.
+    fn run_shown(&self, report: progress::Report<'_>) -> Result<Vec<Compared<'_>>, Sentence> {
+        let made = |params: &Params| Model::new(params).map_err(|fault| Sentence::as_it_is(fault.reason.text()));
+        let (loaded, file) = (&self.loaded, &self.file);
+        let records: Vec<&Record> = self.ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
+        // Where the model file brings no plain curve, it is fitted to these tests, as the command does.
+        let fv_only = match &file.identification.fv_only {
+            Some(curve) => curve.params().map_err(Sentence::as_it_is)?,
+            None => {
+                let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
+                fit(&records, &options, |_| ()).map_err(|e| e.sentence())?.params
+            }
+        };
+        let (model, fv_only) = (made(&file.params)?, made(&fv_only)?);
+        let done = AtomicUsize::new(0);
+        let of_test = |k: &usize| {
+            let (record, seen) = (&loaded.campaign.records[*k], &loaded.tests[*k]);
+            let compared = Compared {
+                record,
+                model: predict(&model, record, &seen.motion, loaded.warm.rise(&file.params, *k)),
+                fv_only: predict(&fv_only, record, &seen.motion, 0.0),
+                used_in_fit: file.identification.used(record),
+            };
+            report((1 + done.fetch_add(1, Ordering::Relaxed)) as f64 / self.ticked.len() as f64, None);
+            compared
+        };
+        Ok(self.ticked.par_iter().map(of_test).collect())
+    }
+
+    /// The errors of tests with their forces; at each setting too, where each is at its own.
+    ///
+    /// # Errors
+    /// Where nothing can be compared.
+    pub fn validate(&self, compared: &[Compared<'_>]) -> Result<Validation, Sentence> {
+        let mut found = validate(compared).map_err(Sentence::as_it_is)?;
+        if let Some((whole, at)) = &self.family {
+            let campaign = self.ticked_campaign();
+            summarize_settings(&mut found, whole, &campaign, Some(*at)).map_err(Sentence::as_it_is)?;
+        }
+        found.unusable.clone_from(&self.loaded.campaign.unusable);
+        Ok(found)
+    }
+
+    /// The records, as they were opened.
+    pub fn loaded(&self) -> &Arc<Loaded> {
+        &self.loaded
+    }
+}

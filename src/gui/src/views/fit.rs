@@ -1,0 +1,42 @@
+//! The button that fits a model: an ordinary damper, or one over the setting of the campaign.
+
+use crate::session::Session;
+use crate::session::replacing::Replacement;
+use crate::views::setting_name;
+use crate::words::Words;
+use eframe::egui::{self, Ui};
+
+/// Fits what the tests ask for: one damper over their setting where they have several values of one, else an ordinary damper.
+pub fn begin(session: &mut Session) {
+    let over = session.settings().into_iter().next();
+    session.replace(over.map_or(Replacement::Fit, Replacement::FitOver));
+}
+
+/// Draws the button; of a campaign with a setting a menu of both fits.
+pub fn button(ui: &mut Ui, session: &mut Session, can: bool, w: &Words) {
+    let settings = session.settings();
+    if settings.is_empty() {
+        if ui.add_enabled(can, egui::Button::new(w.fit)).on_hover_text(w.fit_hint).clicked() {
+            session.replace(Replacement::Fit);
+        }
+        return;
+    }
+    ui.add_enabled_ui(can, |ui| {
+        ui.menu_button(w.fit, |ui| {
+            let said = w.of.words();
+            for setting in settings {
+                let name = setting_name(&setting, said).to_owned();
+                let text = said.fill(w.fit_over, &[("setting", &name)]);
+                let hint = said.fill(w.fit_over_hint, &[("setting", &name)]);
+                if ui.button(text).on_hover_text(hint).clicked() {
+                    session.replace(Replacement::FitOver(setting));
+                    ui.close();
+                }
+            }
+            if ui.button(w.fit_ordinary).on_hover_text(w.fit_ordinary_hint).clicked() {
+                session.replace(Replacement::Fit);
+                ui.close();
+            }
+        });
+    });
+}

@@ -1,0 +1,27 @@
+//! What a record says of the setting that a damper depends on.
+
+use dashpot_core::family::Axis;
+use dashpot_records::Record;
+
+/// The setting of a record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OwnSetting {
+    /// The record does not state it.
+    Unstated,
+    /// It is constant.
+    Constant(f64),
+    /// It changes within the record.
+    Changing,
+}
+
+impl OwnSetting {
+    /// The setting of a record, where it is the one of the axis.
+    pub fn find(axis: &Axis, record: &Record) -> OwnSetting {
+        let is_own = |name: &str| axis.name().is_empty() || axis.name() == name;
+        if record.setting_signal.as_ref().is_some_and(|signal| is_own(&signal.name)) {
+            return OwnSetting::Changing;
+        }
+        let own = record.setting.as_ref().filter(|setting| is_own(&setting.name));
+        own.map_or(OwnSetting::Unstated, |setting| OwnSetting::Constant(setting.value))
+    }
+}
