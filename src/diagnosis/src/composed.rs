@@ -1,6 +1,6 @@
 //! The outcome put together: verdict, inventory, findings, changes, errors before and after, what to do next.
 
-use super::calibration::confidence_against_reference;
+use super::calibration::confidence;
 use super::changes::{Change, changes};
 use super::decisions::{MATERIAL, NAMED, QUIET, UNEXPLAINED};
 use super::effects::{self, meaning};
@@ -124,9 +124,8 @@ impl Composed<'_> {
     pub fn diagnosis(mut self) -> Diagnosis {
         let is_against = self.against.is_some();
         let at = if is_against { Temperatures::AGAINST_REFERENCE } else { Temperatures::WITHOUT_REFERENCE };
-        let confidence = |p: f64| if is_against { confidence_against_reference(p) } else { p };
         let probabilities = self.search.probabilities(at);
-        let probability = |effect: &str| confidence(probabilities.get(effect).copied().unwrap_or(0.0));
+        let probability = |effect: &str| confidence(probabilities.get(effect).copied().unwrap_or(0.0), is_against);
         self.settle(&probability);
         let tree = tree::tree(&self.search, at);
         let of = |structure: &Structure, tests: &[Test]| {
@@ -486,11 +485,8 @@ impl Composed<'_> {
             let item = items.iter().find(|i| i.effect == effect);
             let family = card.map_or("", |c| c.family);
             let of_family = tree.iter().flat_map(|path| &path.branches).filter(|branch| branch.name == family);
-            let of_family = of_family.map(|branch| branch.probability);
-            let family_confidence = match self.against {
-                Some(_) => of_family.map(confidence_against_reference).sum::<f64>(),
-                None => of_family.sum::<f64>(),
-            };
+            let family_confidence =
+                of_family.map(|branch| confidence(branch.probability, self.against.is_some())).sum::<f64>();
             Finding {
                 effect,
                 form: component.form,

@@ -93,7 +93,8 @@ fn impossible_hosts_are_refused() {
         (["--host-step", "0"], "--host-step is in s"),
         (["--host-step", "5"], "--host-step is in s"),
         (["--wheel-mass", "0"], "--wheel-mass is in kg"),
-        (["--for-step", "nan"], "--for-step is in s"),
+        (["--for-step", "nan"], "such as 5ms"),
+        (["--for-step", "-1"], "--for-step"),
     ] {
         let message = refused(dir, &[&["check", "steep.toml"][..], &args].concat());
         assert!(message.contains(wanted), "{message}");

@@ -85,7 +85,10 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
 
     done(dir, &["diagnose", "m.toml", "records", "--json", "d.json", "--excel", "d.xlsx"]);
     let diagnosed = sheets(&dir.join("d.xlsx"));
-    let tried = json(&dir.join("d.json"))["iterations"][0].as_array().expect("a round").len();
+    let found = json(&dir.join("d.json"));
+    let rows = |list: &serde_json::Value| list.as_array().expect("a list").len();
+    // What was named stands first.
+    let tried = rows(&found["findings"]) + rows(&found["iterations"][0]);
     assert_eq!(column(sheet(&diagnosed, "Everything that was tried"), "probability, %").len(), tried);
     assert_inventory(&diagnosed, &json(&dir.join("d.json")));
 }

@@ -265,7 +265,7 @@ fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
         let message = refused(dir, &["validate", "bad.toml", "records", "--json", "v.json"]);
         assert!(message.contains("bad.toml") && message.contains(wanted), "{to}: {message}");
     }
-    for (bytes, wanted) in [(&b""[..], "format = 1"), (b"\xff\xfe\x00binary", "UTF-8")] {
+    for (bytes, wanted) in [(&b""[..], "bad.toml is empty"), (b"\xff\xfe\x00binary", "UTF-8")] {
         std::fs::write(dir.join("bad.toml"), bytes).unwrap();
         assert!(refused(dir, &["validate", "bad.toml", "records"]).contains(wanted));
     }

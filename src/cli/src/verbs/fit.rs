@@ -227,7 +227,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         })?;
     }
     say(&curve_lines(&found.params))?;
-    for note in found.notes_beside_estimates() {
+    for note in found.further_notes() {
         say(&format!("note: {note}"))?;
     }
     let quality = whole_records::quality(&found, &records)?;

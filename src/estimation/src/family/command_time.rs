@@ -28,7 +28,7 @@ pub fn shifted(dt: &[f64], commands: &[f64], later: f64) -> Vec<f64> {
             right += 1;
         }
         match time.get(right) {
-            Some(end) if t < *end => integral[right] - commands[right] * (end - t),
+            Some(end) if t <= *end => integral[right] - commands[right] * (end - t),
             _ => integral[count - 1] + last * (t - time[count - 1]),
         }
     };
