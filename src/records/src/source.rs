@@ -101,7 +101,7 @@ pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
 /// The errors of [`read_small`], and a file that is no text.
 pub fn read_small_text(file: &Path) -> std::io::Result<String> {
     String::from_utf8(read_small(file)?)
-        .map_err(|error| std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error()))
+        .map_err(|_| std::io::Error::new(std::io::ErrorKind::InvalidData, "it is no text in UTF-8"))
 }
 
 /// Work and memory that are left for reading one file. Clones share what is left.
