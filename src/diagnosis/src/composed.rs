@@ -90,7 +90,10 @@ impl Composed<'_> {
         let is_new = |c: &&Component| !is_change(c) && self.start.components.iter().all(|own| own.effect != c.effect);
         let mut all: Vec<&Component> =
             self.best.components.iter().filter(is_new).filter(|c| probability(c.effect) >= NAMED).collect();
-        all.sort_by(|a, b| probability(b.effect).total_cmp(&probability(a.effect)));
+        // Of names that are as sure as a name may be, the one with the larger force first.
+        let force = |c: &Component| items.iter().find(|i| i.effect == c.effect).map_or(0.0, |item| item.force_n_rms);
+        let order = |c: &Component| (probability(c.effect), force(c));
+        all.sort_by(|a, b| order(b).0.total_cmp(&order(a).0).then(order(b).1.total_cmp(&order(a).1)));
         let is_material =
             |c: &&Component| items.iter().find(|i| i.effect == c.effect).is_none_or(|item| self.is_material(item));
         all.into_iter().partition(is_material)
