@@ -159,7 +159,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Notes that say more than the estimates do: a number that was not identified is among those.
+    /// Notes without those of numbers that were not identified, which the estimates state.
     pub fn further_notes(&self) -> impl Iterator<Item = &Sentence> {
         let repeats = [phrases::NOT_IDENTIFIED, phrases::HELD];
         self.notes.iter().filter(move |note| !repeats.contains(&note.template()))

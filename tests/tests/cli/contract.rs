@@ -61,7 +61,7 @@ fn several_files_and_folders_are_one_campaign() {
     let file = |name: &str| format!("records/{name}.csv");
     let (a, b) = (file("a50mm_v0262mm_s"), file("a15mm_v0262mm_s"));
     let out = done(dir, &["fit", &a, &b, "-o", "m.toml", "--model", "fv"]);
-    assert!(out.contains("2 tests fitted"));
+    assert!(out.contains("2 tests fitted") && out.contains("FV curve  mm/s"), "{out}");
     let out = done(dir, &["validate", "m.toml", "records", &a, "--json", "-"]);
     let validation: Value = serde_json::from_str(&out).unwrap();
     let used = |name: &str| {

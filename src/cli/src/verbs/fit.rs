@@ -226,7 +226,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             _ => format!("  {:<30} {:>16}", e.name, with_unit(e.value, e.unit)),
         })?;
     }
-    say(&curve_lines(&found.params))?;
+    if let Some(curve) = curve_lines(&found.params) {
+        say(&curve)?;
+    }
     for note in found.further_notes() {
         say(&format!("note: {note}"))?;
     }
@@ -259,12 +261,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The FV curve as lines of velocity and force; intervals are in the model file.
-fn curve_lines(params: &Params) -> String {
-    let (velocities, forces) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
-    let points = velocities.iter().zip(forces).map(|(v, f)| format!("{:>10.0} {:>10.0}", 1e3 * v, f));
+/// The FV curve as lines of velocity and force; `None` where the damper has it by slopes and knees, or not at all.
+fn curve_lines(params: &Params) -> Option<String> {
+    let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
+    if !params.counts(velocity.row()) {
+        return None;
+    }
+    let points = params.list(velocity).iter().zip(params.list(force));
+    let points = points.map(|(v, f)| format!("    {:>10.0} {f:>10.0}", 1e3 * v));
     let head = format!("  FV curve {:>5} {:>10}", "mm/s", "N");
-    std::iter::once(head).chain(points.map(|line| format!("    {line}"))).collect::<Vec<_>>().join("\n")
+    Some(std::iter::once(head).chain(points).collect::<Vec<_>>().join("\n"))
 }
 
 /// What the fit found, as the sheets of a workbook.
