@@ -11,7 +11,7 @@ use dashpot_identification::family::{ActuatorFit, FamilyFit, fit_family};
 use dashpot_identification::model_file::prepared_family;
 use dashpot_identification::{FitOptions, Standing};
 use dashpot_other_lab::Protocol;
-use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, random, sines, steps};
+use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, SemiActiveTest, random, sines, steps};
 use dashpot_proving::semi_active::{evaluate_tests, measure};
 use dashpot_records::{Noise, Options, Record, Setting, SettingSignal, load};
 use dashpot_tests::cli::{done, json, refused};
@@ -209,12 +209,18 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     }
 }
 
+/// Sines at five currents, and two tests with steps of it.
+fn sines_and_steps(seed: u64) -> Vec<SemiActiveTest> {
+    let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
+    tests.extend(steps(seed).into_iter().take(2));
+    tests
+}
+
 #[test]
 fn the_valve_of_a_physical_damper_is_identified_from_steps_of_its_current() {
     let seed = 3;
     let plant = SemiActivePlant::new(seed);
-    let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
-    tests.extend(steps(seed).into_iter().take(2));
+    let mut tests = sines_and_steps(seed);
     tests.push(random(&format!("{LEFT_OUT}random"), seed, plant.most, true));
     let found = evaluate_tests(&plant, &tests, seed).unwrap();
     assert!(found.random_error < RANDOM, "{found:?}");
@@ -375,8 +381,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
 fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
     let seed = 3;
     let plant = SemiActivePlant::new(seed);
-    let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
-    tests.extend(steps(seed).into_iter().take(2));
+    let tests = sines_and_steps(seed);
     let fitted = |rate: f64| {
         let protocol = Protocol { noise_percent: 1.0, sample_rate_hz: rate, ..Protocol::default() };
         let records = measure(&plant, &tests, &protocol, seed).unwrap();

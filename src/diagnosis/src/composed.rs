@@ -7,6 +7,7 @@ use super::effects::{self, meaning};
 use super::name_of::name_of;
 use super::outcome::*;
 use super::prepared::Against;
+use super::rivals::{LISTED, Open, explained};
 use super::wording::{percent, physical};
 use super::{improved, next_test, phrases, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
@@ -19,7 +20,7 @@ use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::component::{Component, element_of};
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, Status, inventory};
-use dashpot_estimation::structure::search::{StructureSearch, Temperatures, Visited};
+use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_estimation::vocabulary::Unnamed;
 use dashpot_identification::describe_priors;
@@ -32,15 +33,8 @@ const LOST_STROKE: &str = "begins with a lost stroke";
 
 /// Confidence from which a name needs no further test.
 const DECIDED: f64 = 0.9;
-/// Most names that a test is sought to tell apart, and most rivals and suspects that are listed.
+/// Most names that a test is sought to tell apart.
 const UNDECIDED: usize = 3;
-const LISTED: usize = 4;
-/// Probability below which an effect is no suspect.
-const SUSPECT: f64 = 0.03;
-/// Fraction of the disagreement that a suspect explains at least.
-///
-/// Without it, a model that leaves less than its allowed error was said to miss the friction that most dampers have.
-const EXPLAINING: f64 = 0.01;
 /// Log posterior by which an error without a name must beat the best structure to be reported: its prior odds.
 const UNNAMED: f64 = 1.0;
 /// Smallest mean square of a single test that is listed where nothing is missing, in units of what noise and curves leave.
@@ -61,11 +55,6 @@ pub(super) struct Composed<'a> {
     pub situation: Situation,
     /// The reference damper, where there is one.
     pub against: Option<Against>,
-}
-
-/// Fraction of what is beyond the noise that is explained: of mean squares in units of what noise and curves leave.
-pub fn explained(before: f64, after: f64) -> f64 {
-    if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
 }
 
 fn is_change(component: &Component) -> bool {
@@ -273,46 +262,9 @@ impl Composed<'_> {
         }
     }
 
-    /// Suspects: effects of the table that were not named, most probable first.
-    fn suspects(&self, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<Rival> {
-        let is_open = |effect: &str| {
-            names.iter().all(|c| c.effect != effect)
-                && self.best.components.iter().all(|c| c.effect != effect)
-                && effects::card(effect).is_some()
-        };
-        let before = self.best.evidence.mean();
-        let mut seen: Vec<&str> = Vec::new();
-        let mut all: Vec<Rival> = self
-            .search
-            .last
-            .iter()
-            .filter(|t| t.unnamed.is_none() && is_open(t.form.0))
-            .filter_map(|t| {
-                let effect = t.form.0;
-                if seen.contains(&effect) {
-                    return None;
-                }
-                seen.push(effect);
-                let share = explained(before, t.structure.evidence.mean()).max(0.0);
-                let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
-                Some(Rival { effect, confidence: probability(effect), fraction: share, why })
-            })
-            .collect();
-        // Rivals of a swap are in the table alone.
-        for effect in self.search.table.keys().flatten().map(|form| form.0) {
-            if is_open(effect) && all.iter().all(|r| r.effect != effect) {
-                let best = self.search.table.iter().filter(|(key, _)| key.iter().any(|form| form.0 == effect));
-                let square = best.map(|(_, row)| row).max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior));
-                let share = square.map_or(0.0, |row| explained(self.start.evidence.mean(), row.mean_square)).max(0.0);
-                let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
-                all.push(Rival { effect, confidence: probability(effect), fraction: share, why });
-            }
-        }
-        // What explains nothing is probable because most dampers have it, and misses in none of these tests.
-        all.retain(|r| r.confidence >= SUSPECT && r.fraction >= EXPLAINING);
-        all.sort_by(|a, b| b.confidence.total_cmp(&a.confidence).then(a.effect.cmp(b.effect)));
-        all.truncate(LISTED);
-        all
+    /// The effects that are not in the best structure.
+    fn open<'a>(&'a self, probability: &'a dyn Fn(&str) -> f64) -> Open<'a> {
+        Open { search: &self.search, start: &self.start, best: &self.best, probability }
     }
 
     fn judge(
@@ -326,7 +278,7 @@ impl Composed<'_> {
         let times =
             |mean_square: f64| Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()));
         let mut notes = Vec::new();
-        let suspects = self.suspects(names, probability);
+        let suspects = self.open(probability).suspects();
         let gone: Vec<&InventoryItem> =
             items.iter().filter(|i| matches!(i.status, Status::Removed | Status::Replaced)).collect();
         let left = 1.0 - explained(before, after);
@@ -512,40 +464,10 @@ impl Composed<'_> {
                     negative_log_prior: self.best.evidence.negative_log_prior - other.evidence.negative_log_prior,
                     tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
-                rivals: self.rivals(effect, probability),
+                rivals: self.open(probability).rivals(effect),
             }
         };
         names.iter().map(one).collect()
-    }
-
-    /// Effects that explain the records in the place of a named one, most probable first, each in its most probable structure.
-    fn rivals(&self, named: &str, probability: &dyn Fn(&str) -> f64) -> Vec<Rival> {
-        let is_rival = |effect: &str| {
-            effect != named
-                && self.best.components.iter().all(|c| c.effect != effect)
-                && effects::card(effect).is_some()
-        };
-        let mut best: BTreeMap<&'static str, &Visited> = BTreeMap::new();
-        for (key, row) in self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != named)) {
-            for effect in key.iter().map(|form| form.0).filter(|effect| is_rival(effect)) {
-                let known = best.entry(effect).or_insert(row);
-                if known.log_posterior < row.log_posterior {
-                    *known = row;
-                }
-            }
-        }
-        let mut all: Vec<(f64, Rival)> = best
-            .into_iter()
-            .map(|(effect, row)| {
-                let share = explained(self.start.evidence.mean(), row.mean_square).max(0.0);
-                let why = Sentence::from(phrases::EXPLAINS).with("percent", percent(share));
-                (row.log_posterior, Rival { effect, confidence: probability(effect), fraction: share, why })
-            })
-            .filter(|(_, rival)| rival.confidence >= SUSPECT && rival.fraction >= EXPLAINING)
-            .collect();
-        all.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.effect.cmp(b.1.effect)));
-        all.truncate(LISTED);
-        all.into_iter().map(|(_, rival)| rival).collect()
     }
 
     /// Length of the lost stroke in the longest stroke of the tests.

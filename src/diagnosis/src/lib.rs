@@ -7,6 +7,7 @@
 //! | [`prepared`] | records made ready |
 //! | [`effects`] | one card an effect: where it acts, what shows it |
 //! | [`composed`], [`outcome`] | the answer in words and figures |
+//! | [`rivals`] | what got no name but explains a part |
 //! | [`decisions`], [`calibration`] | every number that decides, and what a probability is worth |
 //! | [`tree`] | all probabilities: path, family, effect, form |
 //! | [`phrases`] | every text that it says, in English |
@@ -40,6 +41,7 @@ mod prepared;
 mod reference;
 mod refitted;
 mod regions;
+mod rivals;
 pub mod settings;
 mod texts;
 mod tree;

@@ -87,25 +87,28 @@ fn stretches(
                 .collect();
             residual_at(&theta).map(|there| (there - &here).norm_squared() + factor * factor * by_prior)
         };
-        let least = FLAT * by_tangent;
-        // The factor at which the change reaches that, by doubling and then in the logarithms.
-        let stretch = |side: f64| {
-            let (mut factor, mut last) = (1.0, None);
-            while factor < FARTHEST {
-                let Some(squared) = change(side * factor) else { return factor };
-                if squared >= least {
-                    let between = |before: f64| libm::log(least / before) / libm::log(squared / before);
-                    let from_last = last.map_or(1.0, |before: f64| between(before.max(1e-9 * least)));
-                    return if last.is_some() { 0.5 * factor * libm::exp2(from_last) } else { factor };
-                }
-                last = Some(squared);
-                factor *= 2.0;
-            }
-            factor
-        };
-        stretch(1.0).max(stretch(-1.0))
+        let on_side = |side: f64| stretch(FLAT * by_tangent, &|factor| change(side * factor));
+        on_side(1.0).max(on_side(-1.0))
     };
     (0..refit.theta.len()).into_par_iter().map(of_number).collect()
+}
+
+/// Factor at which a squared change reaches `least`, by doubling and then in the logarithms; where it can go no further, the last one.
+fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
+    let (mut factor, mut last) = (1.0, None);
+    while factor < FARTHEST {
+        let Some(squared) = change(factor) else { return factor };
+        match last {
+            None if squared >= least => return factor,
+            Some(before) if squared >= least => {
+                let before = f64::max(before, 1e-9 * least);
+                return 0.5 * factor * libm::exp2(libm::log(least / before) / libm::log(squared / before));
+            }
+            _ => last = Some(squared),
+        }
+        factor *= 2.0;
+    }
+    factor
 }
 
 /// Covariance of free numbers in the sandwich form, and how well each is determined: see [`sandwich`].
@@ -130,12 +133,18 @@ pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]
         hessian[(i, i)] += precision;
         meat[(i, i)] += precision;
     }
-    let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
-    let scaled = DMatrix::from_fn(n, n, |i, j| hessian[(i, j)] / (scale[i] * scale[j]));
+    let (scaled, scale) = to_unit_diagonal(&hessian);
     let inverse = scaled.try_inverse()?;
     let determined = (0..n).map(|i| (information[i] / (scale[i] * scale[i])) / inverse[(i, i)].max(1.0)).collect();
     let bread = DMatrix::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j]));
     Some((&bread * meat * &bread, determined))
+}
+
+/// A Hessian whose rows and columns are divided by the roots of its diagonal, and those: numbers of all units become alike.
+fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
+    let n = hessian.nrows();
+    let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
+    (DMatrix::from_fn(n, n, |i, j| hessian[(i, j)] / (scale[i] * scale[j])), scale)
 }
 
 /// How far each free number moves where a number that is considered and not estimated is off by 1.
@@ -156,8 +165,7 @@ pub fn considered_shift(
     for (i, precision) in precisions.iter().enumerate() {
         hessian[(i, i)] += precision;
     }
-    let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
-    let scaled = DMatrix::from_fn(n, n, |i, j| hessian[(i, j)] / (scale[i] * scale[j]));
+    let (scaled, scale) = to_unit_diagonal(&hessian);
     let found = scaled.cholesky()?.solve(&DVector::from_fn(n, |i, _| right[i] / scale[i]));
     Some(DVector::from_fn(n, |i, _| found[i] / scale[i]))
 }
@@ -187,6 +195,20 @@ fn correlation_factor(residual: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_deviation_is_stretched_where_the_force_changes_less_than_its_tangent() {
+        // Proportional, and bent by less than half: the tangent holds.
+        assert_eq!(stretch(FLAT, &|factor| Some(factor * factor)), 1.0);
+        assert_eq!(stretch(FLAT, &|factor| Some(0.3 * factor * factor)), 1.0);
+        // A jump that is crossed by more samples the farther one goes.
+        for slope in [1e-3, 0.02, 0.1] {
+            assert!((stretch(FLAT, &|factor| Some(slope * factor)) * slope / FLAT - 1.0).abs() < 1e-9, "{slope}");
+        }
+        // A number without any trace, and one at its bound.
+        assert_eq!(stretch(FLAT, &|_| Some(0.0)), FARTHEST);
+        assert_eq!(stretch(FLAT, &|factor| (factor < 3.0).then_some(0.0)), 4.0);
+    }
 
     #[test]
     fn samples_of_a_slow_residual_stand_for_few() {

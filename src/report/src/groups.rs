@@ -59,38 +59,26 @@ fn label(answer: &GroupResult, answers: &GroupResults, words: &Words) -> String 
 
 /// A row a group: its answer and its errors.
 fn of_groups(answers: &GroupResults, words: &Words) -> Table {
+    let has_names = answers.groups.iter().any(|answer| !answer.diagnosis.findings.is_empty());
     let of_group = |answer: &GroupResult| {
         let names: Vec<String> = answer.diagnosis.findings.iter().map(|f| finding(f, words)).collect();
-        let rms = |value: f64| Cell::digits(value, 3);
-        vec![
+        let mut row: Vec<Cell> = vec![
             label(answer, answers, words).into(),
             Cell::count(answer.tests),
             words.say(&answer.diagnosis.summary).into(),
-            names.join(words.comma).into(),
-            rms(answer.diagnosis.before.rmse_n),
-            rms(answer.diagnosis.after.rmse_n),
-            rms(answer.diagnosis.before.noise_n),
-        ]
+        ];
+        row.extend(has_names.then(|| names.join(words.comma).into()));
+        let (before, after) = (&answer.diagnosis.before, &answer.diagnosis.after);
+        row.extend([before.rmse_n, after.rmse_n, before.noise_n].map(|rms| Cell::digits(rms, 3)));
+        row
     };
-    let mut columns = vec![
-        Column::words(words.col_group),
-        Column::figures(words.col_tests),
-        Column::sentences(words.col_answer),
-        Column::sentences(words.col_named),
-        Column::figures(words.col_before_n),
-        Column::figures(words.col_after_n),
-        Column::figures(words.col_group_noise),
-    ];
-    let mut rows: Vec<Vec<Cell>> = answers.groups.iter().map(of_group).collect();
-    if answers.groups.iter().all(|answer| answer.diagnosis.findings.is_empty()) {
-        columns.remove(NAMES);
-        rows.iter_mut().for_each(|row| drop(row.remove(NAMES)));
-    }
+    let mut columns =
+        vec![Column::words(words.col_group), Column::figures(words.col_tests), Column::sentences(words.col_answer)];
+    columns.extend(has_names.then(|| Column::sentences(words.col_named)));
+    columns.extend([words.col_before_n, words.col_after_n, words.col_group_noise].map(Column::figures));
+    let rows = answers.groups.iter().map(of_group).collect();
     Table { caption: words.groups_caption.to_owned(), columns, rows, sortable: true }
 }
-
-/// Place of the names among the columns of [`of_groups`]: left out where no group has any.
-const NAMES: usize = 3;
 
 /// Size of the figure, px: printed across the page.
 const SIZE: [f64; 2] = [880.0, 400.0];

@@ -14,10 +14,15 @@ pub enum OwnSetting {
     Changing,
 }
 
+/// Whether what is called so is the setting of an axis; an axis without a name takes any.
+pub fn is_of_axis(axis: &Axis, name: &str) -> bool {
+    axis.name().is_empty() || axis.name() == name
+}
+
 impl OwnSetting {
     /// The setting of a record, where it is the one of the axis.
     pub fn find(axis: &Axis, record: &Record) -> OwnSetting {
-        let is_own = |name: &str| axis.name().is_empty() || axis.name() == name;
+        let is_own = |name: &str| is_of_axis(axis, name);
         if record.setting_signal.as_ref().is_some_and(|signal| is_own(&signal.name)) {
             return OwnSetting::Changing;
         }

@@ -6,7 +6,7 @@ use super::model;
 use anyhow::bail;
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
-use dashpot_simulation::chatter::Figures;
+use dashpot_simulation::chatter::{Figures, Ready};
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -56,38 +56,34 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     }
     let settings: Vec<Option<f64>> =
         if of_family { file.axis.grid().iter().copied().map(Some).collect() } else { vec![None] };
-    let mut all = Vec::new();
-    for setting in settings {
+    let ready_at = |setting: Option<f64>| {
         let params = setting.map_or(file.params, |value| file.definition().params_at(value));
-        let ready = args.host.ready(&params)?;
-        let at = setting.map_or_else(String::new, |value| {
-            let name = if file.axis.name().is_empty() { "setting" } else { file.axis.name() };
-            format!("{} = {}: ", name, format!("{value} {}", file.axis.unit()).trim_end())
-        });
+        Ok((setting, args.host.ready(&params)?))
+    };
+    let dampers: Vec<(Option<f64>, Ready)> = settings.into_iter().map(ready_at).collect::<anyhow::Result<_>>()?;
+    for (setting, ready) in &dampers {
+        let at = setting.map_or_else(String::new, |value| format!("{}: ", model::setting_at(&file.axis, value)));
         for line in ready.messages().into_iter().chain(ready.stiffness()?) {
             dashpot_output::say(on_stdout, &format!("{at}{line}"))?;
         }
-        if let Some(path) = out {
-            if ready.softened.is_none() {
-                dashpot_output::say(on_stdout, "Nothing was replaced: the file is the damper as it was.")?;
-            }
-            dashpot_output::write(path, model_file::plain(&ready.params, &ready.messages()))?;
+    }
+    if let (Some(path), [(_, ready)]) = (out, dampers.as_slice()) {
+        if ready.softened.is_none() {
+            dashpot_output::say(on_stdout, "Nothing was replaced: the file is the damper as it was.")?;
         }
-        all.push((setting, ready));
+        dashpot_output::write(path, model_file::plain(&ready.params, &ready.messages()))?;
     }
     if let Some(path) = json {
-        let figures = all.iter().map(|(setting, ready)| Ok(AtSetting { setting: *setting, figures: ready.figures()? }));
-        let figures = figures.collect::<anyhow::Result<Vec<_>>>()?;
+        let of =
+            |(setting, ready): &(Option<f64>, Ready)| Ok(AtSetting { setting: *setting, figures: ready.figures()? });
+        let figures = dampers.iter().map(of).collect::<anyhow::Result<Vec<_>>>()?;
         match figures.as_slice() {
             [only] if !of_family => dashpot_output::json(path, only)?,
             all => dashpot_output::json(path, &all)?,
         }
     }
-    Ok(if args.strict && all.iter().any(|(_, ready)| ready.chatter.rings()) {
-        Verdict::Failed
-    } else {
-        Verdict::Passed
-    })
+    let chatters = dampers.iter().any(|(_, ready)| ready.chatter.rings());
+    Ok(if args.strict && chatters { Verdict::Failed } else { Verdict::Passed })
 }
 
 /// Figures of a damper, at one of its settings where it has several.

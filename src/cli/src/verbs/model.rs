@@ -1,5 +1,6 @@
 //! Model files that the command line names.
 
+use dashpot_core::family::Axis;
 use dashpot_identification::model_file::{self, ModelFile, ModelFileError};
 use std::path::Path;
 
@@ -17,4 +18,14 @@ fn told(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
     // Beside the result, which may go to standard output.
     file.idle().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
     Ok(file)
+}
+
+/// Name of the setting that a damper depends on.
+pub fn setting_name(axis: &Axis) -> &str {
+    if axis.name().is_empty() { "setting" } else { axis.name() }
+}
+
+/// A value of the setting in words: `current = 0.8 A`.
+pub fn setting_at(axis: &Axis, value: f64) -> String {
+    format!("{} = {value} {}", setting_name(axis), axis.unit()).trim_end().to_owned()
 }

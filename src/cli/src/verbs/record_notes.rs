@@ -4,7 +4,7 @@ use super::data::is_shown_first;
 use dashpot_records::Campaign;
 use dashpot_report::words::TERMINAL;
 
-/// Damaged tests that are listed one by one.
+/// Notes of a kind that are listed one by one.
 const LISTED: usize = 10;
 /// Kinds of notes on how channels were made of the files' columns; most are the same in every file.
 const CHANNELS: [&str; 3] = ["ignored", "resampled", "crank"];
@@ -26,18 +26,23 @@ fn channels(campaign: &Campaign) -> Vec<String> {
         names if names.len() == campaign.records.len() => "all tests".to_owned(),
         names => format!("{} of {} tests", names.len(), campaign.records.len()),
     };
-    let mut lines: Vec<String> = tests.iter().map(|(text, names)| format!("{}: {text}", of(names))).collect();
+    let lines = tests.iter().map(|(text, names)| format!("{}: {text}", of(names))).collect();
+    limit(lines, "more such notes; the report of dashpot validate has them")
+}
+
+/// The first lines, and how many more there are.
+fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > LISTED {
         let more = lines.len() - LISTED;
         lines.truncate(LISTED);
-        lines.push(format!("{more} more such notes; the report of dashpot validate has them"));
+        lines.push(format!("{more} {what}"));
     }
     lines
 }
 
 /// What cleaning had to repair, by test.
 fn repairs(campaign: &Campaign) -> Vec<String> {
-    let mut lines: Vec<String> = campaign
+    let lines = campaign
         .records
         .iter()
         .filter_map(|r| {
@@ -45,12 +50,7 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
             (!texts.is_empty()).then(|| format!("{}: {}", r.name, texts.join("; ")))
         })
         .collect();
-    if lines.len() > LISTED {
-        let more = lines.len() - LISTED;
-        lines.truncate(LISTED);
-        lines.push(format!("{more} more tests were repaired; the report of dashpot validate names them"));
-    }
-    lines
+    limit(lines, "more tests were repaired; the report of dashpot validate names them")
 }
 
 /// What the reader found in the records.

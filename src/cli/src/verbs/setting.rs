@@ -37,9 +37,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         bail!("the setting {} lies outside those of {}, {low} to {high}", args.setting, args.model.display());
     }
     let named = args.model.file_name().unwrap_or_default().to_string_lossy();
-    let name = if file.axis.name().is_empty() { "setting" } else { file.axis.name() };
-    let remark = format!("{named} at {name} = {} {}", args.setting, file.axis.unit());
-    let text = plain(&file.definition().params_at(args.setting), &[remark.trim_end().to_owned()]);
+    let remark = format!("{named} at {}", model::setting_at(&file.axis, args.setting));
+    let text = plain(&file.definition().params_at(args.setting), std::slice::from_ref(&remark));
     dashpot_output::write(&args.output, text)?;
-    dashpot_output::say(Some(&args.output), &format!("{} in {}", remark.trim_end(), args.output.display()))
+    dashpot_output::say(Some(&args.output), &format!("{remark} in {}", args.output.display()))
 }

@@ -5,6 +5,7 @@ use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_records::{Channel, MotionSetting, SettingSource};
 use dashpot_simulation::imposed_motion::ImposedMotion;
+use dashpot_simulation::own_setting::is_of_axis;
 use std::path::Path;
 
 /// Settings over time, as the option gives them.
@@ -81,7 +82,7 @@ impl<'a> Commands<'a> {
     ) -> anyhow::Result<Commands<'a>> {
         // A column that the user named is the setting, whatever its heading calls it.
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
-        let is_of_model = |of: &&MotionSetting| axis.name().is_empty() || axis.name() == of.name || is_named(of);
+        let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();
         if let Some(other) = own.filter(|of| !is_of_model(of)) {
             notes.push(format!(

@@ -249,7 +249,7 @@ pub fn compare_family<'a>(
 /// The errors at each setting as text, with what lies outside the settings of the model.
 pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     let axis = &model.axis;
-    let name = if axis.name().is_empty() { "setting" } else { axis.name() };
+    let name = super::model::setting_name(axis);
     let mut out = format!("{name:<34}{:>6}{:>10}{:>9}{:>12}{:>10}", "tests", "mean N", "error %", "FV mean N", "FV %");
     let (low, high) = axis.range();
     for of in &validation.settings {

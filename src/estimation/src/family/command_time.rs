@@ -6,7 +6,8 @@
 
 /// Standard deviation of the instant within a sample, in samples: 1/√12.
 pub const SPREAD: f64 = 0.288_675_134_594_812_9;
-/// Step of a difference, in samples.
+/// Step of the central difference over the instant, in samples. The mean command of a step is linear in the instant up to half a sample, so that
+/// any smaller step gives the same; far smaller ones meet rounding.
 pub const STEP: f64 = 0.1;
 
 /// Commands of steps of lengths `dt`, s, where the signal comes `later`, s: the mean of the shifted signal over each step.
@@ -55,6 +56,10 @@ mod tests {
         assert!(close(&shifted(&dt, &commands, 0.5), &[0.0, 0.0, 0.0, 0.75, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, -0.5), &[0.0, 0.0, 0.5, 1.0, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, 2.5), &[0.0, 0.0, 0.0, 0.0, 0.5, 1.0]));
+        // The variance of a uniform distribution, and a difference within half a sample.
+        assert!((12.0 * SPREAD * SPREAD - 1.0).abs() < 1e-12);
+        let moved = |later: f64| shifted(&dt, &commands, later)[3] - commands[3];
+        assert!((moved(STEP) / STEP - moved(0.5) / 0.5).abs() < 1e-12);
         assert!(shifted(&[], &[], 0.5).is_empty() && close(&shifted(&[0.0], &[3.0], 0.5), &[3.0]));
     }
 }

@@ -113,6 +113,7 @@ pub fn split(
         _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
+    // Folders are read apart, so their notes are of groups already.
     if by != "folders" {
         note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
     }

@@ -3,7 +3,7 @@
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::Words;
-use dashpot_diagnosis::{Diagnosis, Trial};
+use dashpot_diagnosis::Diagnosis;
 
 /// One table per round; `None` where nothing was tried.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
@@ -13,12 +13,11 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     }
     let mut blocks = vec![Block::Paragraph(words.tried_about.to_owned())];
     for (k, round) in rounds.iter().enumerate() {
-        let of = |t: &Trial| (t.effect, t.form, t.confidence, t.evidence.clone());
         // What was named is in the model to which the rest was added.
-        let named =
-            found.findings.iter().filter(|_| k == 0).map(|f| (f.effect, f.form, f.confidence, f.evidence.clone()));
+        let named = if k == 0 { found.findings.as_slice() } else { &[] };
+        let named = named.iter().map(|f| (f.effect, f.form, f.confidence, &f.evidence));
         let rows = named
-            .chain(round.iter().map(of))
+            .chain(round.iter().map(|t| (t.effect, t.form, t.confidence, &t.evidence)))
             .map(|(effect, form, confidence, e)| {
                 vec![
                     words.named(effect).into(),
