@@ -3,21 +3,68 @@
 /// What a function gives for its arguments.
 pub type Call<'a> = &'a dyn Fn(&str, &[f64]) -> f64;
 
-/// The value of `text`, which may have blanks in it.
+/// An expression that was read once and is evaluated often.
+pub struct Expression(Term);
+
+enum Term {
+    Number(f64),
+    Negative(Box<Term>),
+    Operation(fn(f64, f64) -> f64, Box<[Term; 2]>),
+    Function(String, Vec<Term>),
+}
+
+impl Expression {
+    /// Reads `text`, which may have blanks in it.
+    ///
+    /// # Panics
+    /// Where it is no expression.
+    pub fn read(text: &str) -> Self {
+        let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+        let mut reader = Reader { rest: &text };
+        let term = reader.sum();
+        assert!(reader.rest.is_empty(), "\"{}\" is left of {text}", reader.rest);
+        Self(term)
+    }
+
+    /// The value with the functions of `call`.
+    pub fn evaluate(&self, call: Call) -> f64 {
+        self.0.evaluate(call)
+    }
+}
+
+/// The value of `text`, read for this once.
 ///
 /// # Panics
 /// Where it is no expression.
 pub fn evaluate(text: &str, call: Call) -> f64 {
-    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-    let mut reader = Reader { rest: &text, call };
-    let value = reader.sum();
-    assert!(reader.rest.is_empty(), "\"{}\" is left of {text}", reader.rest);
-    value
+    Expression::read(text).evaluate(call)
+}
+
+impl Term {
+    fn evaluate(&self, call: Call) -> f64 {
+        match self {
+            Self::Number(value) => *value,
+            Self::Negative(term) => -term.evaluate(call),
+            Self::Operation(operation, terms) => operation(terms[0].evaluate(call), terms[1].evaluate(call)),
+            Self::Function(name, terms) => {
+                let arguments: Vec<f64> = terms.iter().map(|term| term.evaluate(call)).collect();
+                match (name.as_str(), &arguments[..]) {
+                    ("SQRT", [x]) => x.sqrt(),
+                    ("ABS", [x]) => x.abs(),
+                    ("SIGN", [size, of]) => size.abs() * if *of < 0.0 { -1.0 } else { 1.0 },
+                    _ => call(name, &arguments),
+                }
+            }
+        }
+    }
+
+    fn with(self, operation: fn(f64, f64) -> f64, other: Self) -> Self {
+        Self::Operation(operation, Box::new([self, other]))
+    }
 }
 
 struct Reader<'a> {
     rest: &'a str,
-    call: Call<'a>,
 }
 
 impl Reader<'_> {
@@ -25,53 +72,53 @@ impl Reader<'_> {
         self.rest.strip_prefix(symbol).map(|rest| self.rest = rest).is_some()
     }
 
-    fn sum(&mut self) -> f64 {
-        let mut value = self.product();
+    fn sum(&mut self) -> Term {
+        let mut term = self.product();
         loop {
             if self.take('+') {
-                value += self.product();
+                term = term.with(|a, b| a + b, self.product());
             } else if self.take('-') {
-                value -= self.product();
+                term = term.with(|a, b| a - b, self.product());
             } else {
-                return value;
+                return term;
             }
         }
     }
 
-    fn product(&mut self) -> f64 {
-        let mut value = self.power();
+    fn product(&mut self) -> Term {
+        let mut term = self.power();
         loop {
             if self.take('*') {
-                value *= self.power();
+                term = term.with(|a, b| a * b, self.power());
             } else if self.take('/') {
-                value /= self.power();
+                term = term.with(|a, b| a / b, self.power());
             } else {
-                return value;
+                return term;
             }
         }
     }
 
     /// Binds stronger than a product, and from the right.
-    fn power(&mut self) -> f64 {
+    fn power(&mut self) -> Term {
         let base = self.atom();
         match self.rest.strip_prefix("**") {
             Some(rest) => {
                 self.rest = rest;
-                base.powf(self.power())
+                base.with(f64::powf, self.power())
             }
             None => base,
         }
     }
 
-    fn atom(&mut self) -> f64 {
+    fn atom(&mut self) -> Term {
         if self.take('-') {
             // A sign binds weaker than a product, which gives the same value.
-            return -self.atom();
+            return Term::Negative(Box::new(self.atom()));
         }
         if self.take('(') {
-            let value = self.sum();
+            let term = self.sum();
             assert!(self.take(')'), "a bracket is open before \"{}\"", self.rest);
-            return value;
+            return term;
         }
         let of = |allowed: fn(char) -> bool, text: &str| text.find(|c| !allowed(c)).unwrap_or(text.len());
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
@@ -82,7 +129,7 @@ impl Reader<'_> {
             }
             let (number, rest) = self.rest.split_at(end);
             self.rest = rest;
-            return number.parse().unwrap_or_else(|_| panic!("\"{number}\" is no number"));
+            return Term::Number(number.parse().unwrap_or_else(|_| panic!("\"{number}\" is no number")));
         }
         let (name, rest) = self.rest.split_at(of(|c| c.is_ascii_alphanumeric(), self.rest));
         self.rest = rest;
@@ -92,11 +139,6 @@ impl Reader<'_> {
             arguments.push(self.sum());
         }
         assert!(self.take(')'), "{name} lacks a bracket before \"{}\"", self.rest);
-        match (name, &arguments[..]) {
-            ("SQRT", [x]) => x.sqrt(),
-            ("ABS", [x]) => x.abs(),
-            ("SIGN", [size, of]) => size.abs() * if *of < 0.0 { -1.0 } else { 1.0 },
-            _ => (self.call)(name, &arguments),
-        }
+        Term::Function(name.into(), arguments)
     }
 }

@@ -4,7 +4,7 @@ use dashpot_test_support::skipped;
 use dashpot_tests::adams::{library, run, solver};
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::dataset::{self, Dataset, value, values};
-use dashpot_tests::expression::evaluate;
+use dashpot_tests::expression::{Expression, evaluate};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -554,7 +554,7 @@ fn native_agrees(text: &str) {
     done(folder.path(), &["export", "adams", "damper.toml", "-o", "run", "--length", "400"]);
     let adm = dataset::read(&std::fs::read_to_string(folder.path().join("run/native.adm")).unwrap(), false, &[11, 12]);
     let splines = [1, 2, 3].map(|id| spline(&adm, id));
-    let function = |name: &str, id: u64| value(&adm[&(name.into(), id)], "FUNCTION");
+    let function = |name: &str, id: u64| Expression::read(value(&adm[&(name.into(), id)], "FUNCTION"));
     let (place, speed, force) = (function("DIFF", 1), function("DIFF", 2), function("SFORCE", 1));
     let contact = text.contains("presliding_friction").then(|| function("DIFF", 3));
     assert!((1..=2 + u64::from(contact.is_some())).all(|id| values(&adm[&("DIFF".into(), id)], "IC") == [0.0]));
@@ -574,8 +574,8 @@ fn native_agrees(text: &str) {
         for i in 0..(1.5 / frequency / dt) as usize {
             let to = (i + 1) as f64 * dt;
             let (x, v) = motion(to);
-            let at = |text: &str, dif: [f64; 3]| {
-                evaluate(text, &|name, of| match (name, of) {
+            let at = |expression: &Expression, dif: [f64; 3]| {
+                expression.evaluate(&|name, of| match (name, of) {
                     ("DM", [11.0, 12.0]) => LENGTH + x,
                     ("VR", [11.0, 12.0]) => v,
                     ("DIF", [id]) => dif[*id as usize - 1],
@@ -584,15 +584,15 @@ fn native_agrees(text: &str) {
                 })
             };
             // Half-implicit: the step is a hundredth of the mass's own period.
-            dif[1] += dt * at(speed, dif);
-            dif[0] += dt * at(place, dif);
+            dif[1] += dt * at(&speed, dif);
+            dif[0] += dt * at(&place, dif);
             if let Some(contact) = &contact {
                 // By substeps: at speed it follows within a hundredth of a millisecond.
                 for _ in 0..20 {
                     dif[2] += 0.05 * dt * at(contact, dif);
                 }
             }
-            let native = -at(force, dif);
+            let native = -at(&force, dif);
             let (next, output) = dashpot_core::step(&model, &state, &input(to), dt);
             state = next;
             worst = worst.max((native - output.force).abs());
