@@ -798,6 +798,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 // free_play (element, off by default): free play in an eye or mount; needs series_compliance
 //   free_play_gap                free travel from contact to contact, 2 g [m, 0 to 0.005, default 2e-4]
 //   free_play_force              force at which the gap is half closed, F_0: softness of the contact [N, 1e-4 to 1e6, default 20]
+//   free_play_load               force in the middle of the gap, F_1: weight on the eye, gas force that it carries, clamping [N, -1e6 to 1e6, default 0]
 //
 // bushing (element, off by default): rubber in line with the damper: the series spring hardens and loses energy; needs series_compliance
 //   bushing_hardening            deflection at which the series spring has doubled its force, d_h [m, 2e-4 to 1, default 0.002]

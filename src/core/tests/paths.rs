@@ -117,6 +117,38 @@ fn free_play_is_a_dead_band_of_its_length() {
 }
 
 #[test]
+fn a_load_shifts_the_force_at_which_the_gap_opens_and_nothing_else() {
+    let (gap, k, f0, load) = (4e-4, 3e6, 10.0, 80.0);
+    let model = |load: f64| {
+        let mut p = params(&[("free_play_gap", gap), ("free_play_force", f0), ("series_stiffness", k)]);
+        p.disable_all();
+        for element in ["free_play", "series_compliance", "parallel_spring"] {
+            p.enable(Element::find(element).unwrap(), true);
+        }
+        p.set(number!("spring_linear"), 1e5).unwrap();
+        p.set(number!("spring_quadratic"), 0.0).unwrap();
+        p.set(number!("free_play_load"), load).unwrap();
+        Model::new(&p).unwrap()
+    };
+    let deflection = |model: &Model, x: f64| {
+        let state = model.steady_state(&Input::motion(x, 0.0));
+        (1e5 * state.mass_displacement, state.displacement - state.mass_displacement)
+    };
+    let model = model(load);
+    let at = |force: f64| {
+        let gap = 0.5 * gap;
+        force / k + gap * ((force - load) / ((force - load).abs() + f0) + load / (load + f0))
+    };
+    for x in [-0.02, -0.001, 0.0, 0.0007, 0.0009, 0.0012, 0.02] {
+        let (force, found) = deflection(&model, x);
+        assert!((found - at(force)).abs() < 1e-10, "{x}: {found} at {force} N, {}", at(force));
+    }
+    // Half of the gap lies on either side of the load.
+    let part = |from: f64, to: f64| at(to) - at(from) - (to - from) / k;
+    assert!((part(load, 1e7) - 0.5 * gap).abs() < 1e-8 && (part(-1e7, load) - 0.5 * gap).abs() < 1e-8);
+}
+
+#[test]
 fn friction_in_a_bushing_loses_the_same_at_any_rate() {
     // Rod held at the mass: the loss of a cycle of deflection, at a hundred times the rate.
     let loss = |frequency: f64| {

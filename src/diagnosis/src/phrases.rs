@@ -142,6 +142,7 @@ pub(super) const FORMS: &[&str] = &[
     "friction in the rubber",
     "relaxes over decades and meets a stop",
     "friction in the rubber, and a stop",
+    "opens under a load",
     "all of the force goes through it",
     "relaxes, and all of the force goes through it",
     "friction in the rubber, and all of the force goes through it",

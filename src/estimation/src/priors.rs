@@ -38,6 +38,7 @@ const SEALS: &str =
     "seals and guides of passenger-car dampers: Deubel & Prokop, J. Automob. Eng. 2023; thesis, chapter 4";
 const OIL: &str = "β 1.2 to 1.7 GPa, less with air, columns of 8 to 50 cm: Duym & Reybrouck 1998; Segel & Lang 1981";
 const RUBBER: &str = "eyes and top mounts: García Tárrago 2007; Sjöberg, KTH 2002";
+const EYE: &str = "weight of 1 to 3 kg on an eye, and what clamping leaves in it";
 const GAS: &str = "monotube 20 to 30 bar on rods of 11 to 14 mm, twin tube 3 to 8 bar: Dixon 2007, chapter 7";
 const WARM_GAS: &str = "0.34 % of 80 to 400 N a kelvin (Gay-Lussac), to three times that where oil that expands takes the gas its room: Dixon 2007, chapter 5";
 const VALVES: &str = "shim and spring valves of passenger-car dampers: Talbott & Starkey 2002; Dixon 2007, chapter 6";
@@ -52,6 +53,7 @@ pub const PRIORS: &[Prior] = &[
     row(number!("internal_mass"), Size(0.4, 1.8), THESIS),
     row(number!("free_play_gap"), Size(1.5e-4, 3.0), RUBBER),
     row(number!("free_play_force"), Size(8.0, 2.5), RUBBER),
+    row(number!("free_play_load"), Place(0.0, 60.0), EYE),
     row(number!("bushing_hardening"), Size(2e-3, 4.0), RUBBER),
     row(number!("bushing_loss_stiffness"), Strength(0.4, 3.0), RUBBER),
     row(number!("bushing_loss_time"), Size(1e-2, 4.0), RUBBER),

@@ -628,6 +628,7 @@ mod tests {
             (vec!["valve_hysteresis"], vec![("valve_form", 2.0)]),
             (vec!["cavitation"], vec![("cavitation_onset", 1.0)]),
             (vec!["free_play"], vec![("series_load", 1.0)]),
+            (vec!["free_play"], vec![("free_play_load", 40.0)]),
             (vec!["bushing", "oil_compressibility", "side_force_friction"], vec![("series_load", 1.0)]),
         ]);
         let mut missed = String::new();

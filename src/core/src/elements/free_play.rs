@@ -1,15 +1,46 @@
 //! Free play (backlash) in an eye or mount, in line with the series spring.
 
+use crate::dual::Real;
 use crate::element::Prepare;
 use crate::elements::soft_gap::SoftGap;
 use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// d(F) = F/k_s + g F/(|F| + F_0): between its contacts the eye moves freely by 2 g. The series damping acts in
-/// proportion to the stiffness there is, so it vanishes in the gap.
+/// d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)]: between its contacts the eye moves freely by 2 g.
+///
+/// It is in the middle of the gap at F_1, and d(0) = 0. The series damping acts in proportion to the stiffness there is, so
+/// it vanishes in the gap.
 #[derive(Clone, Copy, Debug)]
-pub struct FreePlay(pub(crate) SoftGap);
+pub struct FreePlay {
+    gap: SoftGap,
+    /// F_1, N.
+    load: f64,
+}
+
+impl FreePlay {
+    /// F(d) and dF/dd with a series spring of this stiffness.
+    #[inline(always)]
+    pub(crate) fn force<R: Real>(&self, stiffness: R, deflection: R) -> (R, R) {
+        if self.load == 0.0 {
+            return self.gap.force(stiffness, deflection);
+        }
+        let middle = (stiffness.inverse() * self.load).plus(self.middle());
+        let (force, derivative) = self.gap.force(stiffness, deflection - middle);
+        (force.plus(self.load), derivative)
+    }
+
+    /// Where the gap has its middle, without what the series spring yields to the load, m.
+    #[inline(always)]
+    fn middle(&self) -> f64 {
+        self.gap.gap * self.load / (self.load.abs() + self.gap.softness)
+    }
+
+    /// Most that it yields beyond the series spring, m.
+    pub(crate) fn furthest(&self) -> f64 {
+        self.gap.gap + self.middle().abs()
+    }
+}
 
 impl Describe for FreePlay {
     const MEANING: &'static str = "free play in an eye or mount; needs series_compliance";
@@ -22,16 +53,21 @@ impl Describe for FreePlay {
             (0.1, 1e4),
             "force at which the gap is half closed, F_0: softness of the contact",
         ),
+        Parameter::scalar(
+            "free_play_load",
+            "N",
+            &[0.0],
+            (-1e4, 1e4),
+            "force in the middle of the gap, F_1: weight on the eye, gas force that it carries, clamping",
+        ),
     ];
 }
 
 impl Prepare for FreePlay {
-    const OFF: Self = FreePlay(SoftGap::CLOSED);
+    const OFF: Self = FreePlay { gap: SoftGap::CLOSED, load: 0.0 };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
-        Ok(FreePlay(SoftGap {
-            gap: 0.5 * p.number(own!("free_play_gap")),
-            softness: p.number(own!("free_play_force")),
-        }))
+        let (gap, softness) = (0.5 * p.number(own!("free_play_gap")), p.number(own!("free_play_force")));
+        Ok(FreePlay { gap: SoftGap { gap, softness }, load: p.number(own!("free_play_load")) })
     }
 }

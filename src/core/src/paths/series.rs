@@ -31,7 +31,7 @@ impl<R: Real> Frame<R> {
 fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflection: R) -> (R, R, R) {
     let (mut force, mut derivative, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
     if acts::<ON>(e, FREE_PLAY) {
-        (force, derivative) = e.free_play.0.force(stiffness, deflection);
+        (force, derivative) = e.free_play.force(stiffness, deflection);
         closed = derivative * stiffness.inverse();
     }
     if acts::<ON>(e, BUSHING) {
@@ -117,6 +117,6 @@ pub fn static_force(e: &Paths<impl Tables>, deflection: f64) -> (f64, f64) {
 
 /// Most that the path yields to a force.
 pub fn furthest(e: &Paths<impl Tables>, force: f64) -> f64 {
-    let gap = if e.has_free_play() { e.free_play.0.gap } else { 0.0 };
+    let gap = if e.has_free_play() { e.free_play.furthest() } else { 0.0 };
     force.abs() / e.series_compliance.stiffness + gap
 }

@@ -61,6 +61,7 @@ pub fn paths() -> Vec<(&'static str, Params)> {
     let spool = [("valve_form", 2.0), ("valve_damping", 0.5)];
     vec![
         ("free play", of(&["free_play"], &[])),
+        ("free play under a load", of(&["free_play"], &[("free_play_load", 60.0)])),
         ("bushing", of(&["bushing"], &[("bushing_hardening", 5e-4)])),
         ("bushing with friction", of(&["bushing"], &[("bushing_slip", 1e-4), ("bushing_loss_time", 1e3)])),
         (

@@ -205,9 +205,9 @@ class Damper:
         k_s = p["series_stiffness"]
         if "free_play" not in self.on:
             return k_s * d, 1.0
-        g, f_0 = 0.5 * p["free_play_gap"], p["free_play_force"]
-        phi = through_gap(k_s, g, f_0, d)
-        return phi, 1 / (1 + k_s * g * f_0 / (abs(phi) + f_0) ** 2)
+        g, f_0, f_1 = 0.5 * p["free_play_gap"], p["free_play_force"], p["free_play_load"]
+        beyond = through_gap(k_s, g, f_0, d - f_1 / k_s - g * f_1 / (abs(f_1) + f_0))
+        return f_1 + beyond, 1 / (1 + k_s * g * f_0 / (abs(beyond) + f_0) ** 2)
 
     def hardened(self, phi):
         """H(φ)."""

@@ -32,6 +32,7 @@ enum Span {
 const SPANS: &[(&str, Span)] = &[
     ("fv_rebound_v2", Span::Decade(0.3, 2.0)),
     ("fv_rebound_v1", Span::Decade(0.02, 0.25)),
+    ("free_play_load", Span::Even(-300.0, 300.0)),
     ("bushing_slip", Span::Else(1e-5, 1e-3)),
     ("bushing_stop", Span::Decade(1e-4, 3e-3)),
     ("bushing_hardening", Span::Decade(2e-4, 1e-2)),

@@ -71,7 +71,7 @@ def series(page):
     phi, chi = model.elastic(d)
     k_s = p["series_stiffness"]
     yield d, book.value("free_play", "d", φ=phi, k_s=k_s)
-    yield abs(phi), book.value("free_play", "|φ|", d=d, k_s=k_s)
+    yield abs(phi - p["free_play_load"]), book.value("free_play", "|G|", d=d, k_s=k_s)
     yield chi, book.value("free_play", "χ", φ=phi, k_s=k_s)
     yield model.hardened(phi), book.value("bushing", "H(φ)", φ=phi, k_s=k_s)
     shares = {"κ_1": p["bushing_loss_stiffness"], "κ_2": p["bushing_slow_stiffness"], "z": states["bushing"], "y": states["bushing_slow"]}

@@ -25,7 +25,7 @@ pub struct Component {
 }
 
 /// Numbers that records leave open by nature: they stay near their prior and count half.
-const WEAK: [Number; 33] = [
+const WEAK: [Number; 34] = [
     number!("series_damping"),
     number!("internal_mass"),
     number!("coulomb_steepness"),
@@ -37,6 +37,7 @@ const WEAK: [Number; 33] = [
     number!("gas_length"),
     number!("gas_thermal_time"),
     number!("free_play_force"),
+    number!("free_play_load"),
     number!("bushing_loss_time"),
     number!("bushing_slip"),
     number!("bushing_slow_time"),

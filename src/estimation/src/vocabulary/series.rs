@@ -109,6 +109,21 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             )
             .collect(),
     ));
+    // Weight, gas and clamping shift the force at which the gap opens, by some percent of the damper's force to either side.
+    all.push(Candidate {
+        form: "opens under a load",
+        ..candidate(
+            &[element!("free_play")],
+            vec![
+                log(number!("free_play_gap"), (2e-5, 1e-3)),
+                held(number!("free_play_force"), (0.0, 60.0), 0.5),
+                near(number!("free_play_load"), (-250.0, 250.0), 60.0),
+            ],
+            [-120.0, -45.0, 45.0, 120.0]
+                .map(|load| Start::moving(&[2e-4, 15.0, load], &[(number!("series_stiffness"), 1.5)]))
+                .to_vec(),
+        )
+    });
     carrying_the_whole(s, all);
 }
 

@@ -298,6 +298,7 @@ const NAMES: &[Named] = &[
         "串联弹簧的载荷",
     ],
     ["free_play_gap", "size of the play", "Größe des Spiels", "grandeur du jeu", "间隙大小"],
+    ["free_play_load", "load on the play", "Last auf dem Spiel", "charge sur le jeu", "间隙处的载荷"],
     ["free_play_force", "softness of the contact", "Weichheit der Anlage", "souplesse du contact", "接触柔软度"],
     ["bushing_hardening", "hardening of the rubber", "Verhärtung des Gummis", "durcissement du caoutchouc", "橡胶硬化"],
     [

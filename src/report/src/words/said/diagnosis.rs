@@ -780,6 +780,7 @@ pub const ALL: &[Said] = &[
         "frottement dans le caoutchouc, et une butée",
         "橡胶内摩擦，并有限位",
     ],
+    ["opens under a load", "öffnet sich unter einer Last", "s’ouvre sous une charge", "在载荷下张开"],
     ["all of the force goes through it", "die ganze Kraft geht hindurch", "tout l’effort y passe", "全部力经过它"],
     [
         "relaxes, and all of the force goes through it",
