@@ -32,14 +32,6 @@ impl Expression {
     }
 }
 
-/// The value of `text`, read for this once.
-///
-/// # Panics
-/// Where it is no expression.
-pub fn evaluate(text: &str, call: Call) -> f64 {
-    Expression::read(text).evaluate(call)
-}
-
 impl Term {
     fn evaluate(&self, call: Call) -> f64 {
         match self {

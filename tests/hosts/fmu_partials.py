@@ -12,7 +12,7 @@ DT = 1e-3
 CORNERS = ["L1", "R1", "L2", "R2"]
 
 path = sys.argv[1]
-description = read_model_description(path)
+description = read_model_description(path, validate=False)
 folder = extract(path)
 reference = {v.name: v.valueReference for v in description.modelVariables}
 three = description.fmiVersion.startswith("3")

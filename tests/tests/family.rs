@@ -18,6 +18,7 @@ use dashpot_tests::cli::{done, json, refused};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::f64::consts::TAU;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// Currents, A, that are measured, and one between them that is not.
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
@@ -74,6 +75,15 @@ fn fitted(damper: &Definition, seed: u64) -> FamilyFit {
     let records: Vec<Record> =
         CURRENTS.iter().enumerate().flat_map(|(k, current)| records_at(damper, *current, seed + k as u64)).collect();
     fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
+}
+
+/// Coulomb friction at the currents, N, of the damper whose friction grows.
+const GROWING: [f64; 4] = [20.0, 60.0, 110.0, 150.0];
+
+/// The fit of the damper whose friction grows, made once.
+fn with_growing_friction() -> &'static FamilyFit {
+    static FIT: LazyLock<FamilyFit> = LazyLock::new(|| fitted(&truth(Some(GROWING)), 31));
+    &FIT
 }
 
 fn varies(found: &FamilyFit, name: &str) -> Option<bool> {
@@ -139,12 +149,10 @@ fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
 
 #[test]
 fn friction_that_grows_with_the_current_is_found_to() {
-    let friction = [20.0, 60.0, 110.0, 150.0];
-    let truth = truth(Some(friction));
-    let found = fitted(&truth, 31);
-    assert_eq!(varies(&found, "coulomb_force"), Some(true), "{:?}", found.dependences);
-    assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
-    for (current, friction) in CURRENTS.iter().zip(friction) {
+    let found = with_growing_friction();
+    assert_eq!(varies(found, "coulomb_force"), Some(true), "{:?}", found.dependences);
+    assert_eq!(varies(found, "gas_force"), Some(false), "{:?}", found.dependences);
+    for (current, friction) in CURRENTS.iter().zip(GROWING) {
         let own = found
             .estimates
             .iter()
@@ -156,9 +164,8 @@ fn friction_that_grows_with_the_current_is_found_to() {
 
 #[test]
 fn the_model_file_reads_back_as_the_fitted_family() {
-    let truth = truth(Some([20.0, 60.0, 110.0, 150.0]));
-    let found = fitted(&truth, 31);
-    let text = dashpot_identification::family::model_file::write(&found);
+    let found = with_growing_friction();
+    let text = dashpot_identification::family::model_file::write(found);
     let file = dashpot_identification::model_file::family_of_text(&text, "family.toml".as_ref()).unwrap();
     for setting in [0.0, 0.5, 1.2] {
         assert!(apart(&file.definition().params_at(setting), &found.damper.params_at(setting)) == 0.0, "{setting}");

@@ -4,7 +4,7 @@ use dashpot_test_support::skipped;
 use dashpot_tests::adams::{library, run, solver};
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::dataset::{self, Dataset, value, values};
-use dashpot_tests::expression::{Expression, evaluate};
+use dashpot_tests::expression::Expression;
 use std::collections::BTreeMap;
 use std::path::Path;
 
