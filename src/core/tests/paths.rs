@@ -92,60 +92,61 @@ fn air_in_the_rebound_chamber_softens_rebound_alone() {
     assert!(off(&one, 1.0) > 0.2 && off(&one, -1.0).abs() < 0.1, "{} {}", off(&one, 1.0), off(&one, -1.0));
 }
 
+/// Free travel, m, series stiffness, N/m, and softness of the contact, N, of [`with_play`].
+const PLAY: f64 = 4e-4;
+const PLAY_STIFFNESS: f64 = 3e6;
+const PLAY_FORCE: f64 = 10.0;
+
+/// A spring of 1e5 N/m behind an eye with play under a load.
+fn with_play(load: f64) -> Model {
+    let mut p = params(&[
+        ("free_play_gap", PLAY),
+        ("free_play_force", PLAY_FORCE),
+        ("free_play_load", load),
+        ("series_stiffness", PLAY_STIFFNESS),
+    ]);
+    p.disable_all();
+    for element in ["free_play", "series_compliance", "parallel_spring"] {
+        p.enable(Element::find(element).unwrap(), true);
+    }
+    p.set(number!("spring_linear"), 1e5).unwrap();
+    p.set(number!("spring_quadratic"), 0.0).unwrap();
+    Model::new(&p).unwrap()
+}
+
 #[test]
 fn free_play_is_a_dead_band_of_its_length() {
-    let (gap, k, f0) = (4e-4, 3e6, 10.0);
-    let model = {
-        let mut p = params(&[("free_play_gap", gap), ("free_play_force", f0), ("series_stiffness", k)]);
-        p.disable_all();
-        for element in ["free_play", "series_compliance", "parallel_spring"] {
-            p.enable(Element::find(element).unwrap(), true);
-        }
-        p.set(number!("spring_linear"), 1e5).unwrap();
-        p.set(number!("spring_quadratic"), 0.0).unwrap();
-        Model::new(&p).unwrap()
-    };
+    let model = with_play(0.0);
     // Between large forces of both signs the deflection is the spring's and the whole gap.
     for x in [0.02, 0.05] {
         let (a, b) = (model.steady_state(&Input::motion(x, 0.0)), model.steady_state(&Input::motion(-x, 0.0)));
         let force = 1e5 * a.mass_displacement;
         let deflection = (a.displacement - a.mass_displacement) - (b.displacement - b.mass_displacement);
-        let expected = 2.0 * force / k + gap * force / (force + f0);
+        let spring = 2.0 * force / PLAY_STIFFNESS;
+        let expected = spring + PLAY * force / (force + PLAY_FORCE);
         assert!((deflection - expected).abs() < 1e-9, "{deflection} {expected}");
-        assert!((deflection - 2.0 * force / k - gap).abs() < 0.02 * gap);
+        assert!((deflection - spring - PLAY).abs() < 0.02 * PLAY);
     }
 }
 
 #[test]
 fn a_load_shifts_the_force_at_which_the_gap_opens_and_nothing_else() {
-    let (gap, k, f0, load) = (4e-4, 3e6, 10.0, 80.0);
-    let model = |load: f64| {
-        let mut p = params(&[("free_play_gap", gap), ("free_play_force", f0), ("series_stiffness", k)]);
-        p.disable_all();
-        for element in ["free_play", "series_compliance", "parallel_spring"] {
-            p.enable(Element::find(element).unwrap(), true);
-        }
-        p.set(number!("spring_linear"), 1e5).unwrap();
-        p.set(number!("spring_quadratic"), 0.0).unwrap();
-        p.set(number!("free_play_load"), load).unwrap();
-        Model::new(&p).unwrap()
-    };
+    let (load, model) = (80.0, with_play(80.0));
     let deflection = |model: &Model, x: f64| {
         let state = model.steady_state(&Input::motion(x, 0.0));
         (1e5 * state.mass_displacement, state.displacement - state.mass_displacement)
     };
-    let model = model(load);
     let at = |force: f64| {
-        let gap = 0.5 * gap;
-        force / k + gap * ((force - load) / ((force - load).abs() + f0) + load / (load + f0))
+        force / PLAY_STIFFNESS
+            + 0.5 * PLAY * ((force - load) / ((force - load).abs() + PLAY_FORCE) + load / (load + PLAY_FORCE))
     };
     for x in [-0.02, -0.001, 0.0, 0.0007, 0.0009, 0.0012, 0.02] {
         let (force, found) = deflection(&model, x);
         assert!((found - at(force)).abs() < 1e-10, "{x}: {found} at {force} N, {}", at(force));
     }
     // Half of the gap lies on either side of the load.
-    let part = |from: f64, to: f64| at(to) - at(from) - (to - from) / k;
-    assert!((part(load, 1e7) - 0.5 * gap).abs() < 1e-8 && (part(-1e7, load) - 0.5 * gap).abs() < 1e-8);
+    let part = |from: f64, to: f64| at(to) - at(from) - (to - from) / PLAY_STIFFNESS;
+    assert!((part(load, 1e7) - 0.5 * PLAY).abs() < 1e-8 && (part(-1e7, load) - 0.5 * PLAY).abs() < 1e-8);
 }
 
 #[test]
