@@ -5,8 +5,8 @@ use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR,
 /// The certificate as lines of text: every limit, and the verdict.
 pub fn table(found: &Certificate) -> String {
     let mut out = format!(
-        "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {}\n",
-        "limit", "at mm/s", "low N", "high N", "measured N", "model N", "verdict"
+        "{:<40}{:>10}{:>11}{:>11}{:>11}{:>11}  {}\n",
+        "limit", "at mm/s", "low", "high", "measured", "model", "verdict"
     );
     for one in &found.limits {
         out += &row(one);
@@ -49,19 +49,23 @@ fn row(one: &Checked) -> String {
     let (unit, factor) = one.limit.quantity.display();
     let known =
         |value: Option<f64>, decimals: usize| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.decimals$}"));
-    let at = setting.map_or_else(|| name.clone(), |value| format!("{name} at {value}"));
-    let named = if one.limit.quantity.is_time() { format!("{at}, {unit}") } else { at };
+    let named = match setting {
+        Some(value) => format!("{name}, {unit}, at setting {value}"),
+        None => format!("{name}, {unit}"),
+    };
     let verdict = match one.verdict {
         Verdict::Pass => "pass",
         Verdict::Fail => "FAIL",
-        Verdict::NotTested if one.limit.quantity == Quantity::Force => "NOT TESTED: no test at this speed",
-        Verdict::NotTested if one.limit.quantity == Quantity::Hysteresis => "NOT TESTED: no test at this speed",
+        Verdict::NotTested if matches!(one.limit.quantity, Quantity::Force | Quantity::Hysteresis) => match setting {
+            Some(_) => "NOT TESTED: no test at this speed and setting",
+            None => "NOT TESTED: no test at this speed",
+        },
         Verdict::NotTested if one.limit.quantity.is_time() => "NOT TESTED: no such step of the setting",
         Verdict::NotTested => "NOT TESTED: no slow test (below 6 mm/s)",
     };
     format!(
-        "{:<28}{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}\n",
-        named.chars().take(27).collect::<String>(),
+        "{:<40}{:>10}{:>11}{:>11}{:>11}{:>11}  {verdict}\n",
+        named.chars().take(39).collect::<String>(),
         known(velocity_m_s.map(|v| 1e3 * v), 1),
         known(low.map(|low| factor * low), 1),
         known(high.map(|high| factor * high), 1),

@@ -99,7 +99,7 @@ impl Problem {
             Problem::Setting(Reason::PointCount) => "is too long; at most 31 bytes",
             Problem::Setting(reason) => reason.text(),
             Problem::Family => {
-                "the damper depends on this setting, and what was asked takes a damper at one setting; write that with dashpot setting"
+                "the damper depends on this setting, and what was asked takes a damper at one setting; write that with dashpot setting FAMILY VALUE -o one.toml"
             }
         }
     }

@@ -31,6 +31,11 @@ dashpot_records::phrases! {
     AT_ALL_SETTINGS: "at every setting this damper shows {effect} ({sure} sure)";
     AT_SOME_SETTINGS: "{effect} ({sure} sure) is missing in the model at {names}; at the other settings it is not named";
     AT_NO_SETTING: "no effect is missing in the model that these records can name, at any setting";
+    CHANGED_AT_ALL_SETTINGS: "{name} changed at every setting ({sure} sure)";
+    CHANGED_AT_SOME_SETTINGS: "{name} changed at {names} ({sure} sure); at the other settings no change of it shows";
+    CHANGED_AT_NO_SETTING: "nothing has changed that these records can name, at any setting";
+    NO_NAME_AT_ALL_SETTINGS: "at every setting something is missing that has no name yet";
+    NO_NAME_AT_SOME_SETTINGS: "at {names} something is missing that has no name yet";
     NEEDLESS: "nothing is missing; these records do not need {effects}";
     NOT_EXPLAINED: "{percent} of the disagreement is not explained by what was named: another form of it, or something else";
     IMMATERIAL: "the improved model has {effects} besides, not named: in no test is the force beyond the noise and 0.5 % of the measured force";

@@ -1,10 +1,12 @@
 //! One damper diagnosed at several settings: the records of each, what all of them show, and what only some do.
 
-use crate::outcome::{Diagnosis, Finding};
+use crate::changes::Change;
+use crate::outcome::{Diagnosis, Finding, Verdict};
 use crate::phrases;
 use dashpot_core::Params;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_estimation::structure::inventory::{InventoryItem, Status};
+use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence, Unusable, is_same_setting};
 use serde::Serialize;
 
@@ -92,9 +94,8 @@ pub struct SettingFigures<D> {
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingsFigures<'a, D> {
     setting: AxisFigures<'a>,
-    /// What was found, an effect of all settings once.
-    summary: &'a [Sentence],
-    effects: &'a [EffectOverSettings],
+    #[serde(flatten)]
+    over: &'a OverSettings,
     settings: Vec<SettingFigures<D>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     as_the_fit_saw: Option<&'a Sentence>,
@@ -105,14 +106,13 @@ impl<'a, D> SettingsFigures<'a, D> {
     /// Figures over the settings of an axis. `as_the_fit_saw` is what was taken out of the records.
     pub fn new(
         axis: &'a Axis,
-        (summary, effects): (&'a [Sentence], &'a [EffectOverSettings]),
+        over: &'a OverSettings,
         settings: Vec<SettingFigures<D>>,
         (as_the_fit_saw, unusable): (Option<&'a Sentence>, &'a [Unusable]),
     ) -> SettingsFigures<'a, D> {
         SettingsFigures {
             setting: AxisFigures { name: axis.name(), unit: axis.unit(), grid: axis.grid() },
-            summary,
-            effects,
+            over,
             settings,
             as_the_fit_saw,
             unusable,
@@ -146,13 +146,80 @@ pub struct EffectOverSettings {
     pub settings: Vec<EffectAtSetting>,
 }
 
+/// A change against the reference at one setting.
+#[derive(Debug, Clone, Serialize)]
+pub struct ChangeAtSetting {
+    /// Value of the setting.
+    pub setting: f64,
+    /// What changed there.
+    #[serde(flatten)]
+    pub change: Change,
+}
+
+/// A change against the reference over all settings.
+#[derive(Debug, Clone, Serialize)]
+pub struct ChangeOverSettings {
+    /// A parameter of the model, or a part of its FV curve.
+    pub name: &'static str,
+    /// Whether it changed at every setting that was diagnosed.
+    pub at_all_settings: bool,
+    /// Every setting at which it changed.
+    pub settings: Vec<ChangeAtSetting>,
+}
+
+/// What the diagnoses of one damper at several settings say together.
+#[derive(Debug, Clone, Serialize)]
+pub struct OverSettings {
+    /// The answer in sentences: an effect or a change of all settings is named once.
+    pub summary: Vec<Sentence>,
+    /// Every effect: those of all settings first, then by force.
+    pub effects: Vec<EffectOverSettings>,
+    /// Against a reference: every change, in the same order.
+    pub changes: Vec<ChangeOverSettings>,
+}
+
+impl OverSettings {
+    /// Of the answers at the settings; against a reference where `is_against` says so.
+    pub fn new(answers: &[(f64, &Diagnosis)], unit: &str, is_against: bool) -> OverSettings {
+        let (effects, changes) = (effects_over_settings(answers), changes_over_settings(answers));
+        let open = answers.iter().filter(|(_, found)| !found.verdict.nothing_is_missing());
+        let open: Vec<f64> =
+            open.filter(|(_, found)| found.verdict != Verdict::Named).map(|(setting, _)| *setting).collect();
+        let summary = summarize(&effects, &changes, &open, (answers.len(), unit, is_against));
+        OverSettings { summary, effects, changes }
+    }
+}
+
 /// Whether the most probable damper has an effect of this status.
 pub fn is_shown(status: Status) -> bool {
     matches!(status, Status::Kept | Status::Added)
 }
 
+/// Every change of the diagnoses of one damper at several settings: those at all of them first, then by force.
+fn changes_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<ChangeOverSettings> {
+    let mut all: Vec<ChangeOverSettings> = Vec::new();
+    for (setting, found) in answers {
+        for change in &found.changes {
+            let at = ChangeAtSetting { setting: *setting, change: change.clone() };
+            match all.iter_mut().find(|of| of.name == change.name) {
+                Some(of) => of.settings.push(at),
+                None => {
+                    all.push(ChangeOverSettings { name: change.name, at_all_settings: false, settings: vec![at] });
+                }
+            }
+        }
+    }
+    for of in &mut all {
+        of.at_all_settings = of.settings.len() == answers.len();
+    }
+    let force =
+        |of: &ChangeOverSettings| of.settings.iter().fold(0.0, |most, at| f64::max(most, at.change.force_n_rms));
+    all.sort_by(|a, b| b.at_all_settings.cmp(&a.at_all_settings).then(force(b).total_cmp(&force(a))));
+    all
+}
+
 /// Every effect of the diagnoses of one damper at several settings: those at all of them first, then by force.
-pub fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSettings> {
+fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSettings> {
     let mut all: Vec<EffectOverSettings> = Vec::new();
     let mut add = |effect: &'static str, at: EffectAtSetting| match all.iter_mut().find(|of| of.effect == effect) {
         Some(of) => of.settings.push(at),
@@ -199,30 +266,54 @@ fn of_finding(setting: f64, finding: &Finding) -> EffectAtSetting {
     }
 }
 
-/// What was found at the settings: an effect that all of them show is named once.
-pub fn summarize_settings(effects: &[EffectOverSettings], count: usize, unit: &str) -> Vec<Sentence> {
-    let found = |of: &&EffectOverSettings| of.settings.iter().any(|at| at.status == Status::Added);
-    let percent = |at: &EffectAtSetting| (100.0 * at.probability).round();
+/// Probabilities in percent, from the least to the largest.
+fn percents(probabilities: impl Iterator<Item = f64>) -> String {
+    let percent = |probability: f64| (100.0 * probability).round();
+    let (low, high) =
+        probabilities.fold((f64::MAX, 0.0), |(low, high): (f64, f64), p| (low.min(percent(p)), high.max(percent(p))));
+    if low == high { format!("{low} %") } else { format!("{low}–{high} %") }
+}
+
+/// What was found at the settings, with those at which something is missing that has no name.
+fn summarize(
+    effects: &[EffectOverSettings],
+    changes: &[ChangeOverSettings],
+    open: &[f64],
+    (count, unit, is_against): (usize, &str, bool),
+) -> Vec<Sentence> {
+    let over = |at: Vec<f64>, all: Template, some: Template| match at.len() == count {
+        true => Sentence::from(all),
+        false => {
+            let names = at.iter().map(|setting| format!("{setting} {unit}").trim_end().to_owned());
+            Sentence::from(some).with_names("names", names, phrases::COMMA)
+        }
+    };
     let mut said: Vec<Sentence> = Vec::new();
-    for of in effects.iter().filter(found) {
+    for of in effects {
         let added: Vec<&EffectAtSetting> = of.settings.iter().filter(|at| at.status == Status::Added).collect();
-        let (low, high) =
-            added.iter().fold((f64::MAX, 0.0), |(low, high), at| (percent(at).min(low), percent(at).max(high)));
-        let sure = match low == high {
-            true => format!("{low} %"),
-            false => format!("{low}–{high} %"),
-        };
-        let sentence = match added.len() == count {
-            true => Sentence::from(phrases::AT_ALL_SETTINGS),
-            false => {
-                let names = added.iter().map(|at| format!("{} {unit}", at.setting).trim_end().to_owned());
-                Sentence::from(phrases::AT_SOME_SETTINGS).with_names("names", names, phrases::COMMA)
-            }
-        };
-        said.push(sentence.with("effect", of.effect).with("sure", sure));
+        if added.is_empty() {
+            continue;
+        }
+        let at = added.iter().map(|at| at.setting).collect();
+        said.push(
+            over(at, phrases::AT_ALL_SETTINGS, phrases::AT_SOME_SETTINGS)
+                .with("effect", of.effect)
+                .with("sure", percents(added.iter().map(|at| at.probability))),
+        );
     }
-    if said.is_empty() {
-        said.push(phrases::AT_NO_SETTING.into());
+    for of in changes {
+        let at = of.settings.iter().map(|at| at.setting).collect();
+        said.push(
+            over(at, phrases::CHANGED_AT_ALL_SETTINGS, phrases::CHANGED_AT_SOME_SETTINGS)
+                .with("name", of.name)
+                .with("sure", percents(of.settings.iter().map(|at| at.change.probability))),
+        );
+    }
+    if said.is_empty() && open.len() < count {
+        said.push(if is_against { phrases::CHANGED_AT_NO_SETTING } else { phrases::AT_NO_SETTING }.into());
+    }
+    if !open.is_empty() {
+        said.push(over(open.to_vec(), phrases::NO_NAME_AT_ALL_SETTINGS, phrases::NO_NAME_AT_SOME_SETTINGS));
     }
     said
 }
@@ -242,16 +333,50 @@ mod tests {
     }
 
     #[test]
-    fn an_effect_of_all_settings_is_said_once_and_another_with_its_settings() {
+    fn what_all_settings_show_is_said_once_and_anything_else_with_its_settings() {
         let all = [
             effect("free_play", &[(0.0, Status::Added), (1.0, Status::Added), (2.0, Status::Added)]),
             effect("cavitation", &[(1.0, Status::Added), (2.0, Status::Removed)]),
             effect("gas_preload", &[(0.0, Status::Kept), (1.0, Status::Kept), (2.0, Status::Kept)]),
         ];
-        let said: Vec<String> = summarize_settings(&all, 3, "A").iter().map(ToString::to_string).collect();
+        let summary = |effects: &[EffectOverSettings], changes: &[ChangeOverSettings], open: &[f64], against: bool| {
+            let said = summarize(effects, changes, open, (3, "A", against));
+            said.iter().map(ToString::to_string).collect::<Vec<String>>()
+        };
+        let said = summary(&all, &[], &[], false);
         assert_eq!(said.len(), 2, "{said:?}");
         assert!(said[0].contains("every setting") && said[0].contains("free_play (90–94 % sure)"), "{said:?}");
         assert!(said[1].contains("cavitation") && said[1].contains("at 1 A"), "{said:?}");
-        assert_eq!(summarize_settings(&all[2..], 3, "A").len(), 1);
+        let said = summary(&all[2..], &[], &[], false);
+        assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
+        // What has no name is no "nothing".
+        let said = summary(&all[2..], &[], &[2.0], false);
+        assert!(said.len() == 2 && said[1].contains("at 2 A"), "{said:?}");
+        let said = summary(&all[2..], &[], &[0.0, 1.0, 2.0], false);
+        assert!(said.len() == 1 && said[0].contains("at every setting") && said[0].contains("no name"), "{said:?}");
+        // Against a reference the headline is what changed.
+        let change = Change {
+            name: "coulomb_force",
+            reference: 20.0,
+            value: 80.0,
+            low: 79.0,
+            high: 81.0,
+            unit: "N",
+            velocity_m_s: None,
+            probability: 0.9,
+            force_n_rms: 50.0,
+        };
+        let at = |setting: f64| ChangeAtSetting { setting, change: change.clone() };
+        let over = |settings: &[f64]| ChangeOverSettings {
+            name: "coulomb_force",
+            at_all_settings: settings.len() == 3,
+            settings: settings.iter().map(|setting| at(*setting)).collect(),
+        };
+        let said = summary(&all[2..], &[over(&[0.0, 1.0, 2.0])], &[], true);
+        assert!(said.len() == 1 && said[0].contains("coulomb_force changed at every setting (90 % sure)"), "{said:?}");
+        let said = summary(&all[2..], &[over(&[1.0])], &[], true);
+        assert!(said.len() == 1 && said[0].contains("coulomb_force changed at 1 A"), "{said:?}");
+        let said = summary(&all[2..], &[], &[], true);
+        assert!(said.len() == 1 && said[0].contains("nothing has changed"), "{said:?}");
     }
 }

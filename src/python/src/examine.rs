@@ -6,9 +6,7 @@ use crate::errors::{DiagnosisError, raise};
 use crate::family::Family;
 use crate::model::Model;
 use crate::work;
-use dashpot_diagnosis::settings::{
-    SettingFigures, SettingsFigures, WithSettings, effects_over_settings, split_by_setting, summarize_settings,
-};
+use dashpot_diagnosis::settings::{OverSettings, SettingFigures, SettingsFigures, WithSettings, split_by_setting};
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::select_hold_out;
@@ -129,8 +127,7 @@ pub fn diagnose_family<'py>(
             found.push((part.setting, one, whole));
         }
         let answers: Vec<(f64, &Diagnosis)> = found.iter().map(|(setting, one, _)| (*setting, one)).collect();
-        let effects = effects_over_settings(&answers);
-        let summary = summarize_settings(&effects, answers.len(), unit);
+        let over = OverSettings::new(&answers, unit, good.is_some());
         let as_the_fit_saw = note.as_ref().map(|n| &n.text);
         let figures = found.iter().map(|(setting, one, over_whole_records)| SettingFigures {
             setting: *setting,
@@ -142,8 +139,7 @@ pub fn diagnose_family<'py>(
             },
         });
         let beside = (as_the_fit_saw, read.unusable.as_slice());
-        let json =
-            serde_json::to_string(&SettingsFigures::new(&file.axis, (&summary, &effects), figures.collect(), beside))?;
+        let json = serde_json::to_string(&SettingsFigures::new(&file.axis, &over, figures.collect(), beside))?;
         let curves: Vec<Vec<Curves>> =
             found.into_iter().map(|(_, one, _)| one.tests.into_iter().map(|test| test.curves).collect()).collect();
         Ok((json, curves))

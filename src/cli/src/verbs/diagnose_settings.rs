@@ -8,15 +8,14 @@ use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_diagnosis::settings::{
-    EffectOverSettings, SettingFigures, SettingPart, SettingsFigures, WithSettings, effects_over_settings, is_shown,
-    split_by_setting, summarize_settings,
+    OverSettings, SettingFigures, SettingPart, SettingsFigures, WithSettings, is_shown, split_by_setting,
 };
 use dashpot_diagnosis::{Diagnosis, Options, choose_left_out};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{fit_family, model_file};
 use dashpot_identification::model_file::{ModelFile, family_of_text, read_family};
-use dashpot_records::{Campaign, Record, Sentence, agree_on_sign, hold_out};
+use dashpot_records::{Campaign, Record, agree_on_sign, hold_out};
 use dashpot_report::diagnosis::{DiagnosisReport, SettingsReport, headline};
 use dashpot_report::inventory::probability;
 use dashpot_report::numbers::digits;
@@ -132,19 +131,15 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
         found.push((part, diagnosed));
     }
     let answers: Vec<(f64, &Diagnosis)> = found.iter().map(|(part, one)| (part.setting, &one.found)).collect();
-    let effects = effects_over_settings(&answers);
-    let summary = summarize_settings(&effects, answers.len(), unit);
+    let over = OverSettings::new(&answers, unit, good.is_some());
     let json = args.json.as_deref();
     dashpot_output::say(json, &reading::sign_in_words(&campaign.sign, &TERMINAL))?;
-    dashpot_output::say(json, &format_settings(&model.axis, &summary, &effects, &found).join("\n"))?;
+    dashpot_output::say(json, &format_settings(&model.axis, &over, &found).join("\n"))?;
     if let Some(path) = json {
         let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| &n.text);
         let figures = found.iter().map(|(part, one)| SettingFigures { setting: part.setting, diagnosis: one.json() });
         let beside = (as_the_fit_saw, campaign.unusable.as_slice());
-        dashpot_output::json(
-            path,
-            &SettingsFigures::new(&model.axis, (&summary, &effects), figures.collect(), beside),
-        )?;
+        dashpot_output::json(path, &SettingsFigures::new(&model.axis, &over, figures.collect(), beside))?;
     }
     if args.report.is_none() && args.excel.is_none() {
         return Ok(());
@@ -171,8 +166,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
         model_file: name.clone(),
         data: data.named(),
         unit: unit.to_owned(),
-        summary: &summary,
-        effects: &effects,
+        over: &over,
         settings: settings.collect(),
         made: made.clone(),
         print,
@@ -256,36 +250,38 @@ fn format_setting(setting: f64, unit: &str) -> String {
 }
 
 /// What was found in lines: the sentences, one table over the settings, and the answer at each.
-fn format_settings(
-    axis: &Axis,
-    summary: &[Sentence],
-    effects: &[EffectOverSettings],
-    found: &[(Part, Diagnosed)],
-) -> Vec<String> {
+fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]) -> Vec<String> {
     const WIDTH: usize = 16;
     let unit = axis.unit();
-    let mut lines: Vec<String> = summary.iter().map(ToString::to_string).collect();
-    let mut heading = format!("  {:<26}", "probability, N rms");
-    for (part, _) in found {
-        heading += &format!("{:>WIDTH$}", format_setting(part.setting, unit));
+    let mut lines: Vec<String> = over.summary.iter().map(ToString::to_string).collect();
+    if !(over.effects.is_empty() && over.changes.is_empty()) {
+        let mut heading = format!("  {:<26}", "probability, N rms");
+        for (part, _) in found {
+            heading += &format!("{:>WIDTH$}", format_setting(part.setting, unit));
+        }
+        lines.push(heading);
     }
-    lines.push(heading);
-    for of in effects {
+    let cell = |of: f64, force: f64, mark: &str| {
+        format!("{}, {}{mark}", probability(of).replace('\u{a0}', ""), digits(force, 3))
+    };
+    for of in &over.changes {
+        let mut line = format!("  {:<26}", of.name);
+        for (part, _) in found {
+            let at = of.settings.iter().find(|at| at.setting == part.setting);
+            let at = at.map_or_else(|| "-".to_owned(), |at| cell(at.change.probability, at.change.force_n_rms, ""));
+            line += &format!("{at:>WIDTH$}");
+        }
+        lines.push(format!("{line}  changed{}", if of.at_all_settings { ", at all settings" } else { "" }));
+    }
+    for of in &over.effects {
         let mut line = format!("  {:<26}", of.effect);
         for (part, _) in found {
             let at = of.settings.iter().find(|at| at.setting == part.setting);
-            let cell = at.map_or_else(
+            let at = at.map_or_else(
                 || "-".to_owned(),
-                |at| {
-                    let mark = if is_shown(at.status) { "" } else { " out" };
-                    format!(
-                        "{}, {}{mark}",
-                        probability(at.probability).replace('\u{a0}', ""),
-                        digits(at.force_n_rms, 3)
-                    )
-                },
+                |at| cell(at.probability, at.force_n_rms, if is_shown(at.status) { "" } else { " out" }),
             );
-            line += &format!("{cell:>WIDTH$}");
+            line += &format!("{at:>WIDTH$}");
         }
         let found = if of.is_found { "  found" } else { "" };
         let all = if of.at_all_settings { ", at all settings" } else { "" };

@@ -40,7 +40,7 @@ pub struct Args {
     /// Fixed step, s; the file's own times if not given
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     step: Option<f64>,
-    /// Setting of a damper that depends on one, for a motion without a column of it. A number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2
+    /// Setting of a damper that depends on one, for a motion without a column of it. A number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2; before the first time the start setting of the model holds
     #[arg(long, value_name = "SETTING", value_parser = Schedule::parse, allow_negative_numbers = true)]
     setting: Option<Schedule>,
     #[command(flatten)]

@@ -36,10 +36,9 @@ impl Schedule {
         Ok(Schedule(all))
     }
 
-    /// The setting at a time; before the first time the first.
-    fn value_at(&self, time: f64) -> f64 {
-        let begun = self.0.iter().rev().find(|(from, _)| *from <= time);
-        begun.or(self.0.first()).map_or(0.0, |(_, value)| *value)
+    /// The setting at a time; `start` before the first time.
+    fn value_at(&self, time: f64, start: f64) -> f64 {
+        self.0.iter().rev().find(|(from, _)| *from <= time).map_or(start, |(_, value)| *value)
     }
 
     /// A note where a setting lies outside the grid.
@@ -54,8 +53,8 @@ impl Schedule {
 /// Where the setting of each step comes from.
 #[derive(Debug, Clone, PartialEq)]
 enum Source<'a> {
-    /// The option.
-    Schedule(&'a Schedule),
+    /// The option, and the start setting of the model file, which holds before its first time.
+    Schedule(&'a Schedule, f64),
     /// The file of the motion.
     Motion,
     /// The start setting of the model file.
@@ -113,11 +112,11 @@ impl<'a> Commands<'a> {
                 None => {}
             }
             notes.extend(schedule.outside(axis.range()));
-            return Ok(Commands { source: Source::Schedule(schedule), notes });
+            return Ok(Commands { source: Source::Schedule(schedule, axis.start()), notes });
         }
         let Some(of) = own else {
             notes.push(format!(
-                "the damper is at the start setting of {}, {}; the motion has no setting. Give --setting, such as --setting 0.8 or \
+                "the damper is at the start setting of {}, {}; no setting was found in the motion's columns or read from its name. Give --setting, such as --setting 0.8 or \
                  --setting 0:0.4,1.5:1.2, or name its column with --column setting=HEADING",
                 model.display(),
                 axis.start()
@@ -142,7 +141,9 @@ impl<'a> Commands<'a> {
     /// The command in the step of a motion that ends at a sample.
     pub fn command(&self, motion: &ImposedMotion, sample: usize) -> f64 {
         match self.source {
-            Source::Schedule(schedule) => schedule.value_at(motion.time.get(sample).copied().unwrap_or(0.0)),
+            Source::Schedule(schedule, start) => {
+                schedule.value_at(motion.time.get(sample).copied().unwrap_or(0.0), start)
+            }
             Source::Motion => motion.command(sample).unwrap_or(0.0),
             Source::Start(start) => start,
         }

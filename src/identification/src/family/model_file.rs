@@ -58,7 +58,7 @@ pub fn write(fit: &FamilyFit) -> String {
     for estimate in fit.actuator.iter().flat_map(|fit| &fit.estimates) {
         write_interval(&mut out, estimate.name, &[estimate], &fit.damper.params);
     }
-    out += "\n[identification.intervals_over_setting]  # 95 %, of what depends on the setting: one entry for each of its values\n";
+    out += "\n[identification.intervals_over_setting]  # 95 %, of what depends on the setting: one entry for each of its values; equal ends: not identified\n";
     for name in names(fit, false) {
         let entries: Vec<String> = fit
             .settings_grid()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from ._result import Result, Row, folded, held, table
-from .diagnosis import Diagnosis
+from .diagnosis import Change, Diagnosis
 from .family_fit import SettingAxis
 from .reading import Unusable
 
@@ -35,6 +35,23 @@ class EffectOverSettings(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class ChangeAtSetting(Change):
+    """A change against the reference at one setting."""
+
+    setting: float = field(kw_only=True)
+
+
+@dataclass(frozen=True, repr=False)
+class ChangeOverSettings(Result):
+    """A change against the reference over all settings."""
+
+    name: str
+    at_all_settings: bool
+    """Whether it changed at every setting that was diagnosed."""
+    settings: tuple[ChangeAtSetting, ...]
+
+
+@dataclass(frozen=True, repr=False)
 class SettingDiagnosis(Diagnosis):
     """What the damper lacks at one setting."""
 
@@ -47,8 +64,10 @@ class FamilyDiagnosis(Result):
 
     setting: SettingAxis
     summary: tuple[str, ...]
-    """What was found; an effect of all settings is named once."""
+    """What was found; an effect or a change of all settings is named once."""
     effects: tuple[EffectOverSettings, ...]
+    changes: tuple[ChangeOverSettings, ...]
+    """Against a reference: what changed."""
     settings: tuple[SettingDiagnosis, ...]
     """What was found at each setting of the records, lowest first."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
@@ -67,7 +86,11 @@ class FamilyDiagnosis(Result):
             own: Row = {"effect": of.effect, "at all settings": of.at_all_settings, "found": of.is_found}
             return own | {f"probability at {at.setting:g}": at.probability for at in of.settings}
 
-        return [row(of) for of in self.effects]
+        def changed(of: ChangeOverSettings) -> Row:
+            own: Row = {"change": of.name, "at all settings": of.at_all_settings}
+            return own | {f"probability at {at.setting:g}": at.probability for at in of.settings}
+
+        return [changed(of) for of in self.changes] or [row(of) for of in self.effects]
 
     def _repr_html_(self) -> str:
         said = table(f"Diagnosis over {self.setting.name}", self._rows(), list(self.summary))

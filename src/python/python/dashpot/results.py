@@ -18,14 +18,14 @@ from .diagnosis import (
     Branch, Change, CouldNotTest, Diagnosis, Evidence, Figures, Finding, Findings, NextTest,
     OverWholeRecords, Region, Rival, Shift, TestOutcome, Tried, Value,
 )
-from .diagnosis_settings import EffectAtSetting, EffectOverSettings, FamilyDiagnosis, SettingDiagnosis
+from .diagnosis_settings import ChangeAtSetting, ChangeOverSettings, EffectAtSetting, EffectOverSettings, FamilyDiagnosis, SettingDiagnosis
 from .explanation import Contradiction, Explanation, Gap, Quantity
 from .family_fit import ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFitResult, SettingAxis, SettingDependence, SettingError, SettingReport
 from .groups import Group, GroupsDiagnosis
 from .literature import LiteratureModel
 
 __all__ = [
-    "ActuatorDecision", "ActuatorFit", "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "Checked", "Contradiction", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "EffectAtSetting", "EffectOverSettings", "ErrorMatrix", "Errors", "Estimate",
+    "ActuatorDecision", "ActuatorFit", "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "ChangeAtSetting", "ChangeOverSettings", "Checked", "Contradiction", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "EffectAtSetting", "EffectOverSettings", "ErrorMatrix", "Errors", "Estimate",
     "Evidence", "Explanation", "FamilyDiagnosis", "FamilyEstimate", "FamilyFitResult", "Figures", "Finding", "Findings", "FitResult", "Gap", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
     "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Quantity", "Region", "ResponseTimes", "Result", "Rival", "SettingAxis", "SettingDependence", "SettingDiagnosis", "SettingError", "SettingReport", "SettingSummary", "Shift", "SignFinding", "StepResponse", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",

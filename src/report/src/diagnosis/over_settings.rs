@@ -7,8 +7,9 @@ use crate::numbers::error;
 use crate::page::{self, Print};
 use crate::words::Words;
 use crate::{Cell, Made, Workbook, made};
-use dashpot_diagnosis::settings::{EffectAtSetting, EffectOverSettings, is_shown};
-use dashpot_records::Sentence;
+use dashpot_diagnosis::settings::{
+    ChangeAtSetting, ChangeOverSettings, EffectAtSetting, EffectOverSettings, OverSettings, is_shown,
+};
 
 /// Everything that the report tells.
 #[derive(Debug, Clone)]
@@ -19,10 +20,8 @@ pub struct SettingsReport<'a> {
     pub data: String,
     /// Unit of the setting.
     pub unit: String,
-    /// What was found, an effect of all settings once.
-    pub summary: &'a [Sentence],
-    /// Every effect over the settings.
-    pub effects: &'a [EffectOverSettings],
+    /// What the settings say together.
+    pub over: &'a OverSettings,
     /// The report of each setting.
     pub settings: Vec<(f64, DiagnosisReport<'a>)>,
     /// What it was made from.
@@ -62,8 +61,13 @@ impl SettingsReport<'_> {
     fn sections(&self) -> Vec<Section> {
         let words = self.words;
         let mut first: Vec<Block> =
-            self.summary.iter().map(|said| Block::Lead(super::answer::sentence(said, words))).collect();
-        first.push(Block::Table(self.table()));
+            self.over.summary.iter().map(|said| Block::Lead(super::answer::sentence(said, words))).collect();
+        if !self.over.changes.is_empty() {
+            first.push(Block::Table(self.changes()));
+        }
+        if !self.over.effects.is_empty() {
+            first.push(Block::Table(self.table()));
+        }
         first.push(Block::Table(self.answers()));
         let mut sections = vec![Section::new("settings", words.settings_section, first)];
         for (k, (setting, report)) in self.settings.iter().enumerate() {
@@ -107,7 +111,35 @@ impl SettingsReport<'_> {
                 Column::sentences(words.col_probability),
                 Column::sentences(words.col_force_rms),
             ],
-            rows: self.effects.iter().map(row).collect(),
+            rows: self.over.effects.iter().map(row).collect(),
+            sortable: true,
+        }
+    }
+
+    /// A row a change against the reference.
+    fn changes(&self) -> Table {
+        let words = self.words;
+        let row = |of: &ChangeOverSettings| -> Vec<Cell> {
+            let each = |write: &dyn Fn(&ChangeAtSetting) -> String| {
+                let one = |at: &ChangeAtSetting| format!("{}: {}", self.named(at.setting), write(at));
+                of.settings.iter().map(one).collect::<Vec<_>>().join(words.comma)
+            };
+            vec![
+                words.named(of.name).into(),
+                each(&|at| words.say(&at.change.sentence())).into(),
+                each(&|at| words.number(&probability(at.change.probability))).into(),
+                each(&|at| words.number(&error(at.change.force_n_rms))).into(),
+            ]
+        };
+        Table {
+            caption: words.settings_changes.to_owned(),
+            columns: vec![
+                Column::words(words.col_change),
+                Column::sentences(words.col_setting),
+                Column::sentences(words.col_probability),
+                Column::sentences(words.col_force_rms),
+            ],
+            rows: self.over.changes.iter().map(row).collect(),
             sortable: true,
         }
     }

@@ -257,6 +257,12 @@ const MEANINGS: &[Meaning] = &[
         "间隙闭合一半时的力，F_0：接触的柔软程度",
     ],
     [
+        "force in the middle of the gap, F_1: weight on the eye, gas force that it carries, clamping",
+        "Kraft in der Mitte des Spiels, F_1: Gewicht am Auge, Gaskraft, die es trägt, Verspannung",
+        "effort au milieu du jeu, F_1 : poids sur l’œillet, effort du gaz qu’il porte, serrage",
+        "间隙中点处的力，F_1：吊环上的重量、所承受的气体力、夹紧力",
+    ],
+    [
         "deflection at which the series spring has doubled its force, d_h",
         "Einfederung, bei der die Reihenfeder die doppelte Kraft hat, d_h",
         "flexion à laquelle le ressort en série a doublé son effort, d_h",

@@ -321,6 +321,7 @@ words!(
     settings_section,
     settings_all,
     settings_caption,
+    settings_changes,
     settings_answers,
     col_setting,
     against_section,

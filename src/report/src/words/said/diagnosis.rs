@@ -116,6 +116,36 @@ pub const ALL: &[Said] = &[
         "在任何设置下，模型都不缺少这些记录能够指明的效应",
     ],
     [
+        "{name} changed at every setting ({sure} sure)",
+        "{name} hat sich bei jeder Einstellung geändert ({sure} sicher)",
+        "{name} a changé à chaque réglage (sûr à {sure})",
+        "{name} 在每个设置下都有变化（把握 {sure}）",
+    ],
+    [
+        "{name} changed at {names} ({sure} sure); at the other settings no change of it shows",
+        "{name} hat sich bei {names} geändert ({sure} sicher); bei den anderen Einstellungen zeigt sich keine Änderung davon",
+        "{name} a changé à {names} (sûr à {sure}) ; aux autres réglages aucun changement n’en apparaît",
+        "{name} 在 {names} 处有变化（把握 {sure}）；在其他设置下未见其变化",
+    ],
+    [
+        "nothing has changed that these records can name, at any setting",
+        "bei keiner Einstellung hat sich etwas geändert, das diese Messungen benennen können",
+        "à aucun réglage rien n’a changé que ces mesures puissent nommer",
+        "在任何设置下，都没有这些记录能够指明的变化",
+    ],
+    [
+        "at every setting something is missing that has no name yet",
+        "bei jeder Einstellung fehlt etwas, das noch keinen Namen hat",
+        "à chaque réglage il manque quelque chose qui n’a pas encore de nom",
+        "在每个设置下都缺少某种尚未命名的效应",
+    ],
+    [
+        "at {names} something is missing that has no name yet",
+        "bei {names} fehlt etwas, das noch keinen Namen hat",
+        "à {names} il manque quelque chose qui n’a pas encore de nom",
+        "在 {names} 处缺少某种尚未命名的效应",
+    ],
+    [
         "nothing is missing; these records do not need {effects}",
         "es fehlt nichts; diese Messungen brauchen nicht: {effects}",
         "il ne manque rien ; ces mesures ne demandent pas {effects}",
