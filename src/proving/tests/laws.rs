@@ -13,7 +13,7 @@ const KERNEL: &[(&str, usize, &[&str])] = &[
     ("integration", 2, &[]),
     ("series_compliance", 4, &["voigt"]),
     ("bushing", 8, &["cubic", "maxwell", "berg", "smooth_stop"]),
-    ("free_play", 2, &["softened_gap"]),
+    ("free_play", 3, &["softened_gap", "softened_gap_under_load"]),
     ("oil_compressibility", 4, &["column", "shortening_column", "uneven_column"]),
     ("aeration", 3, &["hyperbolic_bubbles"]),
     ("cavitation", 8, &["capped_void", "expanding_void", "unfilled_foot_valve"]),
