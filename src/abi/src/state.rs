@@ -174,8 +174,8 @@ pub unsafe extern "C" fn dashpot_state_init(
         // SAFETY: as above.
         let (settled, delay) = match plain {
             Ok(model) => (model.steady_state(&at), Delay::UNSET),
-            // SAFETY: as above.
             Err(_) => {
+                // SAFETY: as above.
                 unsafe { family(model) }.map(|family| (family.steady_state(&at, None), family.steady_delay(None)))?
             }
         };

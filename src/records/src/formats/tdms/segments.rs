@@ -182,7 +182,7 @@ fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize], budg
                 at += number.width();
             }
         }
-        return Ok(bytes.len() % row != 0);
+        return Ok(!bytes.len().is_multiple_of(row));
     }
     for part in bytes.chunks_exact(chunk) {
         let mut at = 0;
@@ -195,7 +195,7 @@ fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize], budg
             at = end;
         }
     }
-    Ok(bytes.len() % chunk != 0)
+    Ok(!bytes.len().is_multiple_of(chunk))
 }
 
 /// The channel that an object is; `None` for the file itself and its groups.
