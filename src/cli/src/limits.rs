@@ -4,12 +4,14 @@ use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR,
 
 /// The certificate as lines of text: every limit, and the verdict.
 pub fn table(found: &Certificate) -> String {
+    let names: Vec<String> = found.limits.iter().map(|one| name_of(&one.limit)).collect();
+    let width = names.iter().map(|name| name.chars().count()).fold(0, usize::max).max(LEAST);
     let mut out = format!(
-        "{:<40}{:>10}{:>11}{:>11}{:>11}{:>11}  {}\n",
+        "{:<width$}{:>12}{:>12}{:>12}{:>12}{:>12}  {}\n",
         "limit", "at mm/s", "low", "high", "measured", "model", "verdict"
     );
-    for one in &found.limits {
-        out += &row(one);
+    for (one, name) in found.limits.iter().zip(&names) {
+        out += &format!("{name:<width$}{}\n", row(one));
     }
     let count = |verdict| found.limits.iter().filter(|l| l.verdict == verdict).count();
     let (failed, untested) = (count(Verdict::Fail), count(Verdict::NotTested));
@@ -44,15 +46,22 @@ pub fn table(found: &Certificate) -> String {
     out
 }
 
+/// Least width of the names; longer ones widen their column, for their end says the setting.
+const LEAST: usize = 28;
+
+/// A limit with the unit of its numbers and its setting.
+fn name_of(limit: &Limit) -> String {
+    let (unit, _) = limit.quantity.display();
+    let at = limit.setting.map_or_else(String::new, |value| format!(", at setting {value}"));
+    format!("{}, {unit}{at}", limit.name)
+}
+
+/// Numbers and verdict of a limit.
 fn row(one: &Checked) -> String {
-    let Limit { name, velocity_m_s, low, high, setting, .. } = &one.limit;
-    let (unit, factor) = one.limit.quantity.display();
+    let Limit { velocity_m_s, low, high, setting, .. } = &one.limit;
+    let (_, factor) = one.limit.quantity.display();
     let known =
         |value: Option<f64>, decimals: usize| value.map_or_else(|| "-".to_owned(), |v| format!("{v:.decimals$}"));
-    let named = match setting {
-        Some(value) => format!("{name}, {unit}, at setting {value}"),
-        None => format!("{name}, {unit}"),
-    };
     let verdict = match one.verdict {
         Verdict::Pass => "pass",
         Verdict::Fail => "FAIL",
@@ -64,8 +73,7 @@ fn row(one: &Checked) -> String {
         Verdict::NotTested => "NOT TESTED: no slow test (below 6 mm/s)",
     };
     format!(
-        "{:<40}{:>10}{:>11}{:>11}{:>11}{:>11}  {verdict}\n",
-        named.chars().take(39).collect::<String>(),
+        "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}",
         known(velocity_m_s.map(|v| 1e3 * v), 1),
         known(low.map(|low| factor * low), 1),
         known(high.map(|high| factor * high), 1),

@@ -7,7 +7,7 @@ use dashpot_core::Params;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_estimation::structure::inventory::{InventoryItem, Status};
 use dashpot_records::sentence::Template;
-use dashpot_records::{Record, Sentence, Unusable, is_same_setting};
+use dashpot_records::{Record, Sentence, Unusable, is_same_setting, setting_in_words};
 use serde::Serialize;
 
 /// The damper at one setting with its records.
@@ -182,9 +182,9 @@ impl OverSettings {
     /// Of the answers at the settings; against a reference where `is_against` says so.
     pub fn new(answers: &[(f64, &Diagnosis)], unit: &str, is_against: bool) -> OverSettings {
         let (effects, changes) = (effects_over_settings(answers), changes_over_settings(answers));
-        let open = answers.iter().filter(|(_, found)| !found.verdict.nothing_is_missing());
+        let has_no_name = |found: &Diagnosis| matches!(found.verdict, Verdict::Ambiguous | Verdict::UnknownEffect);
         let open: Vec<f64> =
-            open.filter(|(_, found)| found.verdict != Verdict::Named).map(|(setting, _)| *setting).collect();
+            answers.iter().filter(|(_, found)| has_no_name(found)).map(|(setting, _)| *setting).collect();
         let summary = summarize(&effects, &changes, &open, (answers.len(), unit, is_against));
         OverSettings { summary, effects, changes }
     }
@@ -284,7 +284,7 @@ fn summarize(
     let over = |at: Vec<f64>, all: Template, some: Template| match at.len() == count {
         true => Sentence::from(all),
         false => {
-            let names = at.iter().map(|setting| format!("{setting} {unit}").trim_end().to_owned());
+            let names = at.iter().map(|setting| setting_in_words(*setting, unit));
             Sentence::from(some).with_names("names", names, phrases::COMMA)
         }
     };

@@ -11,7 +11,7 @@ use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file;
 use dashpot_records::hold_out::select_hold_out;
 use dashpot_records::sentence::Template;
-use dashpot_records::{Record, Sentence, Unusable};
+use dashpot_records::{Record, Sentence, Unusable, setting_in_words};
 use dashpot_simulation::comparison::settings_of;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
@@ -101,9 +101,8 @@ pub fn diagnose_family<'py>(
         let compared = good.as_ref().zip(of_good.as_deref());
         let compared = compared.map(|(good, settings)| WithSettings { records: &good.records, settings });
         let unit = file.axis.unit();
-        let parts = split_by_setting(&file.definition(), own, compared).map_err(|setting| {
-            anyhow::anyhow!("reference has no test at {}", format!("{setting} {unit}").trim_end())
-        })?;
+        let parts = split_by_setting(&file.definition(), own, compared)
+            .map_err(|setting| anyhow::anyhow!("reference has no test at {}", setting_in_words(setting, unit)))?;
         if parts.is_empty() {
             anyhow::bail!("no test has a constant setting, and a damper is diagnosed at constant settings");
         }

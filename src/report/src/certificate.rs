@@ -76,7 +76,12 @@ fn headline(found: &Certificate, words: &Words) -> String {
         Overall::Incomplete => words.certificate_untested,
     };
     let [count, failed, tested, untested] = [found.limits.len(), failed, tested, untested].map(|n| n.to_string());
-    words.fill(text, &[("count", &count), ("failed", &failed), ("tested", &tested), ("untested", &untested)])
+    let why = match found.limits.iter().any(|one| one.limit.setting.is_some()) {
+        true => words.certificate_why_untested_at_setting,
+        false => words.certificate_why_untested,
+    };
+    let figures = [("count", &*count), ("failed", &failed), ("tested", &tested), ("untested", &untested), ("why", why)];
+    words.fill(text, &figures)
 }
 
 fn table(found: &Certificate, words: &Words) -> Table {

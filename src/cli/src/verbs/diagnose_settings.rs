@@ -15,7 +15,7 @@ use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{fit_family, model_file};
 use dashpot_identification::model_file::{ModelFile, family_of_text, read_family};
-use dashpot_records::{Campaign, Record, agree_on_sign, hold_out};
+use dashpot_records::{Campaign, Record, agree_on_sign, hold_out, setting_in_words};
 use dashpot_report::diagnosis::{DiagnosisReport, SettingsReport, headline};
 use dashpot_report::inventory::probability;
 use dashpot_report::numbers::digits;
@@ -127,7 +127,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
             priors: priors.clone(),
         };
         let diagnosed = examine(&part.model, &part.campaign, part.left_out.clone(), &options)
-            .map_err(|error| error.context(format!("at {}", format_setting(part.setting, unit))))?;
+            .map_err(|error| error.context(format!("at {}", setting_in_words(part.setting, unit))))?;
         found.push((part, diagnosed));
     }
     let answers: Vec<(f64, &Diagnosis)> = found.iter().map(|(part, one)| (part.setting, &one.found)).collect();
@@ -200,7 +200,7 @@ fn split(
         anyhow::anyhow!(
             "{} has no test at {}; give --reference a campaign of the same settings, or leave these tests out with --exclude",
             named(&args.reference),
-            format_setting(setting, model.axis.unit())
+            setting_in_words(setting, model.axis.unit())
         )
     })?;
     let changing: Vec<&str> =
@@ -220,7 +220,7 @@ fn split(
         let unit = model.axis.unit();
         dashpot_output::warn(&format!(
             "warning: tests at {} lie outside the settings of the model, {low} to {high}, and are diagnosed with the damper at the nearest",
-            format_setting(beyond, unit)
+            setting_in_words(beyond, unit)
         ));
     }
     let held_out = match args.hold_out.is_empty() {
@@ -245,54 +245,47 @@ fn split(
     Ok(parts.into_iter().map(part).collect())
 }
 
-fn format_setting(setting: f64, unit: &str) -> String {
-    format!("{setting} {unit}").trim_end().to_owned()
-}
-
 /// What was found in lines: the sentences, one table over the settings, and the answer at each.
 fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]) -> Vec<String> {
     const WIDTH: usize = 16;
+    const ALL: &str = "at all settings";
     let unit = axis.unit();
     let mut lines: Vec<String> = over.summary.iter().map(ToString::to_string).collect();
     if !(over.effects.is_empty() && over.changes.is_empty()) {
         let mut heading = format!("  {:<26}", "probability, N rms");
         for (part, _) in found {
-            heading += &format!("{:>WIDTH$}", format_setting(part.setting, unit));
+            heading += &format!("{:>WIDTH$}", setting_in_words(part.setting, unit));
         }
         lines.push(heading);
     }
     let cell = |of: f64, force: f64, mark: &str| {
         format!("{}, {}{mark}", probability(of).replace('\u{a0}', ""), digits(force, 3))
     };
-    for of in &over.changes {
-        let mut line = format!("  {:<26}", of.name);
+    let row = |name: &str, at: &dyn Fn(f64) -> Option<String>, remarks: &[Option<&str>]| {
+        let mut line = format!("  {name:<26}");
         for (part, _) in found {
-            let at = of.settings.iter().find(|at| at.setting == part.setting);
-            let at = at.map_or_else(|| "-".to_owned(), |at| cell(at.change.probability, at.change.force_n_rms, ""));
-            line += &format!("{at:>WIDTH$}");
+            line += &format!("{:>WIDTH$}", at(part.setting).unwrap_or_else(|| "-".to_owned()));
         }
-        lines.push(format!("{line}  changed{}", if of.at_all_settings { ", at all settings" } else { "" }));
+        let remarks: Vec<&str> = remarks.iter().flatten().copied().collect();
+        format!("{line}  {}", remarks.join(", ")).trim_end().to_owned()
+    };
+    for of in &over.changes {
+        let at = |setting: f64| {
+            let at = of.settings.iter().find(|at| at.setting == setting)?;
+            Some(cell(at.change.probability, at.change.force_n_rms, ""))
+        };
+        lines.push(row(of.name, &at, &[Some("changed"), of.at_all_settings.then_some(ALL)]));
     }
     for of in &over.effects {
-        let mut line = format!("  {:<26}", of.effect);
-        for (part, _) in found {
-            let at = of.settings.iter().find(|at| at.setting == part.setting);
-            let at = at.map_or_else(
-                || "-".to_owned(),
-                |at| cell(at.probability, at.force_n_rms, if is_shown(at.status) { "" } else { " out" }),
-            );
-            line += &format!("{at:>WIDTH$}");
-        }
-        let found = if of.is_found { "  found" } else { "" };
-        let all = if of.at_all_settings { ", at all settings" } else { "" };
-        lines.push(format!(
-            "{line}{found}{}",
-            if found.is_empty() { all.replacen(", ", "  ", 1) } else { all.to_owned() }
-        ));
+        let at = |setting: f64| {
+            let at = of.settings.iter().find(|at| at.setting == setting)?;
+            Some(cell(at.probability, at.force_n_rms, if is_shown(at.status) { "" } else { " out" }))
+        };
+        lines.push(row(of.effect, &at, &[of.is_found.then_some("found"), of.at_all_settings.then_some(ALL)]));
     }
     for (part, one) in found {
         let tests = part.campaign.records.len();
-        let setting = format_setting(part.setting, unit);
+        let setting = setting_in_words(part.setting, unit);
         lines.push(format!("{setting}, {tests} tests: {}", headline(&one.found, &TERMINAL)));
     }
     lines

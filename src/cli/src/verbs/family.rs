@@ -12,7 +12,7 @@ use dashpot_identification::family::{
 use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
 use dashpot_identification::{Estimate, FitOptions, Standing, describe_item};
-use dashpot_records::{Campaign, Record};
+use dashpot_records::{Campaign, Record, setting_in_words};
 use dashpot_report::numbers::{with_interval, with_unit};
 use dashpot_report::words::TERMINAL;
 use dashpot_report::{FamilyReport, Print, ReportInput};
@@ -107,11 +107,6 @@ fn write_report(
     say(&format!("report: {}", path.display()))
 }
 
-/// A value of the setting with its unit.
-fn format_setting(axis: &SettingAxis, value: f64) -> String {
-    format!("{value} {}", axis.unit).trim_end().to_owned()
-}
-
 /// The family as text.
 fn format_family(found: &FamilyFit) -> Vec<String> {
     let axis = &found.setting;
@@ -128,7 +123,8 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
         }
     }
     for FamilyEstimate { setting, estimate: e } in found.estimates.iter().filter(|e| e.estimate.index.is_none()) {
-        let name = setting.map_or(e.name.to_owned(), |value| format!("{} at {}", e.name, format_setting(axis, value)));
+        let name =
+            setting.map_or(e.name.to_owned(), |value| format!("{} at {}", e.name, setting_in_words(value, &axis.unit)));
         out.push(format_estimate(&name, e));
     }
     out.extend(found.actuator.iter().flat_map(format_actuator));
@@ -178,7 +174,7 @@ fn format_errors(axis: &SettingAxis, settings: &[SettingReport]) -> String {
         let ratio = of.left_out_ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.2}"));
         out += &format!(
             "\n{:>14}{:>7}{:>20}{:>20}{left_out:>22}{ratio:>9}",
-            format_setting(axis, of.setting),
+            setting_in_words(of.setting, &axis.unit),
             of.tests,
             error(&of.own_fit),
             error(&of.family)

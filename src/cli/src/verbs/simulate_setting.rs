@@ -116,8 +116,8 @@ impl<'a> Commands<'a> {
         }
         let Some(of) = own else {
             notes.push(format!(
-                "the damper is at the start setting of {}, {}; no setting was found in the motion's columns or read from its name. Give --setting, such as --setting 0.8 or \
-                 --setting 0:0.4,1.5:1.2, or name its column with --column setting=HEADING",
+                "the damper is at the start setting of {}, {}; no setting was found in the motion's columns or read from its name. \
+                 Give --setting, such as --setting 0.8 or --setting 0:0.4,1.5:1.2, or name its column with --column setting=HEADING",
                 model.display(),
                 axis.start()
             ));

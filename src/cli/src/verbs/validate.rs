@@ -14,7 +14,7 @@ use dashpot_identification::validation::{
     Against, AgainstSummary, Compared, ResponseTimes, StepResponse, Validation, validate,
 };
 use dashpot_output::{FolderLock, Kind};
-use dashpot_records::{Campaign, Record};
+use dashpot_records::{Campaign, Record, setting_in_words};
 use dashpot_report::against::{Rival, section};
 use dashpot_report::certificate::{self, CertificateInput};
 use dashpot_report::{FamilyReport, ReportInput};
@@ -259,7 +259,7 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
             _ if !of.is_of_grid => ", interpolated",
             _ => "",
         };
-        let label = format!("{}{where_}", format!("{} {}", of.setting, axis.unit()).trim_end());
+        let label = format!("{}{where_}", setting_in_words(of.setting, axis.unit()));
         out += &format!(
             "\n{label:<34}{:>6}{:>10.2}{:>9.2}{:>12.2}{:>10.2}",
             of.summary.tests,

@@ -16,6 +16,8 @@ pub struct FreePlay {
     gap: SoftGap,
     /// F_1, N.
     load: f64,
+    /// Where the gap has its middle, without what the series spring yields to the load, m.
+    middle: f64,
 }
 
 impl FreePlay {
@@ -25,20 +27,14 @@ impl FreePlay {
         if self.load == 0.0 {
             return self.gap.force(stiffness, deflection);
         }
-        let middle = (stiffness.inverse() * self.load).plus(self.middle());
+        let middle = (stiffness.inverse() * self.load).plus(self.middle);
         let (force, derivative) = self.gap.force(stiffness, deflection - middle);
         (force.plus(self.load), derivative)
     }
 
-    /// Where the gap has its middle, without what the series spring yields to the load, m.
-    #[inline(always)]
-    fn middle(&self) -> f64 {
-        self.gap.gap * self.load / (self.load.abs() + self.gap.softness)
-    }
-
     /// Most that it yields beyond the series spring, m.
     pub(crate) fn furthest(&self) -> f64 {
-        self.gap.gap + self.middle().abs()
+        self.gap.gap + self.middle.abs()
     }
 }
 
@@ -64,10 +60,11 @@ impl Describe for FreePlay {
 }
 
 impl Prepare for FreePlay {
-    const OFF: Self = FreePlay { gap: SoftGap::CLOSED, load: 0.0 };
+    const OFF: Self = FreePlay { gap: SoftGap::CLOSED, load: 0.0, middle: 0.0 };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         let (gap, softness) = (0.5 * p.number(own!("free_play_gap")), p.number(own!("free_play_force")));
-        Ok(FreePlay { gap: SoftGap { gap, softness }, load: p.number(own!("free_play_load")) })
+        let load = p.number(own!("free_play_load"));
+        Ok(FreePlay { gap: SoftGap { gap, softness }, load, middle: gap * load / (load.abs() + softness) })
     }
 }

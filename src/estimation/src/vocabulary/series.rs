@@ -109,7 +109,8 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             )
             .collect(),
     ));
-    // Weight, gas and clamping shift the force at which the gap opens, by some percent of the damper's force to either side.
+    // Weight, gas and clamping shift the force at which the gap opens to either side. Starts are about one and two standard deviations of the
+    // prior of that load off, near enough for the slope of the error to lead on; the gap and the spring are those of the middle start above.
     all.push(Candidate {
         form: "opens under a load",
         ..candidate(

@@ -90,7 +90,7 @@ class FamilyDiagnosis(Result):
             own: Row = {"change": of.name, "at all settings": of.at_all_settings}
             return own | {f"probability at {at.setting:g}": at.probability for at in of.settings}
 
-        return [changed(of) for of in self.changes] or [row(of) for of in self.effects]
+        return [changed(of) for of in self.changes] + [row(of) for of in self.effects]
 
     def _repr_html_(self) -> str:
         said = table(f"Diagnosis over {self.setting.name}", self._rows(), list(self.summary))

@@ -101,6 +101,11 @@ pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME
 }
 
+/// A value of a setting with its unit, where it has one: `0.8 A`.
+pub fn setting_in_words(value: f64, unit: &str) -> String {
+    format!("{value} {unit}").trim_end().to_owned()
+}
+
 /// Rules of the user for the setting of each test.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SettingRules {

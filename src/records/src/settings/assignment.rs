@@ -6,7 +6,7 @@ use super::unstated_settings::together;
 use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
-use crate::quantities::setting_value::{NAMES, SAME, Setting, SettingRules};
+use crate::quantities::setting_value::{NAMES, SAME, Setting, SettingRules, setting_in_words};
 
 /// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
@@ -62,7 +62,7 @@ fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
     let names: Vec<&str> = records.iter().map(|record| record.name.as_str()).collect();
     let listed = settings.values().map(|(setting, tests)| {
         Sentence::from(phrases::SETTING_AT)
-            .with("value", format!("{} {}", setting.value, setting.unit).trim_end())
+            .with("value", setting_in_words(setting.value, &setting.unit))
             .with_sentence("names", together(&names, tests))
     });
     let text = Sentence::from(phrases::SEVERAL_SETTINGS).with("count", settings.len()).with("option", &first.name);

@@ -10,6 +10,7 @@ use crate::{Cell, Made, Workbook, made};
 use dashpot_diagnosis::settings::{
     ChangeAtSetting, ChangeOverSettings, EffectAtSetting, EffectOverSettings, OverSettings, is_shown,
 };
+use dashpot_records::setting_in_words;
 
 /// Everything that the report tells.
 #[derive(Debug, Clone)]
@@ -55,7 +56,7 @@ impl SettingsReport<'_> {
     }
 
     fn named(&self, setting: f64) -> String {
-        self.words.number(format!("{setting} {}", self.unit).trim_end())
+        self.words.number(&setting_in_words(setting, &self.unit))
     }
 
     fn sections(&self) -> Vec<Section> {
@@ -77,12 +78,17 @@ impl SettingsReport<'_> {
         sections
     }
 
+    /// What stands at each setting, in one cell.
+    fn each(&self, all: impl Iterator<Item = (f64, String)>) -> String {
+        let all: Vec<String> = all.map(|(setting, text)| format!("{}: {text}", self.named(setting))).collect();
+        all.join(self.words.comma)
+    }
+
     /// A row an effect.
     fn table(&self) -> Table {
         let words = self.words;
         let each = |of: &EffectOverSettings, write: &dyn Fn(&EffectAtSetting) -> String| {
-            let one = |at: &EffectAtSetting| format!("{}: {}", self.named(at.setting), write(at));
-            of.settings.iter().map(one).collect::<Vec<_>>().join(words.comma)
+            self.each(of.settings.iter().map(|at| (at.setting, write(at))))
         };
         let row = |of: &EffectOverSettings| -> Vec<Cell> {
             let at = of.settings.iter().filter(|at| is_shown(at.status)).map(|at| self.named(at.setting));
@@ -119,16 +125,15 @@ impl SettingsReport<'_> {
     /// A row a change against the reference.
     fn changes(&self) -> Table {
         let words = self.words;
+        let each = |of: &ChangeOverSettings, write: &dyn Fn(&ChangeAtSetting) -> String| {
+            self.each(of.settings.iter().map(|at| (at.setting, write(at))))
+        };
         let row = |of: &ChangeOverSettings| -> Vec<Cell> {
-            let each = |write: &dyn Fn(&ChangeAtSetting) -> String| {
-                let one = |at: &ChangeAtSetting| format!("{}: {}", self.named(at.setting), write(at));
-                of.settings.iter().map(one).collect::<Vec<_>>().join(words.comma)
-            };
             vec![
                 words.named(of.name).into(),
-                each(&|at| words.say(&at.change.sentence())).into(),
-                each(&|at| words.number(&probability(at.change.probability))).into(),
-                each(&|at| words.number(&error(at.change.force_n_rms))).into(),
+                each(of, &|at| words.say(&at.change.sentence())).into(),
+                each(of, &|at| words.number(&probability(at.change.probability))).into(),
+                each(of, &|at| words.number(&error(at.change.force_n_rms))).into(),
             ]
         };
         Table {

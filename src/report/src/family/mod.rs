@@ -20,6 +20,7 @@ use dashpot_core::family::Definition;
 use dashpot_identification::family::FamilyFit;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{Compared, SettingSummary, Validation};
+use dashpot_records::setting_in_words;
 
 /// What a report of a damper over a setting is made from, beside its validation.
 #[derive(Debug, Clone, Copy)]
@@ -73,7 +74,7 @@ fn axis_title(damper: &Definition, words: &Words) -> String {
 
 /// A value of the setting with its unit.
 fn named(damper: &Definition, setting: f64, words: &Words) -> String {
-    words.number(format!("{setting} {}", damper.axis.unit()).trim_end())
+    words.number(&setting_in_words(setting, damper.axis.unit()))
 }
 
 /// A setting of the tests, marked where the model file gives no numbers at it.

@@ -338,6 +338,8 @@ words!(
     certificate_fail_untested,
     certificate_untested,
     certificate_nothing_tested,
+    certificate_why_untested,
+    certificate_why_untested_at_setting,
     certificate_interpolated,
     certificate_model_passes,
     certificate_model_fails,
