@@ -16,7 +16,7 @@ pub struct ResponseTimes {
 }
 
 impl ResponseTimes {
-    /// Times of a response that runs from 0 to 1. `None` where it does not get there.
+    /// Times of a response that runs from 0 to 1. `None` where it does not get there, or is not known where it crosses.
     pub fn measure(time: &[f64], response: &[f64]) -> Option<ResponseTimes> {
         let begins = time.partition_point(|t| *t < 0.0);
         let reach = |fraction: f64, from: usize| -> Option<usize> {
@@ -27,6 +27,9 @@ impl ResponseTimes {
         let crossing = |k: usize, fraction: f64| {
             let before = k.checked_sub(1)?;
             let (low, high) = (response[before], response[k]);
+            if !low.is_finite() {
+                return None;
+            }
             let part = if high > low { ((fraction - low) / (high - low)).clamp(0.0, 1.0) } else { 1.0 };
             Some(time[before] + part * (time[k] - time[before]))
         };

@@ -79,7 +79,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     let without_force = clipped::deal(&mut samples, reach)?;
     outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
-    let (displacement, velocity, cycles) = complete(&mut samples, options)?;
+    let CompleteMotion { displacement, velocity, cycles, velocity_window_s } = complete(&mut samples, options)?;
     let (setting, setting_signal) = set_to::take(&mut samples, &options.settings);
     let mut motion = Motion {
         at: samples.at,
@@ -89,6 +89,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
         about: samples.about.clone(),
         displacement,
         velocity,
+        velocity_window_s,
         force: samples.force,
         side_force: samples.side_force,
         temperature: samples.temperature,
@@ -128,8 +129,14 @@ fn enough(samples: &Samples) -> Result<(), RecordError> {
     Ok(())
 }
 
-/// Displacement, velocity and cycles.
-type CompleteMotion = (Vec<f64>, Vec<f64>, Vec<Cycle>);
+/// Displacement and velocity.
+struct CompleteMotion {
+    displacement: Vec<f64>,
+    velocity: Vec<f64>,
+    cycles: Vec<Cycle>,
+    /// See [`Record::velocity_window_s`].
+    velocity_window_s: f64,
+}
 
 /// Completes the motion: derives what is missing and compares what is not.
 fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, RecordError> {
@@ -165,7 +172,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                         .with("percent", format!("{:.3}", 100.0 * (1.0 - agreement.explained).max(0.0))),
                 );
             }
-            Ok((displacement, velocity, cycles))
+            Ok(CompleteMotion { displacement, velocity, cycles, velocity_window_s: 0.0 })
         }
         (Some(displacement), None) => Ok(differentiated(samples, displacement)),
         (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
@@ -192,7 +199,7 @@ fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMoti
             .with("frequency", format!("{:.1}", filter.bandwidth))
             .with_any("shorter", shorter),
     );
-    (displacement, velocity, cycles)
+    CompleteMotion { displacement, velocity, cycles, velocity_window_s: filter.window }
 }
 
 /// Displacement from velocity. A velocity offset would drift away with it; it is the mean over whole cycles, since the
@@ -224,7 +231,7 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
             .with("drift", format!("{:.2}", 1e3 * removed * seconds))
             .with_sentence("basis", basis),
     );
-    (displacement, velocity, cycles)
+    CompleteMotion { displacement, velocity, cycles, velocity_window_s: 0.0 }
 }
 
 /// Sample ranges of the whole cycles of a motion.
@@ -254,6 +261,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         about,
         displacement,
         velocity,
+        velocity_window_s,
         force,
         side_force,
         temperature,
@@ -293,6 +301,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         clock_s: 0.0,
         displacement,
         velocity,
+        velocity_window_s,
         force,
         side_force,
         temperature,

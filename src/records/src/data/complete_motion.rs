@@ -19,6 +19,8 @@ pub(crate) struct Motion {
     pub about: TestMetadata,
     pub displacement: Vec<f64>,
     pub velocity: Vec<f64>,
+    /// See [`Record::velocity_window_s`](super::record::Record::velocity_window_s).
+    pub velocity_window_s: f64,
     pub force: Vec<f64>,
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,

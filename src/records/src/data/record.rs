@@ -44,6 +44,9 @@ pub struct Record {
     /// Damper velocity, m/s.
     #[serde(skip)]
     pub velocity: Vec<f64>,
+    /// Length of the window in which the velocity was taken from the displacement, s; 0 where the file has a velocity.
+    #[serde(skip)]
+    pub velocity_window_s: f64,
     /// Damper force, N.
     #[serde(skip)]
     pub force: Vec<f64>,
