@@ -5,6 +5,7 @@
 //! fit did not see.
 
 mod as_the_fit_saw;
+mod edited;
 mod expected;
 pub mod family;
 mod fit;
@@ -18,6 +19,7 @@ pub mod of_peaks;
 mod of_the_rig;
 pub mod peaks;
 mod phrases;
+pub mod remarks;
 mod short;
 mod texts;
 pub mod validation;

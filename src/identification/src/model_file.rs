@@ -4,7 +4,7 @@
 //! are for validation, diagnosis and people.
 
 use super::short::short;
-use crate::phrases;
+use crate::{edited, remarks};
 use crate::{Estimate, Fit, Measured, Standing, describe_item, to_measurement_error};
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition, Family};
@@ -31,6 +31,8 @@ pub struct ModelFile {
     pub identification: Identification,
     /// Places of the parameters that the text gives a value, whether their element is on or off.
     pub specified: Vec<usize>,
+    /// Numbers that lie outside the interval which the fit left for them, such as `fv_force[3]@0.8`; [`ModelFile::new`] takes that interval out.
+    pub edited: Vec<String>,
 }
 
 /// The tables behind the flat part.
@@ -242,54 +244,36 @@ impl ModelFile {
         Definition { params: self.params, axis: self.axis }
     }
 
-    /// What does nothing: parameters that the file gives although their element is off, a sentence for each element. That is no error: a host
-    /// that reads the file may switch the element on.
-    pub fn idle(&self) -> Vec<Sentence> {
-        idle(&self.specified, &self.params)
+    /// The file of a damper. Intervals of the fit that do not hold their number are taken out of `identification`: the number was changed since.
+    pub fn new(params: Params, axis: Axis, mut identification: Identification, specified: Vec<usize>) -> ModelFile {
+        let edited = edited::take_out(&params, &axis, &mut identification);
+        ModelFile { params, axis, identification, specified, edited }
     }
 
-    /// All remarks that the file has to tell: those of its fit, and what does nothing in it.
+    /// What its numbers do not do: those of an element that is off, those that are missing, and those that are not the fit's.
+    pub fn remarks(&self) -> Vec<Sentence> {
+        let mut all = remarks::idle(&self.specified, &self.params);
+        all.extend(remarks::on_defaults(&self.specified, &self.params, &self.identification));
+        all.extend(remarks::edited(&self.edited));
+        all
+    }
+
+    /// All remarks that the file has to tell: those of its fit, and those about its numbers.
     pub fn notes(&self) -> Vec<String> {
-        let idle = self.idle().into_iter().map(|sentence| sentence.to_string());
-        self.identification.notes.iter().cloned().chain(idle).collect()
+        let remarks = self.remarks().into_iter().map(|sentence| sentence.to_string());
+        self.identification.notes.iter().cloned().chain(remarks).collect()
     }
 
     /// Whether the damper differs from the one that the fit wrote.
     ///
     /// It does where a number lies outside its interval in the file, or an element with an identified number is off. A file that is tuned by hand keeps the tables of its fit; a change within an interval is none.
     pub fn was_changed(&self) -> bool {
-        let lies = |value: &f64, ends: &[f64; 2]| {
-            // An interval without ends says nothing; one of a fixed point has two that are alike.
-            let room = 1e-9 * value.abs();
-            ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(value)
+        let known = &self.identification;
+        let is_off = |row: &Row| row.element().is_some_and(|element| !self.params.is_on(element));
+        let is_identified = |row: &Row| {
+            known.intervals.contains_key(row.parameter.name) || known.intervals_over_setting.contains_key(row.parameter.name)
         };
-        let shared = parameter::table()
-            .filter_map(|row| Some((self.identification.intervals.get(row.parameter.name)?, row)))
-            .any(|(interval, row)| {
-                let values = self.params.get(&row);
-                row.element().is_some_and(|element| !self.params.is_on(element))
-                    || match interval {
-                        Interval::Number(ends) => !values.iter().all(|value| lies(value, ends)),
-                        Interval::List(all) => {
-                            values.len() != all.len() || !values.iter().zip(all).all(|(value, ends)| lies(value, ends))
-                        }
-                    }
-            });
-        let lie = |values: Option<&[f64]>, all: &[[f64; 2]]| {
-            values.is_some_and(|values| {
-                values.len() == all.len() && values.iter().zip(all).all(|(value, ends)| lies(value, ends))
-            })
-        };
-        shared
-            || self.identification.intervals_over_setting.iter().any(|(name, interval)| {
-                let number = parameter::Number::find(name).ok();
-                match interval {
-                    IntervalOverSetting::Number(all) => !lie(number.and_then(|number| self.axis.values(number)), all),
-                    IntervalOverSetting::List(all) => {
-                        all.iter().enumerate().any(|(index, all)| !lie(self.axis.forces(index), all))
-                    }
-                }
-            })
+        !self.edited.is_empty() || parameter::table().any(|row| is_identified(&row) && is_off(&row))
     }
 
     /// The plain FV curve that the fit left beside the model; the model's own curve and gas force where it left none.
@@ -303,25 +287,6 @@ impl ModelFile {
         params.enable(element!("gas_preload"), self.params.is_on(element!("gas_preload")));
         params
     }
-}
-
-/// Reports the specified parameters whose element is off, in a sentence for each element.
-///
-/// `specified` holds indices of parameters, `params` the damper that was read with them.
-pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
-    let mut of: Vec<(&str, Vec<&str>)> = Vec::new();
-    for row in parameter::table().filter(|row| specified.contains(&row.index)) {
-        let Some(element) = row.element().filter(|element| !params.is_on(*element)) else { continue };
-        match of.last_mut() {
-            Some((name, rows)) if *name == element.name() => rows.push(row.parameter.name),
-            _ => of.push((element.name(), vec![row.parameter.name])),
-        }
-    }
-    of.into_iter()
-        .map(|(element, rows)| {
-            Sentence::from(phrases::IDLE).with("element", element).with_names("names", rows, phrases::COMMA)
-        })
-        .collect()
 }
 
 /// The parameters that say something of a damper. Numbers of elements that are off are none, nor are those of a form that was not chosen (the knees
@@ -431,7 +396,7 @@ fn parsed(
     if given.is_empty() {
         parameters_in_tables(text, path)?;
     }
-    Ok(ModelFile { params, axis, identification: tables.identification, specified: given })
+    Ok(ModelFile::new(params, axis, tables.identification, given))
 }
 
 /// Refuses a file that names no parameter but in tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits, which hold
@@ -810,7 +775,7 @@ mod tests {
     fn a_number_of_an_element_that_is_off_is_told() {
         let of = |text: &str| of_text(&format!("format = 1\n{text}"), Path::new("m.toml")).unwrap();
         let text =
-            "elements = [\"fv_curve\"]\ngas_force = 150\ncoulomb_force = 40\ncoulomb_steepness = 1000\nsubsteps = 2\n";
+            "elements = [\"fv_curve\"]\nfv_form = \"table\"\ngas_force = 150\ncoulomb_force = 40\ncoulomb_steepness = 1000\nsubsteps = 2\n";
         let mut file = of(text);
         let said = file.notes();
         assert_eq!(said.len(), 2, "{said:?}");
@@ -820,7 +785,7 @@ mod tests {
         // A window may switch it on.
         file.params.enable(element!("gas_preload"), true);
         assert_eq!(file.notes().len(), 1);
-        let on = "elements = [\"fv_curve\", \"gas_preload\"]\ngas_force = 150\n[identification]\nnotes = [\"kept\"]\n";
+        let on = "elements = [\"gas_preload\"]\ngas_force = 150\n[identification]\nnotes = [\"kept\"]\n";
         assert_eq!(of(on).notes(), ["kept"]);
         // What this program writes gives no number that does nothing.
         assert_eq!(

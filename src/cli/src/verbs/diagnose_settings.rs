@@ -238,6 +238,7 @@ fn split(
             axis: Axis::NONE,
             identification: model.identification.clone(),
             specified: model.specified.clone(),
+            edited: model.edited.clone(),
         },
         campaign: Campaign { records: of.records, unusable: Vec::new(), ..campaign.clone() },
         reference: of.reference,

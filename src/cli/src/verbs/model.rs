@@ -4,7 +4,7 @@ use dashpot_core::family::Axis;
 use dashpot_identification::model_file::{self, ModelFile, ModelFileError};
 use std::path::Path;
 
-/// Reads a model file, and says what does nothing in it.
+/// Reads a model file, and says what its numbers do not do.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     told(path, model_file::read(path)?)
 }
@@ -16,7 +16,7 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
 
 fn told(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
     // Beside the result, which may go to standard output.
-    file.idle().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
+    file.remarks().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
     Ok(file)
 }
 

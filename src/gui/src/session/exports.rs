@@ -98,7 +98,7 @@ impl Export {
     fn file(&self) -> ModelFile {
         let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
         let (identification, given) = read.map(|file| (file.identification, file.specified)).unwrap_or_default();
-        ModelFile { params: self.params, axis: Axis::NONE, identification, specified: given }
+        ModelFile::new(self.params, Axis::NONE, identification, given)
     }
 
     fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {

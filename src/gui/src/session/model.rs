@@ -95,7 +95,7 @@ impl Tuned {
 
     /// What its file gives that does nothing as the values are now, a sentence for each element that is off.
     pub fn idle(&self) -> Vec<Sentence> {
-        model_file::idle(&self.given, self.params())
+        dashpot_identification::remarks::idle(&self.given, self.params())
     }
 
     /// The name of its file; empty where it was never saved.
@@ -117,7 +117,7 @@ impl Tuned {
     /// The file of the whole damper over its setting; none of an ordinary damper.
     pub fn whole_file(&self) -> Option<ModelFile> {
         let Definition { params, axis } = *self.definition()?;
-        Some(ModelFile { params, axis, identification: self.identification.clone(), specified: self.given.clone() })
+        Some(ModelFile::new(params, axis, self.identification.clone(), self.given.clone()))
     }
 
     /// The damper of each test with these values on screen; where `own`, each test is at its own setting.
@@ -164,7 +164,7 @@ impl Tuned {
     pub fn file(&self) -> ModelFile {
         let (Some(whole), Some((_, setting))) = (self.whole_file(), self.over_setting()) else {
             let (identification, specified) = (self.identification.clone(), self.given.clone());
-            return ModelFile { params: *self.params(), axis: Axis::NONE, identification, specified };
+            return ModelFile::new(*self.params(), Axis::NONE, identification, specified);
         };
         ModelFile { params: *self.params(), ..at_setting(&whole, setting) }
     }
@@ -423,12 +423,7 @@ mod tests {
     use dashpot_core::parameter::find;
 
     fn tuned() -> Tuned {
-        Tuned::new(ModelFile {
-            params: Params::new(),
-            axis: Axis::NONE,
-            identification: Identification::default(),
-            specified: Vec::new(),
-        })
+        Tuned::new(ModelFile::new(Params::new(), Axis::NONE, Identification::default(), Vec::new()))
     }
 
     #[test]

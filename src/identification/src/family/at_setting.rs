@@ -29,7 +29,8 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
         }
     }
     identification.not_identified = open;
-    ModelFile { params, axis: Axis::NONE, identification, specified: file.specified.clone() }
+    let (specified, edited) = (file.specified.clone(), file.edited.clone());
+    ModelFile { params, axis: Axis::NONE, identification, specified, edited }
 }
 
 /// Where a setting lies on a grid.
@@ -62,7 +63,9 @@ impl Place {
                 let number = Number::find(name).ok()?;
                 let values = axis.values(number)?;
                 let both = [self.left, self.right].map(|place| Some((*values.get(place)?, *ends.get(place)?)));
-                Some(Interval::Number(self.between(at.number(number), both)?))
+                // A number that was changed since the fit has no interval.
+                let ends = self.between(at.number(number), both).filter(|ends| ends.iter().all(|end| !end.is_nan()))?;
+                Some(Interval::Number(ends))
             }
             IntervalOverSetting::List(ends) => {
                 let now = at.list(list!("fv_force"));

@@ -164,6 +164,18 @@ pub const ALL: &[Said] = &[
         "le fichier de modèle donne {names}, mais l’élément {element} est désactivé, et cela reste sans effet ; pour s’en servir, l’ajouter à elements",
         "模型文件给出了 {names}，但元件 {element} 已关闭，因此这些值不起作用；如需使用，请将其加入 elements",
     ],
+    [
+        "the element {element} is on, but the model file does not give {names}: it runs on the defaults of docs/parameters.md",
+        "das Element {element} ist an, aber die Modelldatei gibt {names} nicht an: Es gelten die Vorgaben aus docs/parameters.md",
+        "l’élément {element} est actif, mais le fichier de modèle ne donne pas {names} : les valeurs par défaut de docs/parameters.md s’appliquent",
+        "元件 {element} 已启用，但模型文件未给出 {names}：采用 docs/parameters.md 中的默认值",
+    ],
+    [
+        "{names}: outside the 95 % interval that the fit left in the model file, so changed since; what the fit knew of it is left out",
+        "{names}: außerhalb des 95-%-Intervalls, das die Identifikation in der Modelldatei hinterließ, also seither geändert; was die Identifikation dazu wusste, entfällt",
+        "{names} : hors de l’intervalle à 95 % laissé par l’identification dans le fichier de modèle, donc modifié depuis ; ce que l’identification en savait est omis",
+        "{names}：超出辨识在模型文件中给出的 95 % 区间，因此此后被修改过；辨识对其所知的内容不再列出",
+    ],
     // How far a fit is.
     ["preparing records", "Messungen werden vorbereitet", "préparation des mesures", "正在准备试验记录"],
     ["plain FV curve", "einfache FV-Kurve", "courbe FV simple", "普通 FV 曲线"],

@@ -1,0 +1,100 @@
+//! Which numbers of a model file were changed since its fit: those that lie outside the interval that the fit left for them.
+
+use crate::model_file::{Identification, Interval, IntervalOverSetting};
+use dashpot_core::Params;
+use dashpot_core::family::Axis;
+use dashpot_core::family::axis::ENTRIES;
+use dashpot_core::parameter::{self, Number, Row};
+
+/// An interval that says nothing.
+const NONE: [f64; 2] = [f64::NAN; 2];
+
+/// Takes out what the fit says of numbers that are not its own, and returns their names, as `not_identified` of a file has them.
+///
+/// A curve keeps the intervals of its other points. Whether a number that the fit left without interval was changed cannot be seen.
+pub(crate) fn take_out(params: &Params, axis: &Axis, known: &mut Identification) -> Vec<String> {
+    let mut edited = Vec::new();
+    for row in parameter::table().filter(|row| row.element().is_none_or(|element| params.is_on(element))) {
+        edited.extend(of_row(&row, params, axis, known));
+    }
+    for (index, entry) in ENTRIES.iter().enumerate() {
+        if let Some(Interval::Number(ends)) = known.intervals.get(entry.name)
+            && axis.is_some()
+            && !holds(ends, axis.number(index))
+        {
+            known.intervals.remove(entry.name);
+            edited.push(entry.name.to_owned());
+        }
+    }
+    edited
+}
+
+fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -> Vec<String> {
+    let name = row.parameter.name;
+    let mut edited = Vec::new();
+    let values = params.get(row);
+    let is_over_setting = known.intervals_over_setting.contains_key(name);
+    match known.intervals.get_mut(name) {
+        Some(Interval::Number(ends)) if !values.iter().all(|value| holds(ends, *value)) => {
+            known.intervals.remove(name);
+            edited.push(name.to_owned());
+        }
+        Some(Interval::List(all)) if all.len() == values.len() => {
+            edited.extend(blank(all, &values).map(|at| format!("{name}[{at}]")));
+        }
+        // Another number of points: none of the fit's is left.
+        Some(Interval::List(_)) => {
+            known.intervals.remove(name);
+            edited.push(name.to_owned());
+        }
+        _ => {}
+    }
+    let grid = axis.grid();
+    let number = Number::try_from(*row).ok();
+    let is_whole = match known.intervals_over_setting.get_mut(name) {
+        Some(IntervalOverSetting::Number(all)) => match number.and_then(|number| axis.values(number)) {
+            Some(values) if values.len() == all.len() => {
+                edited.extend(blank(all, values).map(|at| format!("{name}@{}", grid[at])));
+                true
+            }
+            _ => false,
+        },
+        Some(IntervalOverSetting::List(all)) if all.len() == grid.len() => {
+            all.iter_mut().enumerate().all(|(place, all)| match axis.forces(place) {
+                Some(forces) if forces.len() == all.len() => {
+                    edited.extend(blank(all, forces).map(|at| format!("{name}[{at}]@{}", grid[place])));
+                    true
+                }
+                _ => false,
+            })
+        }
+        _ => false,
+    };
+    // Another grid or another number of points.
+    if is_over_setting && !is_whole {
+        known.intervals_over_setting.remove(name);
+        edited = vec![name.to_owned()];
+    }
+    if !edited.is_empty() {
+        known.sources.remove(name);
+    }
+    edited
+}
+
+/// Blanks the intervals that do not hold their value; returns their places.
+fn blank(all: &mut [[f64; 2]], values: &[f64]) -> impl Iterator<Item = usize> + use<> {
+    let mut places = Vec::new();
+    for (at, (ends, value)) in all.iter_mut().zip(values).enumerate() {
+        if !holds(ends, *value) {
+            *ends = NONE;
+            places.push(at);
+        }
+    }
+    places.into_iter()
+}
+
+/// Whether a value lies within; an interval without ends says nothing, one of a fixed point has two that are alike.
+fn holds(ends: &[f64; 2], value: f64) -> bool {
+    let room = 1e-9 * value.abs();
+    ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(&value)
+}
