@@ -1,6 +1,9 @@
 //! Numbers of the command line that may bear a unit: 5ms, 0.4in, 1.2kN; alone they are in SI units.
 
+use anyhow::bail;
+use dashpot_core::family::Axis;
 use dashpot_records::{Dimension, Unit};
+use std::str::FromStr;
 
 /// Seconds, from `0.005`, `5ms` or `5 ms`.
 ///
@@ -38,6 +41,44 @@ fn read(text: &str, dimension: Dimension, expected: &str) -> Result<f64, String>
     }
 }
 
+/// A value of the setting of a damper, from `0.6`, `0.6A` or `600mA`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SettingText {
+    value: f64,
+    unit: String,
+}
+
+impl FromStr for SettingText {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<SettingText, String> {
+        let refusal = || format!("{text:?} is not a number, alone or with the unit of the setting, such as 0.6 or 0.6A");
+        let (value, unit) = split(text.trim()).ok_or_else(refusal)?;
+        Ok(SettingText { value, unit: unit.to_owned() })
+    }
+}
+
+impl SettingText {
+    /// The value in the unit of a damper's setting.
+    ///
+    /// # Errors
+    /// Another unit.
+    pub fn in_unit_of(&self, axis: &Axis) -> anyhow::Result<f64> {
+        let own = axis.unit();
+        if self.unit.is_empty() || self.unit == own {
+            return Ok(self.value);
+        }
+        match (self.unit.parse::<Unit>(), own.parse::<Unit>()) {
+            (Ok(unit), Ok(known)) if unit.dimension() == known.dimension() => {
+                let (zero, one) = (known.to_si(0.0), known.to_si(1.0));
+                Ok((unit.to_si(self.value) - zero) / (one - zero))
+            }
+            _ if own.is_empty() => bail!("{} {}: the setting of this damper has no unit; give the number alone", self.value, self.unit),
+            _ => bail!("{} {}: the setting of this damper is counted in {own}", self.value, self.unit),
+        }
+    }
+}
+
 /// The number that a text begins with, and the rest.
 fn split(text: &str) -> Option<(f64, &str)> {
     let ends = text.char_indices().map(|(at, letter)| at + letter.len_utf8());
@@ -58,6 +99,18 @@ mod tests {
         assert_eq!(metres("412.5mm"), Ok(0.4125));
         assert_eq!(metres("2in"), Ok(0.0508));
         assert_eq!(newtons("1.2 kN"), Ok(1200.0));
+    }
+
+    #[test]
+    fn a_setting_is_in_the_unit_of_its_damper() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 1.6]).unwrap();
+        axis.set_unit("A").unwrap();
+        let value = |text: &str| text.parse::<SettingText>().unwrap().in_unit_of(&axis);
+        assert!((value("600mA").unwrap() - 0.6).abs() < 1e-12);
+        assert_eq!([value("0.6").unwrap(), value("0.6 A").unwrap()], [0.6; 2]);
+        assert!(value("12 clicks").unwrap_err().to_string().contains("counted in A"));
+        assert!("high".parse::<SettingText>().unwrap_err().contains("0.6A"));
     }
 
     #[test]

@@ -394,7 +394,7 @@ mod tests {
                 name: "current".into(),
                 unit: "A".into(),
                 values: vec![0.4, 0.4, 1.6],
-                source: SettingSource::Name,
+                source: SettingSource::Name { is_sure: true },
             }),
             ..MotionRecord::default()
         };

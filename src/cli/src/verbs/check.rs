@@ -48,19 +48,13 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
     let file = model::read_family(&args.model)?;
     let of_family = file.axis.is_some();
-    if of_family && args.host.is_replacing() {
+    if of_family && out.is_some() {
         bail!(
-            "{} depends on a setting, and --for-step makes a damper at one ready; write that with dashpot setting",
+            "{} depends on a setting, and -o writes an ordinary damper made ready for a step; write that of one setting with dashpot setting first",
             args.model.display()
         );
     }
-    let settings: Vec<Option<f64>> =
-        if of_family { file.axis.grid().iter().copied().map(Some).collect() } else { vec![None] };
-    let ready_at = |setting: Option<f64>| {
-        let params = setting.map_or(file.params, |value| file.definition().params_at(value));
-        Ok((setting, args.host.ready(&params)?))
-    };
-    let dampers: Vec<(Option<f64>, Ready)> = settings.into_iter().map(ready_at).collect::<anyhow::Result<_>>()?;
+    let dampers = args.host.ready_at_settings(&file.definition())?;
     for (setting, ready) in &dampers {
         let at = setting.map_or_else(String::new, |value| format!("{}: ", model::setting_at(&file.axis, value)));
         for line in ready.messages().into_iter().chain(ready.stiffness()?) {

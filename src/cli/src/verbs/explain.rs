@@ -1,6 +1,7 @@
 //! `dashpot explain`: what a model says of gas, oil and valves of its damper.
 
 use super::model;
+use crate::quantity::SettingText;
 use anyhow::bail;
 use dashpot_dimensions::{Explanation, explain, read};
 use dashpot_identification::family::at_setting;
@@ -27,7 +28,7 @@ pub struct Args {
     dimensions: PathBuf,
     /// Setting at which a damper over a setting is explained
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
-    setting: Option<f64>,
+    setting: Option<SettingText>,
     /// Quantities, gaps and contradictions as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
@@ -45,7 +46,7 @@ struct Json<'a> {
 fn damper(args: &Args) -> anyhow::Result<ModelFile> {
     let file = model::read_family(&args.model)?;
     let path = args.model.display();
-    let Some(setting) = args.setting else {
+    let Some(setting) = &args.setting else {
         if file.axis.is_some() {
             let (low, high) = file.axis.range();
             bail!(
@@ -57,6 +58,7 @@ fn damper(args: &Args) -> anyhow::Result<ModelFile> {
     if !file.axis.is_some() {
         bail!("{path} depends on no setting; leave --setting out");
     }
+    let setting = setting.in_unit_of(&file.axis)?;
     let (low, high) = file.axis.range();
     if !(low..=high).contains(&setting) {
         bail!("the setting {setting} lies outside those of {path}, {low} to {high}");

@@ -2,6 +2,7 @@
 
 use crate::quantity::seconds;
 use dashpot_core::Params;
+use dashpot_core::family::Definition;
 use dashpot_simulation::chatter::{Host, HostError, Ready};
 
 /// What is said of the host.
@@ -19,13 +20,12 @@ pub struct HostArgs {
 }
 
 impl HostArgs {
-    /// Whether friction that chatters is to be replaced.
-    pub fn is_replacing(&self) -> bool {
-        self.for_step.is_some()
-    }
-
     /// The damper as the host gets it, and what is to be said of it there.
     pub fn ready(&self, params: &Params) -> Result<Ready, HostError> {
         Ready::prepare(params, self.host_step, self.wheel_mass, self.for_step)
+    }
+    /// The damper as the host gets it at each value of its setting; an ordinary damper as it is.
+    pub fn ready_at_settings(&self, damper: &Definition) -> Result<Vec<(Option<f64>, Ready)>, HostError> {
+        Ready::prepare_at_settings(damper, self.host_step, self.wheel_mass, self.for_step)
     }
 }

@@ -1,6 +1,7 @@
 //! `dashpot setting`: a damper that depends on a setting, at one of it.
 
 use super::model;
+use crate::quantity::SettingText;
 use anyhow::bail;
 use dashpot_identification::model_file::plain;
 use std::path::PathBuf;
@@ -17,9 +18,9 @@ pub struct Args {
     /// Model file with a setting
     #[arg(value_name = "MODEL")]
     model: PathBuf,
-    /// The setting, in the unit of the file
+    /// The setting in the unit of the file, such as 0.6 or 0.6A
     #[arg(value_name = "SETTING", allow_negative_numbers = true)]
-    setting: f64,
+    setting: SettingText,
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.toml")]
     output: PathBuf,
@@ -32,13 +33,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if !file.axis.is_some() {
         bail!("{} depends on no setting; it is an ordinary damper already", args.model.display());
     }
+    let setting = args.setting.in_unit_of(&file.axis)?;
     let (low, high) = file.axis.range();
-    if !(low..=high).contains(&args.setting) {
-        bail!("the setting {} lies outside those of {}, {low} to {high}", args.setting, args.model.display());
+    if !(low..=high).contains(&setting) {
+        bail!("the setting {setting} lies outside those of {}, {low} to {high}", args.model.display());
     }
     let named = args.model.file_name().unwrap_or_default().to_string_lossy();
-    let remark = format!("{named} at {}", model::setting_at(&file.axis, args.setting));
-    let text = plain(&file.definition().params_at(args.setting), std::slice::from_ref(&remark));
+    let remark = format!("{named} at {}", model::setting_at(&file.axis, setting));
+    let text = plain(&file.definition().params_at(setting), std::slice::from_ref(&remark));
     dashpot_output::write(&args.output, text)?;
     dashpot_output::say(Some(&args.output), &format!("{remark} in {}", args.output.display()))
 }

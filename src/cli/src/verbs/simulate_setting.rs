@@ -83,6 +83,13 @@ impl<'a> Commands<'a> {
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();
+        // 1A in a name may number the motions; it is a current where the model depends on one that reaches there.
+        let (low, high) = axis.range();
+        let can_be = |of: &&MotionSetting| {
+            of.source != SettingSource::Name { is_sure: false }
+                || is_of_model(of) && of.unit == axis.unit() && of.values.iter().all(|value| (low..=high).contains(value))
+        };
+        let own = own.filter(can_be);
         if let Some(other) = own.filter(|of| !is_of_model(of)) {
             notes.push(format!(
                 "{} states its {}, but {} depends on {}; the {} is not read",
@@ -102,7 +109,7 @@ impl<'a> Commands<'a> {
                      --ignore {channel}",
                     motion.display()
                 ),
-                Some(SettingSource::Name) => {
+                Some(SettingSource::Name { .. }) => {
                     notes.push(format!("--setting goes before the setting in the name {}", name_of(motion)));
                 }
                 Some(SettingSource::Profile) => notes.push(format!(
@@ -162,7 +169,7 @@ fn describe(of: &MotionSetting, motion: &Path) -> String {
     let values = if low < high { format!("{low} to {high} {}", of.unit) } else { format!("{low} {}", of.unit) };
     let source = match &of.source {
         SettingSource::Column(heading, _) => format!("from the column '{heading}' of {}", name_of(motion)),
-        SettingSource::Name => format!("from the name {}", name_of(motion)),
+        SettingSource::Name { .. } => format!("from the name {}", name_of(motion)),
         SettingSource::Profile => format!("from campaign.toml for {}", name_of(motion)),
     };
     format!("{} {source}: {}", of.name, values.trim_end())

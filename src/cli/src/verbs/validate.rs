@@ -5,6 +5,7 @@ use super::data::{DataArgs, name_of};
 use super::model;
 use crate::page::PageArgs;
 use crate::progress::Progress;
+use crate::quantity::SettingText;
 use anyhow::bail;
 use dashpot_core::Model;
 use dashpot_identification::AS_THE_FIT_SAW;
@@ -56,7 +57,7 @@ pub struct Args {
     svg: Option<PathBuf>,
     /// Setting of tests that say none, for a model that depends on one
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
-    setting: Option<f64>,
+    setting: Option<SettingText>,
     /// Windows that the damper must keep: a table with the columns quantity, velocity_m_s, low, high; passes or fails the damper.
     /// Quantities are force, gas_force, friction, hysteresis; response_time_up, response_time_down, rise_time_up and rise_time_down of a
     /// damper over a setting. A column setting is for a damper that depends on one
@@ -96,17 +97,21 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             args.model.display()
         );
     }
+    let setting = args.setting.as_ref().map(|setting| setting.in_unit_of(&model.axis)).transpose()?;
     if let (false, Some(windows)) = (is_family, &windows) {
         limits::check_without_setting(windows)?;
     }
     let campaign = args.data.load_for(&model)?;
     let compared =
-        if is_family { compare_family(&model, &campaign, args.setting)? } else { compare(&model, &campaign)? };
+        if is_family { compare_family(&model, &campaign, setting)? } else { compare(&model, &campaign)? };
     let mut validation = validate(&compared)?;
     let settings = match is_family {
-        true => comparison::summarize_settings(&mut validation, &model, &campaign, args.setting)?,
+        true => comparison::summarize_settings(&mut validation, &model, &campaign, setting)?,
         false => Vec::new(),
     };
+    if let (true, Some(windows)) = (is_family, &windows) {
+        limits::check_over_settings(windows, &settings)?;
+    }
     validation.as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
     validation.unusable.clone_from(&campaign.unusable);
     let json = args.json.as_deref();
@@ -345,5 +350,5 @@ pub fn table(v: &Validation) -> String {
         }
     }
     row("all tests", v.overall.tests, &v.overall.errors);
-    out.trim_end().to_owned()
+    out + "error %: of an amplitude or a peak velocity in percent of the largest force there; else the mean of the tests, each in percent of its own largest force"
 }

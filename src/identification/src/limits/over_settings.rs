@@ -46,23 +46,33 @@ pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> 
     }
 }
 
+/// Checks that each limit belongs to a setting where the records have several; times of responses belong to all steps where they name none.
+///
+/// # Errors
+/// The first limit without.
+pub fn check_over_settings(limits: &[Limit], settings: &[Option<f64>]) -> Result<(), SettingLimitError> {
+    let first = settings.iter().flatten().next().copied();
+    let is_one = settings.iter().flatten().all(|setting| first.is_some_and(|first| is_same_setting(*setting, first)));
+    match limits.iter().find(|limit| limit.setting.is_none() && !limit.quantity.is_time() && !is_one) {
+        Some(without) => Err(SettingLimitError::Without { name: without.name.clone(), line: without.line }),
+        None => Ok(()),
+    }
+}
+
 /// Compares limits with the records of a damper over a setting and with the forces of its model there. `settings` holds that of every record,
 /// `None` where it changes within the record. Times are those of the responses to steps: of all in their direction, or of those that lead to the setting of the
 /// window.
 ///
 /// # Errors
-/// A limit without a setting where the records have several.
+/// The errors of [`check_over_settings`].
 pub fn judge_over_settings(
     limits: &[Limit],
     (records, settings): (&[&Record], &[Option<f64>]),
     model: &[&[f64]],
     responses: &[StepResponse],
 ) -> Result<Certificate, SettingLimitError> {
+    check_over_settings(limits, settings)?;
     let first = settings.iter().flatten().next().copied();
-    let is_one = settings.iter().flatten().all(|setting| first.is_some_and(|first| is_same_setting(*setting, first)));
-    if let Some(without) = limits.iter().find(|limit| limit.setting.is_none() && !limit.quantity.is_time() && !is_one) {
-        return Err(SettingLimitError::Without { name: without.name.clone(), line: without.line });
-    }
     let at = |limit: &Limit| limit.setting.or(first);
     let mut checked = Vec::new();
     let mut peaks = Vec::new();

@@ -144,7 +144,7 @@ mod tests {
             let setting = read_motion(&file, &Options::default()).unwrap().setting.unwrap();
             (setting.values[0], setting.source)
         };
-        assert_eq!(read("t_ms,x_mm\n0,1\n1,1\n"), (1.6, SettingSource::Name));
+        assert_eq!(read("t_ms,x_mm\n0,1\n1,1\n"), (1.6, SettingSource::Name { is_sure: true }));
         let column = SettingSource::Column("current [A]".into(), Channel::Current);
         assert_eq!(read("t_ms,x_mm,current [A]\n0,1,0.4\n1,1,0.4\n"), (0.4, column));
         let profile = "format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"road*\" = 0.8\n";

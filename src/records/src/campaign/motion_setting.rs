@@ -10,8 +10,8 @@ use crate::quantities::setting_value::{Setting, SettingRules};
 pub enum SettingSource {
     /// A column of the file, by its heading, and the channel that it was read as.
     Column(String, Channel),
-    /// The name of the file.
-    Name,
+    /// The name of the file. It is sure where the number cannot number the motions, as a letter behind a whole number may.
+    Name { is_sure: bool },
     /// `campaign.toml` beside the file.
     Profile,
 }
@@ -47,8 +47,7 @@ impl MotionSetting {
         if let Some((values, name, unit)) = setting_channel(samples, rules) {
             return Some(MotionSetting { name, unit, values, source: SettingSource::Column(heading, channel) });
         }
-        // A letter behind a whole number may number the motions, as in a campaign of one test.
-        let (setting, _) = Setting::of_name(&samples.name).filter(|(_, is_sure)| *is_sure)?;
-        Some(constant(setting, SettingSource::Name))
+        let (setting, is_sure) = Setting::of_name(&samples.name)?;
+        Some(constant(setting, SettingSource::Name { is_sure }))
     }
 }

@@ -5,6 +5,7 @@ use super::in_host::{Chatter, chatter};
 use super::softened::{Softened, softened};
 use crate::{followed, stiffness};
 use dashpot_core::Params;
+use dashpot_core::family::Definition;
 use dashpot_identification::model_file::{NoModel, prepared};
 use serde::Serialize;
 
@@ -28,6 +29,16 @@ pub enum HostError {
     /// What the kernel refuses.
     #[error("{0}")]
     Rejected(&'static str),
+    /// Friction of a damper over a setting that would have to be replaced.
+    #[error(
+        "at the setting {setting} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {setting} -o one.toml, or fit presliding friction"
+    )]
+    OverSetting {
+        /// The setting.
+        setting: f64,
+        /// The element.
+        element: &'static str,
+    },
 }
 
 /// A damper for a host.
@@ -98,6 +109,32 @@ impl Ready {
         let params = soft.as_ref().map_or(*params, |s| s.params);
         let chatter = chatter(&params, host).map_err(refused)?;
         Ok(Ready { params, host, chatter, softened: soft, asked: for_step.is_some() })
+    }
+
+    /// The damper at each value of its setting; an ordinary damper as it is.
+    ///
+    /// # Errors
+    /// The errors of [`Ready::prepare`]; [`HostError::OverSetting`] where friction would have to be replaced at a setting, for then its numbers
+    /// over the setting would be lost.
+    pub fn prepare_at_settings(
+        definition: &Definition,
+        host_step: f64,
+        wheel_mass: f64,
+        for_step: Option<f64>,
+    ) -> Result<Vec<(Option<f64>, Ready)>, HostError> {
+        let prepare = |params: &Params| Ready::prepare(params, host_step, wheel_mass, for_step);
+        let at = |setting: &f64| {
+            let ready = prepare(&definition.params_at(*setting))?;
+            let softened = ready.softened.iter().flat_map(|soft| &soft.softer).next();
+            match softened {
+                Some(one) => Err(HostError::OverSetting { setting: *setting, element: one.element().name() }),
+                None => Ok((Some(*setting), ready)),
+            }
+        };
+        match definition.axis.is_some() {
+            true => definition.axis.grid().iter().map(at).collect(),
+            false => Ok(vec![(None, prepare(&definition.params)?)]),
+        }
     }
 
     /// In sentences.

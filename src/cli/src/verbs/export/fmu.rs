@@ -111,11 +111,18 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             curve = PlainCurve::from_model_file(&file, args.model_curve).with_context(|| path.display().to_string())?;
         }
         model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
-        let ready = args.host.ready(&file.params)?;
-        notes.extend(ready.notes().into_iter().map(|note| format!("note: {}: {note}", path.display())));
-        remarks.extend(ready.notes());
-        remarks.extend(stiffness::remarks(&ready.params));
-        models.push(Definition { params: ready.params, axis: file.axis });
+        let dampers = args.host.ready_at_settings(&file.definition()).with_context(|| path.display().to_string())?;
+        for (setting, ready) in &dampers {
+            let at = setting.map_or_else(String::new, |value| format!("{}: ", model::setting_at(&file.axis, value)));
+            let told: Vec<String> = ready.notes().into_iter().map(|note| format!("{at}{note}")).collect();
+            notes.extend(told.iter().map(|note| format!("note: {}: {note}", path.display())));
+            remarks.extend(told);
+            remarks.extend(stiffness::remarks(&ready.params).into_iter().map(|remark| format!("{at}{remark}")));
+        }
+        models.push(match dampers.as_slice() {
+            [(None, ready)] => Definition { params: ready.params, axis: file.axis },
+            _ => file.definition(),
+        });
     }
     let has_setting = models.iter().any(|model| model.axis.is_some());
     let corners = fmu::corners(&models, args.four)?;
