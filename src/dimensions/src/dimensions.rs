@@ -58,6 +58,13 @@ impl Dimensions {
             Entry::TubeWall => Some(TUBE_WALL),
             Entry::DischargeCoefficient => Some(DISCHARGE),
             Entry::GasTemperature => Some(WORKSHOP),
+            _ => self.by_others(entry),
+        })
+    }
+
+    /// A volume by the other entries that the drawing states: of the gas, or of the oil in the chambers and in the reserve where that is stated.
+    pub fn by_others(&self, entry: Entry) -> Option<Uncertain> {
+        match entry {
             Entry::GasVolume => {
                 let both = [self.stated(Entry::ReserveVolume)?, self.stated(Entry::ReserveOil)?];
                 bounded(&both, |x| x[0] - x[1])
@@ -69,7 +76,7 @@ impl Dimensions {
                 bounded(&all, |x| annulus(x[0], x[1]) * x[2] + area(x[0]) * x[3] + x.get(4).unwrap_or(&0.0))
             }
             _ => None,
-        })
+        }
     }
 
     /// Whether the drawing states nothing.

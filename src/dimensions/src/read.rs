@@ -122,6 +122,25 @@ fn check(found: &Dimensions) -> Result<(), String> {
             "gas_volume_cm3 = {gas:.3} exceeds reserve_volume_cm3 = {all:.3}, which holds it; correct one of the two"
         ));
     }
+    for (entry, others) in [
+        (Entry::GasVolume, "reserve_volume_cm3 and reserve_oil_cm3 leave"),
+        (Entry::OilVolume, "bore, rod, chambers and reserve_oil_cm3 hold"),
+    ] {
+        let (Some(stated), Some(other)) = (found.stated(entry), found.by_others(entry)) else { continue };
+        // Oil in a reserve that the drawing does not state comes on top.
+        let may_be_more = entry == Entry::OilVolume && found.stated(Entry::ReserveOil).is_none();
+        if stated.high < other.low || stated.low > other.high && !may_be_more {
+            let cm3 = |value: f64| 1e6 * value;
+            return Err(format!(
+                "{} = {:.1} contradicts the other entries: {others} {:.1} ({:.1} to {:.1}); correct one of them, or give ranges [low, high] that agree",
+                entry.key(),
+                cm3(stated.value),
+                cm3(other.value),
+                cm3(other.low),
+                cm3(other.high)
+            ));
+        }
+    }
     Ok(())
 }
 
@@ -146,6 +165,17 @@ mod tests {
     }
 
     #[test]
+    fn volumes_that_agree_are_read_and_a_reserve_may_hold_more_oil() {
+        let chambers = "bore_mm = 36\nrod_mm = 11\nrebound_chamber_mm = 130\ncompression_chamber_mm = 150\n";
+        for more in ["oil_volume_cm3 = 275\n", "oil_volume_cm3 = 400\n", "oil_volume_cm3 = 400\nreserve_oil_cm3 = 125\n"] {
+            assert!(read(&format!("{chambers}{more}")).is_ok(), "{more}");
+        }
+        let said = read(&format!("{chambers}oil_volume_cm3 = 400\nreserve_oil_cm3 = 20\n")).unwrap_err();
+        assert!(said.contains("oil_volume_cm3 = 400.0 contradicts"), "{said}");
+        assert!(read("gas_volume_cm3 = 180\nreserve_volume_cm3 = 200\nreserve_oil_cm3 = 20\n").is_ok());
+    }
+
+    #[test]
     fn what_is_wrong_is_named_with_file_line_and_key() {
         for (text, part) in [
             ("rod_mm = 12\nbor_mm = 36\n", "D.toml, line 2: bor_mm is no entry of a drawing; did you mean bore_mm?"),
@@ -158,6 +188,14 @@ mod tests {
             ("design = \"tritube\"\n", "\"monotube\" or \"twin_tube\""),
             ("bore_mm = 12\nrod_mm = 36\n", "D.toml: rod_mm = 36.000 does not fit into bore_mm = 12.000"),
             ("reserve_volume_cm3 = 90\nreserve_oil_cm3 = 95\n", "leaves no gas"),
+            (
+                "gas_volume_cm3 = 100\nreserve_volume_cm3 = 200\nreserve_oil_cm3 = 20\n",
+                "gas_volume_cm3 = 100.0 contradicts the other entries: reserve_volume_cm3 and reserve_oil_cm3 leave 180.0",
+            ),
+            (
+                "bore_mm = 36\nrod_mm = 11\nrebound_chamber_mm = 130\ncompression_chamber_mm = 150\noil_volume_cm3 = 20\n",
+                "oil_volume_cm3 = 20.0 contradicts",
+            ),
             ("bore_mm = \n", "is not a TOML file"),
             ("[oil]\nmodulus = 3\n", "oil is no entry"),
         ] {

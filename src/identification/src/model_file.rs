@@ -380,8 +380,10 @@ fn parsed(
     }
     prepared(&params).map_err(|fault| ModelFileError::Model { file: file.clone(), fault })?;
     if axis.is_some() {
-        Family::check(&params, &axis)
-            .map_err(|fault| ModelFileError::Model { file: file.clone(), fault: no_family(fault) })?;
+        Family::check(&params, &axis).map_err(|fault| match outside_grid(&axis, text) {
+            Some((line, words)) => ModelFileError::Line { file: file.clone(), line, subject: String::new(), text: words },
+            None => ModelFileError::Model { file: file.clone(), fault: no_family(fault) },
+        })?;
     }
     #[derive(Deserialize)]
     struct Tables {
@@ -397,6 +399,23 @@ fn parsed(
         parameters_in_tables(text, path)?;
     }
     Ok(ModelFile::new(params, axis, tables.identification, given))
+}
+
+/// The number of the setting that does not fit its grid: line, and what is wrong.
+fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
+    let line = |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);
+    let ((low, high), start) = (axis.range(), axis.start());
+    if !(low..=high).contains(&start) {
+        let key = "setting_start";
+        return Some((line(key), format!("{key} = {start} lies outside the settings of the file, {low} to {high}")));
+    }
+    let hysteresis = axis.actuator().hysteresis;
+    let most = 0.25 * (high - low);
+    let key = "setting_hysteresis";
+    (hysteresis > most).then(|| {
+        let words = format!("{key} = {hysteresis} is more than {most}, a quarter of the way from {low} to {high}: the valve would hardly move");
+        (line(key), words)
+    })
 }
 
 /// Refuses a file that names no parameter but in tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits, which hold
@@ -768,7 +787,10 @@ mod tests {
         assert!(error.starts_with("family.toml, line 5: \"setting\": the damper depends on this setting"), "{error}");
         let error = family_of_text(&text.replace("setting_start = 0.1", "setting_start = 9.0"), Path::new("f.toml"))
             .unwrap_err();
-        assert!(error.to_string().starts_with("f.toml: the setting"), "{error}");
+        assert!(error.to_string().contains(": setting_start = 9 lies outside the settings of the file, 0 to 1.6"), "{error}");
+        let error = family_of_text(&text.replace("setting_hysteresis = 0.03", "setting_hysteresis = 0.9"), Path::new("f.toml"))
+            .unwrap_err();
+        assert!(error.to_string().contains("setting_hysteresis = 0.9 is more than 0.4"), "{error}");
     }
 
     #[test]
