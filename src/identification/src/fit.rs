@@ -293,7 +293,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     let about = About::of(records);
     let tests = samples::tests(records);
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
-    let fv_only = fv_curve::fit(&observations(&segments)).params();
+    let fv_only = plain_curve(&segments);
     let mut found = match options.family {
         Family::Thesis => fit_thesis(records, &tests, options, &about, &progress)?,
         Family::Fv => as_found(&tests, fv_unknowns(&fv_only)),
@@ -331,6 +331,11 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
         fv_only,
         misfit,
     })
+}
+
+/// The FV curve with a gas force that fits tests best by itself.
+pub(crate) fn plain_curve(segments: &[Segment]) -> Params {
+    fv_curve::fit(&observations(segments)).params()
 }
 
 fn fv_unknowns(from: &Params) -> (Params, Vec<Unknown>) {

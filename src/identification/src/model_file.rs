@@ -68,6 +68,9 @@ pub struct Identification {
     /// The plain FV curve fitted to the same tests.
     #[serde(default)]
     pub fv_only: Option<FvOnly>,
+    /// Those fitted to the tests of each setting.
+    #[serde(default)]
+    pub fv_only_over_setting: Vec<FvOnlyAt>,
 }
 
 fn known_time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
@@ -109,6 +112,16 @@ pub enum IntervalOverSetting {
     List(Vec<Vec<[f64; 2]>>),
 }
 
+/// A plain FV curve at a setting.
+#[derive(Debug, Clone, Deserialize)]
+pub struct FvOnlyAt {
+    /// The setting.
+    pub setting: f64,
+    /// The curve.
+    #[serde(flatten)]
+    pub curve: FvOnly,
+}
+
 /// The plain FV curve with a constant gas force.
 #[derive(Debug, Clone, Deserialize)]
 pub struct FvOnly {
@@ -131,6 +144,43 @@ impl Identification {
 }
 
 impl FvOnly {
+    /// The curve of a parameter set.
+    pub fn of(params: &Params) -> FvOnly {
+        FvOnly {
+            velocity: params.list(list!("fv_velocity")).to_vec(),
+            force: params.list(list!("fv_force")).to_vec(),
+            gas_force: params.number(number!("gas_force")),
+        }
+    }
+
+    /// The force at a velocity, on straight lines that go on beyond the ends; `None` of fewer than two points.
+    fn at(&self, velocity: f64) -> Option<f64> {
+        let right = self.velocity.partition_point(|known| *known < velocity).clamp(1, self.velocity.len().max(2) - 1);
+        let ends = |values: &[f64]| Some((*values.get(right - 1)?, *values.get(right)?));
+        let ((from, to), (low, high)) = (ends(&self.velocity)?, ends(&self.force)?);
+        Some(low + (velocity - from) / (to - from) * (high - low))
+    }
+
+    /// The curve between this one and another, `part` of the way; `None` where one has fewer than two points.
+    pub(crate) fn between(&self, other: &FvOnly, part: f64) -> Option<FvOnly> {
+        let mix = |from: f64, to: f64| from + part * (to - from);
+        let velocity = if part < 0.5 { &self.velocity } else { &other.velocity };
+        let force = velocity.iter().map(|velocity| Some(mix(self.at(*velocity)?, other.at(*velocity)?)));
+        let force = force.collect::<Option<Vec<f64>>>()?;
+        Some(FvOnly { velocity: velocity.clone(), force, gas_force: mix(self.gas_force, other.gas_force) })
+    }
+
+    /// The lines of a model file that hold it, below the heading of a table.
+    pub fn lines(&self) -> String {
+        let floats = |v: &[f64]| v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
+        format!(
+            "velocity = [{}]\nforce = [{}]\ngas_force = {}\n",
+            floats(&self.velocity),
+            floats(&self.force),
+            number(self.gas_force)
+        )
+    }
+
     /// As a parameter set.
     ///
     /// # Errors
@@ -586,6 +636,11 @@ pub fn plain(params: &Params, remarks: &[String]) -> String {
     }) + "\n[end]\n"
 }
 
+/// The table of a model file that holds a plain FV curve.
+pub fn fv_only_table(curve: &FvOnly) -> String {
+    format!("\n[identification.fv_only]  # the plain FV curve fitted to the same tests\n{}", curve.lines())
+}
+
 /// Unit and meaning of a parameter, with what a fit knows of it where it has one estimate.
 pub(crate) fn describe_parameter(row: &Row, estimates: &[&Estimate]) -> String {
     let p = row.parameter;
@@ -711,16 +766,7 @@ pub fn write(fit: &Fit) -> String {
         write_interval(&mut out, name, &of(name), &fit.params);
     }
     write_origins(&mut out, &fit.measured, names.iter().map(|name| (*name, of(name))));
-    let floats = |v: &[f64]| v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
-    let _ = write!(
-        out,
-        "\n[identification.fv_only]  # the plain FV curve fitted to the same tests\nvelocity = [{}]\nforce = [{}]\n\
-         gas_force = {}\n",
-        floats(fit.fv_only.list(list!("fv_velocity"))),
-        floats(fit.fv_only.list(list!("fv_force"))),
-        number(fit.fv_only.number(number!("gas_force"))),
-    );
-    out
+    out + &fv_only_table(&FvOnly::of(&fit.fv_only))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A family at one of its settings: an ordinary damper that keeps what the fit knows of it there.
 
-use crate::model_file::{Interval, IntervalOverSetting, ModelFile};
+use crate::model_file::{FvOnly, FvOnlyAt, Interval, IntervalOverSetting, ModelFile};
 use dashpot_core::Params;
 use dashpot_core::family::Axis;
 use dashpot_core::list;
@@ -17,6 +17,8 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
             identification.intervals.insert(name, interval);
         }
     }
+    let curves = std::mem::take(&mut identification.fv_only_over_setting);
+    identification.fv_only = place.curve(file.axis.grid(), &curves).or(identification.fv_only);
     // What is open at one of the neighbors is no measurement between them.
     let mut open: Vec<String> = Vec::new();
     for name in &identification.not_identified {
@@ -54,6 +56,15 @@ impl Place {
 
     fn neighbors(&self, grid: &[f64]) -> Vec<f64> {
         [self.left, self.right].iter().filter_map(|place| grid.get(*place)).copied().collect()
+    }
+
+    /// The plain FV curve at the setting; `None` where the file has none of both neighbors.
+    fn curve(&self, grid: &[f64], all: &[FvOnlyAt]) -> Option<FvOnly> {
+        let of = |place: usize| {
+            let setting = grid.get(place)?;
+            all.iter().find(|of| of.setting == *setting).map(|of| &of.curve)
+        };
+        of(self.left)?.between(of(self.right)?, self.part)
     }
 
     /// The interval of a number or a list at the setting; `None` where the file has another grid for it than for its values.

@@ -7,7 +7,8 @@ use super::selection::select_tests;
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::expected::{contradiction, expectation, is_contradiction};
 use crate::fit::{
-    About, check_elements, check_motion, coverage_notes, of_number, search_structure, with_free_measurement,
+    About, check_elements, check_motion, coverage_notes, of_number, plain_curve, search_structure,
+    with_free_measurement,
 };
 use crate::intervals::{Estimate, Known, Standing, sources};
 use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
@@ -76,6 +77,8 @@ pub struct FamilyFit {
     pub clock_from: Option<f64>,
     /// Errors at each setting, also of a family that did not see it.
     pub settings: Vec<SettingReport>,
+    /// The plain FV curve fitted to the tests of each setting.
+    pub fv_only: Vec<Params>,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
     /// Names of the tests used.
@@ -173,6 +176,7 @@ pub fn fit_family(
         measured,
         clock_from: clock_from(records),
         settings: reports,
+        fv_only: sorted.iter().map(|of| plain_curve(&segments(&of.records))).collect(),
         notes,
         tests: used.iter().map(|r| r.name.clone()).collect(),
         fingerprints: used.iter().map(|r| r.fingerprint()).collect(),

@@ -10,8 +10,11 @@ use crate::quantities::setting_value::{Setting, SettingRules};
 pub enum SettingSource {
     /// A column of the file, by its heading, and the channel that it was read as.
     Column(String, Channel),
-    /// The name of the file. It is sure where the number cannot number the motions, as a letter behind a whole number may.
-    Name { is_sure: bool },
+    /// The name of the file.
+    Name {
+        /// Whether the number cannot number the motions, as a letter behind a whole number may.
+        is_sure: bool,
+    },
     /// `campaign.toml` beside the file.
     Profile,
 }
