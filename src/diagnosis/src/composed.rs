@@ -42,8 +42,8 @@ const LOUD: f64 = 4.0;
 
 /// What the answer is made from.
 pub(super) struct Composed<'a> {
-    /// That the reference was read to count the other way, and that it was not as warm, where that is so.
-    pub reference_remarks: [Option<Sentence>; 2],
+    /// That the reference holds the same measurements, was read to count the other way, and was not as warm, where that is so.
+    pub reference_remarks: Vec<Sentence>,
     pub records: &'a [&'a Record],
     pub fitted: Vec<Test>,
     pub left: Vec<Test>,
@@ -206,7 +206,7 @@ impl Composed<'_> {
                 .notes
                 .iter()
                 .chain(&about_the_reference)
-                .chain(self.reference_remarks.iter().flatten())
+                .chain(&self.reference_remarks)
                 .cloned()
                 .chain(or_warm_gas)
                 .chain(too_small)

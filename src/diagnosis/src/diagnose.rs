@@ -5,7 +5,7 @@ use super::effects::{self, EFFECTS};
 use super::options::{DiagnosisError, Options};
 use super::outcome::Diagnosis;
 use super::prepared::{Prepared, prepare};
-use super::{opposite, phrases, warmer};
+use super::{identical, opposite, phrases, warmer};
 use dashpot_core::Params;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
@@ -58,8 +58,12 @@ pub fn diagnose(
     if prepared.fitted.is_empty() {
         return Err(DiagnosisError::NoTests);
     }
-    let reference_remarks =
-        [opposite::opposite(records, &options.reference), warmer::warmer(records, &options.reference)];
+    let reference_remarks = [
+        identical::identical(records, &options.reference),
+        opposite::opposite(records, &options.reference),
+        warmer::warmer(records, &options.reference),
+    ];
+    let reference_remarks = reference_remarks.into_iter().flatten().collect();
     let composed = if options.reference.is_empty() {
         alone(records, prepared, params, options, progress)?
     } else {
@@ -109,7 +113,7 @@ fn alone<'a>(
         best = given.clone();
     }
     Ok(Composed {
-        reference_remarks: [None, None],
+        reference_remarks: Vec::new(),
         records,
         fitted,
         left,
@@ -155,7 +159,7 @@ fn against_reference<'a>(
     let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
     let against = Some(against);
     Ok(Composed {
-        reference_remarks: [None, None],
+        reference_remarks: Vec::new(),
         records,
         fitted,
         left,

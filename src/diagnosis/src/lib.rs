@@ -29,6 +29,7 @@ mod diagnose;
 mod effects;
 pub mod groups;
 mod hold_out;
+mod identical;
 mod improved;
 mod name_of;
 mod next_matrix;

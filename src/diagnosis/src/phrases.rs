@@ -17,6 +17,7 @@ dashpot_records::phrases! {
     NOTHING_TO_COMPARE: "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers{turned}";
     BESIDES: "; {said}";
     OPPOSITE: "the campaign was read as counting {own} positive and the reference as counting {good} positive; where both come from one rig, read both with --positive rebound, or both with --positive compression";
+    IDENTICAL: "the same measurements, value for value, are in the reference: {tests}; of these nothing can have changed, so look whether the reference is the right folder";
     NOT_FINITE: "the model gives no finite force for these records: run dashpot validate to see where";
     // Lists.
     COMMA: ", ";

@@ -15,7 +15,7 @@ use dashpot_core::{element, list, number};
 use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_records::sentence::Sentence;
 use dashpot_records::{Record, clock, read_small_text};
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ pub struct ModelFile {
 }
 
 /// The tables behind the flat part.
-#[derive(Debug, Clone, Default, Deserialize)]
+#[derive(Debug, Clone, Default, Deserialize, Serialize)]
 pub struct Identification {
     /// Names of the tests that the fit used.
     #[serde(default)]
@@ -50,27 +50,31 @@ pub struct Identification {
     /// Remarks of the fit.
     #[serde(default)]
     pub notes: Vec<String>,
-    /// What the fit found its records to be off by, with the ends of the 95 % interval; no part of the damper.
-    #[serde(default, deserialize_with = "known_numbers")]
-    pub measurement: BTreeMap<String, [f64; 3]>,
     /// When the clock by which gain and zero drift was nought, s since 1970 by the rig's own clock.
-    #[serde(default, deserialize_with = "known_time")]
+    #[serde(default, deserialize_with = "known_time", serialize_with = "written_time", skip_serializing_if = "Option::is_none")]
     pub clock_from: Option<f64>,
+    /// What the fit found its records to be off by, with the ends of the 95 % interval; no part of the damper.
+    #[serde(default, deserialize_with = "known_numbers", skip_serializing_if = "BTreeMap::is_empty")]
+    pub measurement: BTreeMap<String, [f64; 3]>,
     /// 95 % intervals by parameter; curves have one pair per point, and points without one have NaN.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub intervals: BTreeMap<String, Interval>,
     /// 95 % intervals of what depends on the setting, one entry for each value of it.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub intervals_over_setting: BTreeMap<String, IntervalOverSetting>,
     /// Which tests a parameter was identified from.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sources: BTreeMap<String, String>,
     /// The plain FV curve fitted to the same tests.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fv_only: Option<FvOnly>,
     /// Those fitted to the tests of each setting.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fv_only_over_setting: Vec<FvOnlyAt>,
+}
+
+fn written_time<S: Serializer>(time: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&time.map_or_else(String::new, clock::written))
 }
 
 fn known_time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
@@ -93,7 +97,7 @@ fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, 
 }
 
 /// A 95 % interval of a number or of every point of a curve.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Interval {
     /// Of one number: low, high.
@@ -103,7 +107,7 @@ pub enum Interval {
 }
 
 /// 95 % intervals over the values of a setting.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum IntervalOverSetting {
     /// Of a number: low and high at each value.
@@ -113,7 +117,7 @@ pub enum IntervalOverSetting {
 }
 
 /// A plain FV curve at a setting.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, Serialize)]
 pub struct FvOnlyAt {
     /// The setting.
     pub setting: f64,
@@ -123,7 +127,7 @@ pub struct FvOnlyAt {
 }
 
 /// The plain FV curve with a constant gas force.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, Serialize)]
 pub struct FvOnly {
     /// Velocities, m/s.
     pub velocity: Vec<f64>,
@@ -171,7 +175,7 @@ impl FvOnly {
     }
 
     /// The lines of a model file that hold it, below the heading of a table.
-    pub fn lines(&self) -> String {
+    pub(crate) fn lines(&self) -> String {
         let floats = |v: &[f64]| v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
         format!(
             "velocity = [{}]\nforce = [{}]\ngas_force = {}\n",
@@ -637,8 +641,24 @@ pub fn plain(params: &Params, remarks: &[String]) -> String {
 }
 
 /// The table of a model file that holds a plain FV curve.
-pub fn fv_only_table(curve: &FvOnly) -> String {
+fn fv_only_table(curve: &FvOnly) -> String {
     format!("\n[identification.fv_only]  # the plain FV curve fitted to the same tests\n{}", curve.lines())
+}
+
+/// The model file of an ordinary damper whose fit is known: its numbers, then the tables of the fit.
+///
+/// # Errors
+/// Tables that are no TOML.
+pub fn with_tables(file: &ModelFile, remarks: &[String]) -> Result<String, toml::ser::Error> {
+    #[derive(Serialize)]
+    struct Tables<'a> {
+        identification: &'a Identification,
+    }
+    let known = &file.identification;
+    if known.tests.is_empty() && known.intervals.is_empty() && known.fv_only.is_none() {
+        return Ok(plain(&file.params, remarks));
+    }
+    Ok(plain(&file.params, remarks) + "\n" + &toml::to_string(&Tables { identification: known })?)
 }
 
 /// Unit and meaning of a parameter, with what a fit knows of it where it has one estimate.

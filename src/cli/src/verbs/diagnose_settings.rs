@@ -289,7 +289,27 @@ fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]
         let setting = setting_in_words(part.setting, unit);
         lines.push(format!("{setting}, {tests} tests: {}", headline(&one.found, &TERMINAL)));
     }
+    lines.extend(notes_of_settings(unit, found));
     lines
+}
+
+/// Each note once, with the settings that it belongs to where it does not belong to all.
+fn notes_of_settings(unit: &str, found: &[(Part, Diagnosed)]) -> Vec<String> {
+    let mut all: Vec<(String, Vec<String>)> = Vec::new();
+    for (part, one) in found {
+        for note in one.found.notes.iter().map(ToString::to_string) {
+            let setting = setting_in_words(part.setting, unit);
+            match all.iter_mut().find(|(known, _)| *known == note) {
+                Some((_, settings)) => settings.push(setting),
+                None => all.push((note, vec![setting])),
+            }
+        }
+    }
+    let line = |(note, settings): (String, Vec<String>)| match settings.len() == found.len() {
+        true => format!("note: {note}"),
+        false => format!("note: {}: {note}", settings.join(", ")),
+    };
+    all.into_iter().map(line).collect()
 }
 
 /// The model file, which may be a damper over a setting, or no model but records.

@@ -4,7 +4,7 @@ use super::model;
 use crate::quantity::SettingText;
 use anyhow::bail;
 use dashpot_identification::family::at_setting;
-use dashpot_identification::model_file::{fv_only_table, plain};
+use dashpot_identification::model_file::with_tables;
 use std::path::PathBuf;
 
 /// Write the ordinary damper that a model of many settings is at one of them
@@ -41,9 +41,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let named = args.model.file_name().unwrap_or_default().to_string_lossy();
     let remark = format!("{named} at {}", model::setting_at(&file.axis, setting));
-    let damper = at_setting(&file, setting);
-    let curve = damper.identification.fv_only.as_ref().map_or_else(String::new, fv_only_table);
-    let text = plain(&damper.params, std::slice::from_ref(&remark)) + &curve;
+    let text = with_tables(&at_setting(&file, setting), std::slice::from_ref(&remark))?;
     dashpot_output::write(&args.output, text)?;
     dashpot_output::say(Some(&args.output), &format!("{remark} in {}", args.output.display()))
 }

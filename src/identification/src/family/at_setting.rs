@@ -3,6 +3,7 @@
 use crate::model_file::{FvOnly, FvOnlyAt, Interval, IntervalOverSetting, ModelFile};
 use dashpot_core::Params;
 use dashpot_core::family::Axis;
+use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::list;
 use dashpot_core::parameter::Number;
 
@@ -17,6 +18,8 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
             identification.intervals.insert(name, interval);
         }
     }
+    // An ordinary damper has no actuator.
+    identification.intervals.retain(|name, _| ENTRIES.iter().all(|entry| entry.name != name));
     let curves = std::mem::take(&mut identification.fv_only_over_setting);
     identification.fv_only = place.curve(file.axis.grid(), &curves).or(identification.fv_only);
     // What is open at one of the neighbors is no measurement between them.

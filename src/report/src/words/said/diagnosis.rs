@@ -51,6 +51,12 @@ pub const ALL: &[Said] = &[
     ],
     ["; {said}", "; {said}", " ; {said}", "；{said}"],
     [
+        "the same measurements, value for value, are in the reference: {tests}; of these nothing can have changed, so look whether the reference is the right folder",
+        "dieselben Messungen stehen Wert für Wert in der Referenz: {tests}; an ihnen kann sich nichts geändert haben, also prüfen, ob die Referenz der richtige Ordner ist",
+        "les mêmes mesures, valeur pour valeur, sont dans la référence : {tests} ; rien ne peut y avoir changé, vérifier donc que la référence est le bon dossier",
+        "参考试验中含有逐值相同的记录：{tests}；这些记录不可能有任何变化，请检查参考文件夹是否正确",
+    ],
+    [
         "the campaign was read as counting {own} positive and the reference as counting {good} positive; where both come from one rig, read both with --positive rebound, or both with --positive compression",
         "die Messreihe wurde so gelesen, dass sie {own} positiv zählt, die Referenz so, dass sie {good} positiv zählt; wenn beide von einem Prüfstand kommen, beide mit --positive rebound oder beide mit --positive compression lesen",
         "la campagne a été lue comme comptant {own} positivement, la référence comme comptant {good} positivement ; si les deux viennent du même banc, lire les deux avec --positive rebound, ou les deux avec --positive compression",
