@@ -52,6 +52,11 @@ pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Op
 /// What the damper was set to: a value, or a signal where it changes.
 pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
     let Some((channel, name, unit)) = setting_channel(samples, rules) else { return (None, None) };
+    let missing = channel.iter().filter(|value| !value.is_finite()).count();
+    if missing > 0 && missing < channel.len() {
+        let held = Sentence::from(phrases::SETTING_HELD).with("count", missing).with("rows", channel.len());
+        samples.note("missing", held.with("setting", &name));
+    }
     match Setting::of_channel(&channel, &name, &unit) {
         Ok(setting) => (setting, None),
         Err(_) => {

@@ -49,6 +49,7 @@ crate::phrases! {
     AT_RESTS: "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over";
     // Rows.
     ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
+    SETTING_HELD: "{count} of {rows} values of the setting '{setting}' are missing; each is taken as the one before it";
     FILLED: "{count} missing values of {channel} filled by straight lines";
     EMPTY_COLUMN: "the column of {channel} is empty and was left out";
     REPEATED_ROWS: "{count} rows in {blocks} blocks repeat earlier rows with their time stamps, first at line {line}; removed";

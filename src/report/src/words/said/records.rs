@@ -178,6 +178,12 @@ pub const ALL: &[Said] = &[
         "{rows} 行中有 {count} 行因单元格为空或不是数值而舍去（第 {lines} 行）",
     ],
     [
+        "{count} of {rows} values of the setting '{setting}' are missing; each is taken as the one before it",
+        "{count} von {rows} Werten der Einstellung ‚{setting}‘ fehlen; jeder gilt als der vor ihm",
+        "{count} des {rows} valeurs du réglage « {setting} » manquent ; chacune est prise égale à la précédente",
+        "设定“{setting}”的 {rows} 个值中缺少 {count} 个；均取其前一个值",
+    ],
+    [
         "{count} missing values of {channel} filled by straight lines",
         "{count} fehlende Werte im Kanal {channel} durch Geraden ergänzt",
         "{count} valeurs manquantes de la voie {channel} complétées par des droites",
