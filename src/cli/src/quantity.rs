@@ -52,7 +52,8 @@ impl FromStr for SettingText {
     type Err = String;
 
     fn from_str(text: &str) -> Result<SettingText, String> {
-        let refusal = || format!("{text:?} is not a number, alone or with the unit of the setting, such as 0.6 or 0.6A");
+        let refusal =
+            || format!("{text:?} is not a number, alone or with the unit of the setting, such as 0.6 or 0.6A");
         let (value, unit) = split(text.trim()).ok_or_else(refusal)?;
         Ok(SettingText { value, unit: unit.to_owned() })
     }
@@ -73,7 +74,9 @@ impl SettingText {
                 let (zero, one) = (known.to_si(0.0), known.to_si(1.0));
                 Ok((unit.to_si(self.value) - zero) / (one - zero))
             }
-            _ if own.is_empty() => bail!("{} {}: the setting of this damper has no unit; give the number alone", self.value, self.unit),
+            _ if own.is_empty() => {
+                bail!("{} {}: the setting of this damper has no unit; give the number alone", self.value, self.unit)
+            }
             _ => bail!("{} {}: the setting of this damper is counted in {own}", self.value, self.unit),
         }
     }

@@ -11,7 +11,9 @@ pub(super) fn identical(records: &[&Record], reference: &[Record]) -> Option<Sen
         .filter(|record| known.contains(&record.fingerprint()))
         .map(|record| record.name.clone())
         .collect();
-    (!same.is_empty()).then(|| Sentence::from(phrases::IDENTICAL).with_names("tests", same.iter().map(String::as_str), phrases::COMMA))
+    (!same.is_empty()).then(|| {
+        Sentence::from(phrases::IDENTICAL).with_names("tests", same.iter().map(String::as_str), phrases::COMMA)
+    })
 }
 
 #[cfg(test)]

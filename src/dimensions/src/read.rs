@@ -167,7 +167,9 @@ mod tests {
     #[test]
     fn volumes_that_agree_are_read_and_a_reserve_may_hold_more_oil() {
         let chambers = "bore_mm = 36\nrod_mm = 11\nrebound_chamber_mm = 130\ncompression_chamber_mm = 150\n";
-        for more in ["oil_volume_cm3 = 275\n", "oil_volume_cm3 = 400\n", "oil_volume_cm3 = 400\nreserve_oil_cm3 = 125\n"] {
+        for more in
+            ["oil_volume_cm3 = 275\n", "oil_volume_cm3 = 400\n", "oil_volume_cm3 = 400\nreserve_oil_cm3 = 125\n"]
+        {
             assert!(read(&format!("{chambers}{more}")).is_ok(), "{more}");
         }
         let said = read(&format!("{chambers}oil_volume_cm3 = 400\nreserve_oil_cm3 = 20\n")).unwrap_err();

@@ -4,8 +4,8 @@
 //! are for validation, diagnosis and people.
 
 use super::short::short;
-use crate::{edited, remarks};
 use crate::{Estimate, Fit, Measured, Standing, describe_item, to_measurement_error};
+use crate::{edited, remarks};
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition, Family};
 use dashpot_core::parameter::GROUPS;
@@ -51,7 +51,12 @@ pub struct Identification {
     #[serde(default)]
     pub notes: Vec<String>,
     /// When the clock by which gain and zero drift was nought, s since 1970 by the rig's own clock.
-    #[serde(default, deserialize_with = "known_time", serialize_with = "written_time", skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "known_time",
+        serialize_with = "written_time",
+        skip_serializing_if = "Option::is_none"
+    )]
     pub clock_from: Option<f64>,
     /// What the fit found its records to be off by, with the ends of the 95 % interval; no part of the damper.
     #[serde(default, deserialize_with = "known_numbers", skip_serializing_if = "BTreeMap::is_empty")]
@@ -325,7 +330,8 @@ impl ModelFile {
         let known = &self.identification;
         let is_off = |row: &Row| row.element().is_some_and(|element| !self.params.is_on(element));
         let is_identified = |row: &Row| {
-            known.intervals.contains_key(row.parameter.name) || known.intervals_over_setting.contains_key(row.parameter.name)
+            known.intervals.contains_key(row.parameter.name)
+                || known.intervals_over_setting.contains_key(row.parameter.name)
         };
         !self.edited.is_empty() || parameter::table().any(|row| is_identified(&row) && is_off(&row))
     }
@@ -435,7 +441,9 @@ fn parsed(
     prepared(&params).map_err(|fault| ModelFileError::Model { file: file.clone(), fault })?;
     if axis.is_some() {
         Family::check(&params, &axis).map_err(|fault| match outside_grid(&axis, text) {
-            Some((line, words)) => ModelFileError::Line { file: file.clone(), line, subject: String::new(), text: words },
+            Some((line, words)) => {
+                ModelFileError::Line { file: file.clone(), line, subject: String::new(), text: words }
+            }
             None => ModelFileError::Model { file: file.clone(), fault: no_family(fault) },
         })?;
     }
@@ -457,7 +465,8 @@ fn parsed(
 
 /// The number of the setting that does not fit its grid: line, and what is wrong.
 fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
-    let line = |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);
+    let line =
+        |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);
     let ((low, high), start) = (axis.range(), axis.start());
     if !(low..=high).contains(&start) {
         let key = "setting_start";
@@ -853,17 +862,20 @@ mod tests {
         assert!(error.starts_with("family.toml, line 5: \"setting\": the damper depends on this setting"), "{error}");
         let error = family_of_text(&text.replace("setting_start = 0.1", "setting_start = 9.0"), Path::new("f.toml"))
             .unwrap_err();
-        assert!(error.to_string().contains(": setting_start = 9 lies outside the settings of the file, 0 to 1.6"), "{error}");
-        let error = family_of_text(&text.replace("setting_hysteresis = 0.03", "setting_hysteresis = 0.9"), Path::new("f.toml"))
-            .unwrap_err();
+        assert!(
+            error.to_string().contains(": setting_start = 9 lies outside the settings of the file, 0 to 1.6"),
+            "{error}"
+        );
+        let error =
+            family_of_text(&text.replace("setting_hysteresis = 0.03", "setting_hysteresis = 0.9"), Path::new("f.toml"))
+                .unwrap_err();
         assert!(error.to_string().contains("setting_hysteresis = 0.9 is more than 0.4"), "{error}");
     }
 
     #[test]
     fn a_number_of_an_element_that_is_off_is_told() {
         let of = |text: &str| of_text(&format!("format = 1\n{text}"), Path::new("m.toml")).unwrap();
-        let text =
-            "elements = [\"fv_curve\"]\nfv_form = \"table\"\ngas_force = 150\ncoulomb_force = 40\ncoulomb_steepness = 1000\nsubsteps = 2\n";
+        let text = "elements = [\"fv_curve\"]\nfv_form = \"table\"\ngas_force = 150\ncoulomb_force = 40\ncoulomb_steepness = 1000\nsubsteps = 2\n";
         let mut file = of(text);
         let said = file.notes();
         assert_eq!(said.len(), 2, "{said:?}");

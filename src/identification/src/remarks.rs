@@ -77,7 +77,8 @@ mod tests {
         let all = of(friction).notes();
         assert!(all.len() == 1 && all[0].contains("coulomb_force, coulomb_steepness"), "{all:?}");
         assert_eq!(of(&format!("{friction}coulomb_force = 40\n")).notes(), Vec::<String>::new());
-        let fitted = format!("{friction}coulomb_force = 40\n[identification.intervals]\ncoulomb_steepness = [200, 300]\n");
+        let fitted =
+            format!("{friction}coulomb_force = 40\n[identification.intervals]\ncoulomb_steepness = [200, 300]\n");
         let one = of(&fitted).notes();
         assert!(one.len() >= 1 && one[0].contains("coulomb_steepness") && !one[0].contains("coulomb_force"), "{one:?}");
     }

@@ -191,6 +191,7 @@ fn lags(plant: &SemiActivePlant, damper: &Definition, seed: u64) -> Result<(Vec<
                     let range = time.partition_point(|t| *t < instant + 1.1 * GRID.0)
                         ..time.partition_point(|t| *t < end.min(instant + 1.1 * GRID.1));
                     StepForces {
+                        velocity_window_s: 0.0,
                         time: time[range.clone()].iter().map(|t| t - instant).collect(),
                         force: force[range.clone()].to_vec(),
                         before: before[range.clone()].to_vec(),

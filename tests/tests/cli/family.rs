@@ -3,7 +3,7 @@
 use dashpot_core::Params;
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition};
-use dashpot_core::list;
+use dashpot_core::{element, list, number};
 use dashpot_tests::cli::{done, json, number, refused, run, run_with, table};
 use dashpot_tests::kernel_campaign::{self, Sine};
 use std::fmt::Write as _;
@@ -27,9 +27,14 @@ fn damper() -> Definition {
 
 /// Writes the records of a current, called by a name behind which `suffix` stands.
 fn write(folder: &Path, current: f64, suffix: &str) {
+    write_of(&damper().params_at(current), folder, suffix, 7);
+}
+
+/// Writes the records of a damper.
+fn write_of(params: &Params, folder: &Path, suffix: &str, seed: u64) {
     std::fs::create_dir_all(folder).unwrap();
     let sines = [(0.02, 0.04), (0.02, 1.0), (0.02, 4.0), (0.004, 12.0)].map(|(a, f)| Sine::new(a, f));
-    let records = kernel_campaign::campaign(&damper().params_at(current), &sines, 7, 0.01);
+    let records = kernel_campaign::campaign(params, &sines, seed, 0.01);
     for (record, sine) in records.iter().zip(sines) {
         let mut text = String::from("time_s,displacement_m,force_N\n");
         for ((t, x), f) in record.time.iter().zip(&record.displacement).zip(&record.force) {
@@ -113,8 +118,15 @@ fn a_family_is_fitted_validated_and_simulated() {
     assert!(done(dir, &simulate).contains("at the start setting of family.toml, 0;"));
     assert!(!done(dir, &[&simulate[..], &["--setting", "0.9"]].concat()).contains("start setting"));
 
-    // It is a model that the other verbs take.
-    done(dir, &["setting", "family.toml", "0.9", "-o", "at.toml"]);
+    // It is a model that the other verbs take, with its intervals and the plain curve that a property file gets.
+    done(dir, &["setting", "family.toml", "0.9A", "-o", "at.toml"]);
+    let at = dashpot_identification::model_file::read(&dir.join("at.toml")).unwrap();
+    assert!(at.identification.intervals.contains_key("gas_force") && at.identification.fv_only.is_some());
+    assert!(
+        done(dir, &["export", "dpr", "at.toml", "-o", "at.dpr"]).contains("plain FV curve fitted to the same tests")
+    );
+    let message = refused(dir, &["setting", "family.toml", "9bar", "-o", "at.toml"]);
+    assert!(message.contains("counted in A"), "{message}");
     done(dir, &["validate", "at.toml", "between", "--json", "at.json"]);
     let same = number(&json(&dir.join("at.json"))["overall"], "mean_error_n");
     assert!((same - number(&between["overall"], "mean_error_n")).abs() < 1e-6);
@@ -190,7 +202,8 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     }
     // Against the same records nothing changed.
     let same = [&["diagnose", "poor.toml", "rig", "--reference", "rig", "--json", "same.json"][..], &options].concat();
-    assert!(done(dir, &same).contains("at any setting"));
+    let said = done(dir, &same);
+    assert!(said.contains("at any setting") && said.contains("value for value, are in the reference"), "{said}");
     let missing = refused(dir, &[&["diagnose", "poor.toml", "rig", "--reference", "rig/0A"][..], &options].concat());
     assert!(missing.contains("--reference") || missing.contains("does not say its current"), "{missing}");
 
@@ -198,6 +211,54 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     let alone = ["diagnose", "rig", "--setting", "current", "--json", "a.json"];
     done(dir, &[&alone[..], &options].concat());
     assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 3);
+}
+
+#[test]
+fn friction_that_was_added_at_all_settings_is_one_change_against_the_reference() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    for (seed, current) in (10..).zip(CURRENTS) {
+        let good = damper().params_at(current);
+        let mut worn = good;
+        worn.enable(element!("coulomb_friction"), true);
+        worn.set(number!("coulomb_force"), 60.0).unwrap();
+        write_of(&good, &dir.join("good"), &format!("_{current}A"), seed);
+        write_of(&worn, &dir.join("worn"), &format!("_{current}A"), seed + 10);
+    }
+    write_model(&dir.join("family.toml"));
+    let verb = ["diagnose", "family.toml", "worn", "--reference", "good", "--json", "d.json", "--report", "d.html"];
+    let said = done(dir, &[&verb[..], &["--candidates", "coulomb_friction,gas_preload,free_play"]].concat());
+    assert!(said.contains("coulomb_force changed at every setting"), "{said}");
+    let found = json(&dir.join("d.json"));
+    let changes = found["changes"].as_array().unwrap();
+    assert!(changes.len() == 1 && changes[0]["at_all_settings"] == true, "{changes:?}");
+    let forces = changes[0]["settings"].as_array().unwrap().iter().map(|at| at["value"].as_f64().unwrap());
+    let forces: Vec<f64> = forces.collect();
+    assert!(forces.len() == 3 && forces.iter().all(|force| (force / 60.0 - 1.0).abs() < 0.1), "{forces:?}");
+    assert!(std::fs::read_to_string(dir.join("d.html")).unwrap().contains("coulomb_friction"));
+}
+
+#[test]
+fn friction_that_chatters_at_one_setting_is_said_and_not_replaced_at_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    let mut family = damper();
+    family.params.enable(element!("coulomb_friction"), true);
+    family.params.set(number!("coulomb_steepness"), 2000.0).unwrap();
+    family.axis.set_values(number!("coulomb_force"), &[2.0, 10.0, 80.0]).unwrap();
+    family.axis.put(&mut family.params, 0.0);
+    let text = dashpot_identification::model_file::flat_family(&family, |_| String::new());
+    std::fs::write(dir.join("steep.toml"), text).unwrap();
+    let said = done(dir, &["check", "steep.toml"]);
+    let at = |current: &str| {
+        said.lines().find(|line| line.starts_with(&format!("setting = {current}:"))).unwrap_or_else(|| panic!("{said}"))
+    };
+    assert!(at("0").contains("does not chatter") && at("1.2").contains("coulomb_friction makes it"));
+    let message = refused(dir, &["check", "steep.toml", "--for-step", "1ms"]);
+    assert!(message.contains("at the setting 1.2 coulomb_friction chatters"), "{message}");
+    let export = ["export", "fmu", "steep.toml", "-o", "d.fmu", "--for-step", "1ms"];
+    let message = refused(dir, &export);
+    assert!(message.contains("at the setting 1.2 coulomb_friction") && !dir.join("d.fmu").exists(), "{message}");
 }
 
 #[test]
@@ -260,6 +321,7 @@ fn limits_hold_at_the_setting_that_they_name() {
     assert_eq!(judge("missed.csv", "family.toml").code, Some(1));
     let without = judge("without.csv", "family.toml");
     assert!(without.code == Some(2) && without.err.contains("dashpot setting"), "{without:?}");
+    assert!(without.out.is_empty(), "rejected before any table: {}", without.out);
     done(dir, &["setting", "family.toml", "0.6", "-o", "one.toml"]);
     let ordinary = judge("kept.csv", "one.toml");
     assert!(ordinary.code == Some(2) && ordinary.err.contains("line 2"), "{ordinary:?}");

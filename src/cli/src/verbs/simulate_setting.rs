@@ -87,7 +87,9 @@ impl<'a> Commands<'a> {
         let (low, high) = axis.range();
         let can_be = |of: &&MotionSetting| {
             of.source != SettingSource::Name { is_sure: false }
-                || is_of_model(of) && of.unit == axis.unit() && of.values.iter().all(|value| (low..=high).contains(value))
+                || is_of_model(of)
+                    && of.unit == axis.unit()
+                    && of.values.iter().all(|value| (low..=high).contains(value))
         };
         let own = own.filter(can_be);
         if let Some(other) = own.filter(|of| !is_of_model(of)) {

@@ -102,8 +102,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         limits::check_without_setting(windows)?;
     }
     let campaign = args.data.load_for(&model)?;
-    let compared =
-        if is_family { compare_family(&model, &campaign, setting)? } else { compare(&model, &campaign)? };
+    let compared = if is_family { compare_family(&model, &campaign, setting)? } else { compare(&model, &campaign)? };
     let mut validation = validate(&compared)?;
     let settings = match is_family {
         true => comparison::summarize_settings(&mut validation, &model, &campaign, setting)?,

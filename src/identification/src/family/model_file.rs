@@ -4,7 +4,8 @@ use super::fit::{FamilyEstimate, FamilyFit};
 use crate::Estimate;
 use crate::intervals::Standing;
 use crate::model_file::{
-    Account, FvOnly, describe_parameter, flat_family, format_pair, format_points, write_account, write_interval, write_origins,
+    Account, FvOnly, describe_parameter, flat_family, format_pair, format_points, write_account, write_interval,
+    write_origins,
 };
 use std::fmt::Write as _;
 
@@ -77,7 +78,8 @@ pub fn write(fit: &FamilyFit) -> String {
     let shared = names(fit, true).into_iter().map(|name| (name, estimates_of(fit, name, None)));
     write_origins(&mut out, &fit.measured, shared);
     for (setting, curve) in fit.settings_grid().iter().zip(&fit.fv_only) {
-        let heading = "[[identification.fv_only_over_setting]]  # the plain FV curve fitted to the tests of this setting";
+        let heading =
+            "[[identification.fv_only_over_setting]]  # the plain FV curve fitted to the tests of this setting";
         let _ = write!(out, "\n{heading}\nsetting = {setting:?}\n{}", FvOnly::of(curve).lines());
     }
     out += "\n[identification.depends_on_setting]  # probability\n";
