@@ -189,3 +189,33 @@ fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
         )
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_whole_number_in_a_name_is_a_current_where_the_model_reaches_it() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 1.6]).unwrap();
+        axis.set_name("current").unwrap();
+        axis.set_unit("A").unwrap();
+        let source = |name: &str, is_sure: bool, value: f64| {
+            let motion = MotionSetting {
+                name: name.to_owned(),
+                unit: "A".to_owned(),
+                values: vec![value; 3],
+                source: SettingSource::Name { is_sure },
+            };
+            let found =
+                Commands::choose((Path::new("m.toml"), &axis), (Path::new("x.csv"), Some(&motion)), None).unwrap();
+            (matches!(found.source, Source::Motion), found.notes.concat())
+        };
+        assert!(source("current", false, 1.0).0 && source("current", true, 0.4).0);
+        // It may number the motions: outside the grid and of another quantity nothing is read from it.
+        assert!(!source("current", false, 9.0).0);
+        let (is_read, notes) = source("clicks", false, 1.0);
+        assert!(!is_read && !notes.contains("clicks"), "{notes}");
+        assert!(source("clicks", true, 1.0).1.contains("the clicks is not read"));
+    }
+}
