@@ -19,7 +19,7 @@
  *
  * Substeps inside a host step are the kernel's: `substeps = 0` in the model file (the default) takes as many as the
  * model's stiffness and the host's step ask for, so that the force keeps within 0.1 % rms of the converged one at host steps
- * from 0.25 to 2 ms (tests/tests/hosts/bridge_accuracy.rs). */
+ * from 0.25 to 2 ms (tests/tests/system/hosts/bridge_accuracy.rs). */
 #ifndef DASHPOT_BRIDGE_H
 #define DASHPOT_BRIDGE_H
 

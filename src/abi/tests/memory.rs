@@ -1,7 +1,7 @@
 //! The whole interface, called with uninitialized blocks of exactly the size in the header, each by itself on the
 //! heap.
 //!
-//! This is for tools that watch every access (Miri, AddressSanitizer). `tests/tests/unsafe_code.rs` runs it under
+//! This is for tools that watch every access (Miri, AddressSanitizer). `tests/tests/system/unsafe_code.rs` runs it under
 //! both where they are installed. Without them it still checks that nothing is rejected that the header allows.
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};

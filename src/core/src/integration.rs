@@ -136,7 +136,7 @@ impl Integration {
         let substeps = params.number(number!("substeps")) as u32;
         // The stiff motion is the mass on its series spring. Its frequency times the step grows like the square of the
         // substeps needed for a given error, and further on in proportion to them (0.1 % at 4 to 6 each, the less damping the
-        // less: tests/tests/hosts/bridge_accuracy.rs).
+        // less: tests/tests/system/hosts/bridge_accuracy.rs).
         let bushing = &elements.paths.bushing;
         let added = bushing.share + bushing.slow_share + bushing.stop_share;
         let stiffness = params.number(number!("series_stiffness")) * (1.0 + added);

@@ -183,7 +183,7 @@ pub enum Accuracy {
     /// As a host would.
     Full,
     /// Four substeps of the fourth-order method: as exact as the result of a fit has to be. With one, tests of 120 samples a cycle put the series
-    /// damping 450 N s/m too high, outside its interval (tests/tests/identification.rs).
+    /// damping 450 N s/m too high, outside its interval (tests/tests/system/identification.rs).
     Fine,
     /// One substep of the fourth-order method, however long the step: as good on smooth motions, and several times cheaper
     /// where a test is slow. Two behind a series spring, where the force turns over within a sample of a mean cycle: with one, a

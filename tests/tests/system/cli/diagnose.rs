@@ -1,6 +1,6 @@
 //! `dashpot diagnose` as scripts and people meet it: the JSON contract, the improved model, the report, mistakes.
 
-use crate::excel;
+use super::excel;
 use dashpot_diagnosis::EFFECTS;
 use dashpot_tests::cli::{contents, done, json, number, refused, run_with, small_campaign};
 use serde_json::Value;

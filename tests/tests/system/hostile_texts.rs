@@ -3,7 +3,7 @@
 //! Each is read or refused in words, in bounded time. What is read is used too, for a file that is let in and then
 //! breaks what runs on it is no better.
 //!
-//! The readers of records are in `src/records/tests/hostile.rs`, those in C in `tests/tests/hosts/damaged.rs`. With DASHPOT_HOSTILE=100 each
+//! The readers of records are in `src/records/tests/hostile.rs`, those in C in `tests/tests/system/hosts/damaged.rs`. With DASHPOT_HOSTILE=100 each
 //! reads a hundred times as many.
 
 use dashpot_core::parameter::Element;

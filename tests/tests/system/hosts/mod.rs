@@ -1,5 +1,4 @@
-//! The damper in its hosts: C interface, Adams, FMI, real-time bridge and the shims for other simulators. One program, so that the long ones run
-//! beside each other.
+//! The damper in its hosts: C interface, Adams, FMI, real-time bridge and the shims for other simulators.
 
 mod abi_hosts;
 mod abi_symbols;

@@ -1,0 +1,17 @@
+//! The system as a whole: fits, diagnoses, the command and the hosts. One program, so that the long tests run beside each other.
+
+mod accuracy;
+mod cli;
+mod crates;
+mod diagnosis;
+mod dimensions;
+mod family;
+mod hidden_effects;
+mod hosts;
+mod hostile_texts;
+mod identification;
+mod other_laboratory;
+mod other_sizes;
+mod packages;
+mod reported_campaigns;
+mod unsafe_code;
