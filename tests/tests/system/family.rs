@@ -2,13 +2,14 @@
 //!
 //! What is shared and what varies is found, the intervals hold the truth, and a setting between the measured ones is predicted.
 
+use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_core::parameter::Number;
 use dashpot_core::{Input, Model, Params, list, number};
 use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
-use dashpot_identification::family::{ActuatorFit, FamilyFit, fit_family};
-use dashpot_identification::model_file::prepared_family;
+use dashpot_identification::family::{ActuatorFit, FamilyFit, at_setting, fit_family};
+use dashpot_identification::model_file::{FvOnly, ModelFile, prepared_family};
 use dashpot_identification::{FitOptions, Standing};
 use dashpot_other_lab::Protocol;
 use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, SemiActiveTest, random, sines, steps};
@@ -175,9 +176,15 @@ fn the_model_file_reads_back_as_the_fitted_family() {
     assert!(over.contains_key("fv_force") && over.contains_key("coulomb_force"), "{text}");
     assert!(file.identification.intervals.contains_key("gas_force"), "{text}");
     // A number moved by hand out of its interval is one.
-    let mut changed = file.clone();
-    changed.axis.set_values(number!("coulomb_force"), &[20.0, 60.0, 110.0, 500.0]).unwrap();
-    assert!(changed.was_changed());
+    let mut axis = file.axis;
+    axis.set_values(number!("coulomb_force"), &[20.0, 60.0, 110.0, 500.0]).unwrap();
+    let changed = ModelFile::new(file.params, axis, file.identification.clone(), file.specified.clone());
+    assert!(changed.was_changed() && changed.edited.contains(&"coulomb_force@1.2".to_owned()), "{:?}", changed.edited);
+    // The plain FV curve of each setting is kept, and lies between two of them in between.
+    let curve = |setting: f64| at_setting(&file, setting).identification.fv_only.unwrap();
+    let (soft, middle, hard) = (curve(0.4), curve(0.6), curve(0.8));
+    let top = |curve: &FvOnly| *curve.force.last().unwrap();
+    assert!(top(&soft) < top(&middle) && top(&middle) < top(&hard));
 }
 
 /// Records in a folder of data beside the project; `None` where it is not on this machine.
@@ -250,7 +257,49 @@ fn a_damper_without_an_actuator_gets_none() {
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
 
-/// A sine of the damper during which the current steps, and the force follows at once.
+/// One test with steps shows a lag of its own each way and a dead time, though one lag for both looks worse than none in it.
+#[test]
+fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so() {
+    let mut valve = truth(None);
+    for (name, value) in [("setting_time_up", 0.03), ("setting_time_down", 0.018), ("setting_dead_time", 0.004)] {
+        let index = ENTRIES.iter().position(|entry| entry.name == name).unwrap();
+        valve.axis.set_number(index, value).unwrap();
+    }
+    let mut records: Vec<Record> = CURRENTS
+        .iter()
+        .enumerate()
+        .flat_map(|(k, current)| records_at(&truth(None), *current, 11 + k as u64))
+        .collect();
+    let found_with = |records: &[Record]| {
+        let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
+        found.actuator.unwrap().estimates
+    };
+    let whole = stepped(&valve);
+    records.push(whole.clone());
+    let found = found_with(&records);
+    for (name, value) in [("setting_time_up", 0.03), ("setting_time_down", 0.018), ("setting_dead_time", 0.004)] {
+        let of = found.iter().find(|of| of.name == name).unwrap_or_else(|| panic!("{name}: {found:?}"));
+        // The interval is that of noise and of the sample that the command changes in. The force at currents on the way is not in it.
+        assert!((of.value - value).abs() < 0.1 * value && of.standing == Standing::Identified, "{of:?}");
+    }
+    // Up to the first fall.
+    let rise = 950;
+    let signal = whole.setting_signal.as_ref().unwrap();
+    *records.last_mut().unwrap() = Record {
+        time: whole.time[..rise].to_vec(),
+        displacement: whole.displacement[..rise].to_vec(),
+        velocity: whole.velocity[..rise].to_vec(),
+        force: whole.force[..rise].to_vec(),
+        setting_signal: Some(signal.select(0..rise)),
+        ..whole
+    };
+    let found = found_with(&records);
+    let of = |name: &str| found.iter().find(|of| of.name == name).unwrap_or_else(|| panic!("{name}: {found:?}"));
+    assert!(of("setting_time_down").standing == Standing::NotIdentified, "{found:?}");
+    assert!((of("setting_time_up").value / 0.03 - 1.0).abs() < 0.2, "{found:?}");
+}
+
+/// A sine of the damper during which the current steps.
 fn stepped(damper: &Definition) -> Record {
     let family = prepared_family(damper).unwrap();
     let (rate, count, w) = (1000.0, 6000, TAU * 0.7);

@@ -86,14 +86,27 @@ pub fn identify_actuator(
         probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
     };
     Some(ActuatorFit {
-        estimates: estimates(&best, &timing, damper),
+        estimates: estimates(&best, &timing, damper, ways_of(records)),
         parts: parts.iter().map(decision).collect(),
         tests: records.iter().map(|record| record.name.clone()).collect(),
     })
 }
 
-/// The numbers with their intervals.
-fn estimates(refit: &ActuatorRefit, timing: &[Vec<f64>], damper: &Definition) -> Vec<Estimate> {
+/// Whether the setting rises in a record, and whether it falls.
+fn ways_of(records: &[&Record]) -> [bool; 2] {
+    let values = |record: &&Record| record.setting_signal.as_ref().map(|signal| signal.values.clone());
+    let all: Vec<Vec<f64>> = records.iter().filter_map(values).collect();
+    let has = |is_own: fn(&[f64]) -> bool| all.iter().any(|values| values.windows(2).any(is_own));
+    [has(|pair| pair[1] > pair[0]), has(|pair| pair[1] < pair[0])]
+}
+
+/// The numbers with their intervals. What holds for a way that the setting never goes is not identified, though both may share it.
+fn estimates(
+    refit: &ActuatorRefit,
+    timing: &[Vec<f64>],
+    damper: &Definition,
+    [rises, falls]: [bool; 2],
+) -> Vec<Estimate> {
     let precisions = refit.precisions();
     let Some((covariance, _)) = robust_covariance(&refit.blocks, &precisions) else { return Vec::new() };
     let shift = considered_shift(&refit.blocks, &precisions, timing);
@@ -111,8 +124,10 @@ fn estimates(refit: &ActuatorRefit, timing: &[Vec<f64>], damper: &Definition) ->
             true if is_at_bound && at(0.0) != 0.0 => Standing::AtBound,
             true => Standing::Identified,
         };
-        let is_identified = standing != Standing::NotIdentified;
         for name in number.entries {
+            let was_seen = !(name.ends_with("_up") && !rises || name.ends_with("_down") && !falls);
+            let standing = if was_seen { standing.clone() } else { Standing::NotIdentified };
+            let is_identified = standing != Standing::NotIdentified;
             let Some(entry) = index_of(name.as_bytes()).and_then(|index| ENTRIES.get(index)) else { continue };
             all.push(Estimate {
                 name: entry.name,
@@ -122,7 +137,7 @@ fn estimates(refit: &ActuatorRefit, timing: &[Vec<f64>], damper: &Definition) ->
                 high: is_identified.then(|| at(Z)),
                 unit: entry_unit(entry.unit, unit),
                 from: phrases::CHANGING_SETTING.into(),
-                standing: standing.clone(),
+                standing,
             });
         }
     }
