@@ -6,16 +6,20 @@
 use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
 use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
-use dashpot_identification::validation::{ResponseTimes, StepResponse};
+use dashpot_identification::validation::{ResponseTimes, StepGroup, StepResponse};
 use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
 use std::collections::BTreeMap;
 
 /// Time before a step that a response shows, and most time behind it, s.
 const BEFORE: f64 = 0.01;
-const BEHIND: f64 = 0.3;
-/// Points of a response.
-const POINTS: usize = 400;
+const BEHIND: f64 = 1.0;
+/// Most points of a response.
+const POINTS: usize = 1500;
+/// Fraction of the longest level behind steps of a kind below which a step does not count: it would cut the responses of all.
+const LONG: f64 = 0.5;
+/// Fewest steps of one test in one direction that show a response by themselves; of fewer the noise would be the slowest.
+const FEWEST: usize = 3;
 /// Shortest level behind a step that shows where the response ends, s.
 const SHORTEST: f64 = 0.03;
 /// Fraction of a level at its end that shows where the response ends.
@@ -71,6 +75,13 @@ impl StepForces {
 
 /// The mean response to steps of one kind on a grid of times since the step, from 0 before to 1 at its end.
 pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
+    let raw = fraction_of_way(steps, grid);
+    let [zero, one] = ends(&raw, grid);
+    scaled(&raw, zero, one)
+}
+
+/// The mean fraction of the way between the forces before and after that the force has gone; not a number where no step says it.
+fn fraction_of_way(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let mut sums = vec![[0.0; 2]; grid.len()];
@@ -91,28 +102,56 @@ pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
             }
         }
     }
-    let raw: Vec<f64> = sums.iter().map(|[product, square]| product / square).collect();
-    // What the model misses at the levels is no part of the response.
+    sums.iter().map(|[product, square]| product / square).collect()
+}
+
+/// Mean fraction before the step, and in the last part of the grid.
+fn ends(raw: &[f64], grid: &[f64]) -> [f64; 2] {
     let mean = |wanted: &dyn Fn(f64) -> bool| {
         let own = raw.iter().zip(grid).filter(|(r, t)| r.is_finite() && wanted(**t)).map(|(r, _)| *r);
         let (sum, count) = own.fold((0.0, 0), |(sum, count), r| (sum + r, count + 1));
         (count > 0).then(|| sum / f64::from(count))
     };
     let end = grid.last().copied().unwrap_or(0.0);
-    let zero = mean(&|t| t < 0.0).unwrap_or(0.0);
-    let one = mean(&|t| t > (1.0 - SETTLED) * end).unwrap_or(1.0);
+    [mean(&|t| t < 0.0).unwrap_or(0.0), mean(&|t| t > (1.0 - SETTLED) * end).unwrap_or(1.0)]
+}
+
+fn scaled(raw: &[f64], zero: f64, one: f64) -> Vec<f64> {
     raw.iter().map(|r| (r - zero) / (one - zero)).collect()
+}
+
+/// Measured and modelled response on a grid, and the fraction of its way that the model has gone at the end of the grid.
+///
+/// What the model misses at the levels is no part of the response, so the measured one ends where the model does. That is below 1 where the level
+/// is too short for the valve: taken for 1, a time constant of 60 ms would show 47 ms to 63 % of the way.
+fn both(measured: &[StepForces], model: &[StepForces], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
+    let [measured, model] = [measured, model].map(|steps| fraction_of_way(steps, grid));
+    // The way of a step is counted from where the force stood before it.
+    let [zero, one] = ends(&model, grid);
+    let model = scaled(&model, zero, 1.0);
+    let settled = dashpot_records::restrict((one - zero) / (1.0 - zero), LEAST, 1.0);
+    let [zero, one] = ends(&measured, grid);
+    let measured = scaled(&measured, zero, zero + (one - zero) / settled);
+    ([measured, model], settled)
 }
 
 /// Steps of one kind: measured and by the model.
 #[derive(Default)]
 struct Kind {
     levels: [f64; 2],
-    tests: Vec<String>,
-    measured: Vec<StepForces>,
-    model: Vec<StepForces>,
-    shortest: f64,
+    steps: Vec<Step>,
     sample: f64,
+}
+
+/// One step, measured and by the model.
+struct Step {
+    test: String,
+    /// Whether the damper was in rebound.
+    is_rebound: bool,
+    /// Time until the next step, s.
+    level: f64,
+    measured: StepForces,
+    model: StepForces,
 }
 
 /// Settings in hundredths, by which steps of one kind are found.
@@ -164,38 +203,60 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
             };
             let kind = kinds.entry((key(step.from), key(step.to))).or_insert_with(|| Kind {
                 levels: [step.from, step.to],
-                shortest: BEHIND,
                 sample: BEHIND,
                 ..Kind::default()
             });
-            kind.shortest = kind.shortest.min(end - instant);
             kind.sample = kind.sample.min((end - record.time[from]) / (step.end - from).max(1) as f64);
-            if kind.tests.last() != Some(&record.name) {
-                kind.tests.push(record.name.clone());
-            }
-            kind.measured.push(forces(&record.force));
-            kind.model.push(forces(&model));
+            kind.steps.push(Step {
+                test: record.name.clone(),
+                is_rebound: motion.velocity.get(step.index).is_some_and(|velocity| *velocity > 0.0),
+                level: (end - instant).min(BEHIND),
+                measured: forces(&record.force),
+                model: forces(&model),
+            });
         }
     }
-    let response = |kind: Kind| {
-        let span = kind.shortest + BEFORE;
-        // Not finer than the samples: noise between them is none.
-        let points = (span / kind.sample.max(1e-6)).min(POINTS as f64).max(8.0) as usize;
-        let grid: Vec<f64> = (0..=points).map(|k| span * k as f64 / points as f64 - BEFORE).collect();
-        let [measured, model] = [&kind.measured, &kind.model].map(|steps| mean_response(steps, &grid));
-        StepResponse {
-            from: kind.levels[0],
-            to: kind.levels[1],
-            steps: kind.measured.len(),
-            tests: kind.tests,
-            measured: ResponseTimes::measure(&grid, &measured),
-            model: ResponseTimes::measure(&grid, &model),
-            time: grid,
-            measured_response: measured,
-            model_response: model,
-        }
-    };
     Ok(kinds.into_values().map(response).collect())
+}
+
+/// The response to steps of one kind.
+fn response(kind: Kind) -> StepResponse {
+    let longest = kind.steps.iter().map(|step| step.level).fold(0.0, f64::max);
+    let steps: Vec<&Step> = kind.steps.iter().filter(|step| step.level >= LONG * longest).collect();
+    let span = steps.iter().map(|step| step.level).fold(longest, f64::min) + BEFORE;
+    // Not finer than the samples: noise between them is none.
+    let points = (span / kind.sample.max(1e-6)).min(POINTS as f64).max(8.0) as usize;
+    let grid: Vec<f64> = (0..=points).map(|k| span * k as f64 / points as f64 - BEFORE).collect();
+    let of = |own: &[&Step]| {
+        let forces = |of: fn(&Step) -> &StepForces| own.iter().map(|step| of(step).clone()).collect::<Vec<_>>();
+        both(&forces(|step| &step.measured), &forces(|step| &step.model), &grid)
+    };
+    let mut groups: BTreeMap<(&str, bool), Vec<&Step>> = BTreeMap::new();
+    for step in &steps {
+        groups.entry((step.test.as_str(), step.is_rebound)).or_default().push(step);
+    }
+    let mut tests: Vec<String> = steps.iter().map(|step| step.test.clone()).collect();
+    tests.dedup();
+    let groups = groups.into_iter().filter(|(_, own)| own.len() >= FEWEST).map(|((test, is_rebound), own)| {
+        let [measured, model] = of(&own).0.map(|response| ResponseTimes::measure(&grid, &response));
+        StepGroup { test: test.to_owned(), is_rebound, steps: own.len(), measured, model }
+    });
+    let groups = groups.collect();
+    let ([measured, model], settled) = of(&steps);
+    StepResponse {
+        from: kind.levels[0],
+        to: kind.levels[1],
+        steps: steps.len(),
+        tests,
+        sample_s: kind.sample,
+        settled,
+        groups,
+        measured: ResponseTimes::measure(&grid, &measured),
+        model: ResponseTimes::measure(&grid, &model),
+        time: grid,
+        measured_response: measured,
+        model_response: model,
+    }
 }
 
 #[cfg(test)]

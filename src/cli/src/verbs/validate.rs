@@ -291,6 +291,11 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     out
 }
 
+/// Fraction of a response time from which half a sample is worth a word.
+const COARSE: f64 = 0.1;
+/// Fraction of its way that a response must have gone for the levels to be long enough.
+const SETTLED: f64 = 0.97;
+
 /// Response times to a step as text.
 fn response(of: &StepResponse, unit: &str) -> String {
     let times = |times: &Option<ResponseTimes>| match times {
@@ -303,9 +308,19 @@ fn response(of: &StepResponse, unit: &str) -> String {
         ),
         None => "not shown".to_owned(),
     };
+    let coarse = match of.measured {
+        Some(times) if of.sample_s > COARSE * times.t63_s => {
+            format!("; measured times are known to ± {:.0} ms, half a sample of the logger", 0.5e3 * of.sample_s)
+        }
+        _ => String::new(),
+    };
+    let short = match of.settled < SETTLED {
+        true => format!("; the levels end at {:.0} % of the way, longer ones show more", 100.0 * of.settled),
+        false => String::new(),
+    };
     let step = format!("{} to {} {unit}", of.from, of.to);
     format!(
-        "step from {}, {} steps: measured {}; model {}",
+        "step from {}, {} steps: measured {}; model {}{coarse}{short}",
         step.trim_end(),
         of.steps,
         times(&of.measured),

@@ -166,7 +166,10 @@ impl Tuned {
             let (identification, specified) = (self.identification.clone(), self.given.clone());
             return ModelFile::new(*self.params(), Axis::NONE, identification, specified);
         };
-        ModelFile { params: *self.params(), ..at_setting(&whole, setting) }
+        let of = at_setting(&whole, setting);
+        let mut file = ModelFile::new(*self.params(), Axis::NONE, of.identification, of.specified);
+        file.edited.extend(of.edited);
+        file
     }
 
     /// Whether something would be lost by closing.

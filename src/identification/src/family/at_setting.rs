@@ -21,7 +21,9 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     // An ordinary damper has no actuator.
     identification.intervals.retain(|name, _| ENTRIES.iter().all(|entry| entry.name != name));
     let curves = std::mem::take(&mut identification.fv_only_over_setting);
-    identification.fv_only = place.curve(file.axis.grid(), &curves).or(identification.fv_only);
+    // After a change by hand the curves are those of another damper.
+    let curve = if file.was_changed() { None } else { place.curve(file.axis.grid(), &curves) };
+    identification.fv_only = curve.or(identification.fv_only);
     // What is open at one of the neighbors is no measurement between them.
     let mut open: Vec<String> = Vec::new();
     for name in &identification.not_identified {

@@ -3,7 +3,7 @@
 use super::measured::Figures;
 use super::table::{Limit, Quantity};
 use super::{Certificate, Checked, Overall, Value, Verdict};
-use crate::validation::{ResponseTimes, StepResponse};
+use crate::validation::{ResponseTimes, StepGroup, StepResponse};
 use dashpot_records::{Record, is_same_setting};
 
 /// Why limits do not belong to what is judged.
@@ -112,15 +112,17 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
         .iter()
         .filter(|of| of.is_up() == is_up && limit.setting.is_none_or(|setting| is_same_setting(of.to, setting)))
         .collect();
-    let slowest = |times: fn(&StepResponse) -> Option<ResponseTimes>| -> Option<Value> {
-        let value = |of: &&StepResponse| {
-            let times = times(of)?;
-            let value = if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
-            Some(Value { value, tests: of.tests.clone() })
-        };
-        own.iter().filter_map(value).max_by(|a, b| a.value.total_cmp(&b.value))
+    let time = |times: ResponseTimes| if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
+    type Times<T> = fn(&T) -> Option<ResponseTimes>;
+    let slowest = |whole: Times<StepResponse>, part: Times<StepGroup>| -> Option<Value> {
+        let of_all = own.iter().filter_map(|of| Some(Value { value: time(whole(of)?), tests: of.tests.clone() }));
+        let groups = own.iter().flat_map(|of| &of.groups);
+        let of_each = groups.filter_map(|of| Some(Value { value: time(part(of)?), tests: vec![of.test.clone()] }));
+        // A mean over tests and directions would hide a slow one.
+        of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
     };
-    let (measured, model) = (slowest(|of| of.measured), slowest(|of| of.model));
+    let (measured, model) =
+        (slowest(|of| of.measured, |of| of.measured), slowest(|of| of.model, |of| of.model));
     let verdict = |value: Option<&Value>| match value {
         None => Verdict::NotTested,
         Some(value) if limit.holds(value.value) => Verdict::Pass,
@@ -183,6 +185,9 @@ mod tests {
                 to,
                 steps: 3,
                 tests: vec![format!("{from} {to}")],
+                sample_s: 1e-3,
+                settled: 1.0,
+                groups: Vec::new(),
                 measured: Some(times),
                 model: None,
                 time: Vec::new(),

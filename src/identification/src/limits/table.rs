@@ -93,6 +93,9 @@ pub struct Limit {
     pub line: u64,
 }
 
+/// Longest limit of a response, s: slower is no valve, but milliseconds without their unit.
+const LONGEST: f64 = 2.0;
+
 impl Limit {
     /// Whether the window can be kept at all, and asks for something that a rig measures.
     ///
@@ -113,6 +116,10 @@ impl Limit {
             return Err(
                 "a time of the response is that of all tests with steps; leave velocity_m_s and amplitude_m out".into(),
             );
+        }
+        let longest = [self.low, self.high].into_iter().flatten().fold(0.0, f64::max);
+        if self.quantity.is_time() && longest > LONGEST {
+            return Err(format!("{longest} s is no response of a valve; give the unit, such as ms, in a column unit"));
         }
         match (self.low, self.high) {
             (None, None) => return Err("neither low nor high is given; write at least one".into()),
@@ -354,6 +361,7 @@ mod tests {
             ("quantity,low,high\nnoise,0,1\n", "\"noise\" is nothing that can be limited"),
             ("quantity,low,high,unit\nfriction,0,1,mm\n", "no unit of force"),
             ("quantity,high,unit\nresponse_time_up,10,N\n", "no unit of time"),
+            ("quantity,high\nresponse_time_up,20\n", "20 s is no response of a valve; give the unit"),
             ("quantity,high,velocity_m_s\nrise_time_up,0.01,0.3\n", "leave velocity_m_s"),
             ("quantity,low,high\nrise_time_up,0.02,0.01\n", "above high (0.01 s)"),
             ("quantity,lo\nfriction,0\n", "no column \"lo\""),

@@ -31,4 +31,4 @@ pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
 pub use hysteresis::{GapBin, Hysteresis, OfEach};
 pub use matrix::{ErrorMatrix, MatrixCell, MatrixRow, SLOW_PEAK_VELOCITY};
 pub use of_test::{PeakForce, TestValidation};
-pub use response::{ResponseTimes, StepResponse};
+pub use response::{ResponseTimes, StepGroup, StepResponse};

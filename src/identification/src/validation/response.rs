@@ -47,6 +47,23 @@ impl ResponseTimes {
     }
 }
 
+/// The response to steps of one test in one direction.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StepGroup {
+    /// Name of the test.
+    pub test: String,
+    /// Whether the damper was in rebound at the step.
+    pub is_rebound: bool,
+    /// Number of steps.
+    pub steps: usize,
+    /// Times of the measured force; absent where the records do not show them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<ResponseTimes>,
+    /// Times of the model's force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<ResponseTimes>,
+}
+
 /// The response to steps from one setting to another.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepResponse {
@@ -58,6 +75,12 @@ pub struct StepResponse {
     pub steps: usize,
     /// Tests that they are in.
     pub tests: Vec<String>,
+    /// Time between two samples, s; half of it is how far the instant of a step is known.
+    pub sample_s: f64,
+    /// Fraction of its way that the model's force has gone at the end of the levels.
+    pub settled: f64,
+    /// Those of each test and direction with steps enough; the slowest of them is judged by a limit.
+    pub groups: Vec<StepGroup>,
     /// Times of the measured force; absent where the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,

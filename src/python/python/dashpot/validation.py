@@ -72,6 +72,17 @@ class ResponseTimes(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class StepGroup(Result):
+    """The response to steps of one test in one direction."""
+
+    test: str
+    is_rebound: bool
+    steps: int
+    measured: ResponseTimes | None = field(default=None, metadata={"omitted": True})
+    model: ResponseTimes | None = field(default=None, metadata={"omitted": True})
+
+
+@dataclass(frozen=True, repr=False)
 class StepResponse(Result):
     """The response to steps from one setting to another."""
 
@@ -80,6 +91,12 @@ class StepResponse(Result):
     before: float = field(metadata={"key": "from"})
     """Setting before."""
     after: float = field(metadata={"key": "to"})
+    sample_s: float
+    """Time between two samples, s; half of it is how far the instant of a step is known."""
+    settled: float
+    """Fraction of its way that the model's force has gone at the end of the levels."""
+    groups: tuple[StepGroup, ...]
+    """Those of each test and direction with steps enough; a limit judges the slowest."""
     measured: ResponseTimes | None = field(default=None, metadata={"omitted": True})
     """Of the measured force; none where the records do not show them."""
     model: ResponseTimes | None = field(default=None, metadata={"omitted": True})
