@@ -2,7 +2,7 @@
 
 use anyhow::bail;
 use dashpot_core::family::Axis;
-use dashpot_records::{Dimension, Unit};
+use dashpot_records::{Dimension, Unit, setting_factor};
 use std::str::FromStr;
 
 /// Seconds, from `0.005`, `5ms` or `5 ms`.
@@ -66,14 +66,8 @@ impl SettingText {
     /// Another unit.
     pub fn in_unit_of(&self, axis: &Axis) -> anyhow::Result<f64> {
         let own = axis.unit();
-        if self.unit.is_empty() || self.unit == own {
-            return Ok(self.value);
-        }
-        match (self.unit.parse::<Unit>(), own.parse::<Unit>()) {
-            (Ok(unit), Ok(known)) if unit.dimension() == known.dimension() => {
-                let (zero, one) = (known.to_si(0.0), known.to_si(1.0));
-                Ok((unit.to_si(self.value) - zero) / (one - zero))
-            }
+        match setting_factor(&self.unit, own) {
+            Some(factor) if self.unit.is_empty() || !own.is_empty() => Ok(factor * self.value),
             _ if own.is_empty() => {
                 bail!("{} {}: the setting of this damper has no unit; give the number alone", self.value, self.unit)
             }

@@ -20,6 +20,7 @@ mod of_the_rig;
 pub mod peaks;
 mod phrases;
 pub mod remarks;
+pub mod setting_units;
 mod short;
 mod texts;
 pub mod validation;

@@ -9,6 +9,7 @@ use crate::work;
 use dashpot_diagnosis::settings::{OverSettings, SettingFigures, SettingsFigures, WithSettings, split_by_setting};
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file;
+use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::hold_out::select_hold_out;
 use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence, Unusable, setting_in_words};
@@ -89,6 +90,8 @@ pub fn diagnose_family<'py>(
         false => Some(select_hold_out(&read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?),
     };
     let mut good = reference.map(|reference| reference.get().read.clone());
+    let others = good.iter_mut().flat_map(|good| &mut good.records);
+    restate_settings(&file.axis, read.records.iter_mut().chain(others)).map_err(raise::<DiagnosisError>)?;
     let others = good.iter_mut().flat_map(|good| &mut good.records);
     let note = file.identification.right(read.records.iter_mut().chain(others));
     if let Some(good) = &mut good {

@@ -12,6 +12,7 @@ use dashpot_identification::FitOptions;
 use dashpot_identification::family::{FamilyFigures, fit_family as fit};
 use dashpot_identification::limits::judge_over_settings;
 use dashpot_identification::model_file::{self, ModelFile};
+use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{MotionRecord, Record};
 use dashpot_simulation::comparison::{compare_family, summarize_settings};
@@ -115,6 +116,7 @@ impl Family {
         let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
             let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
             let mut read = campaign.read.clone();
+            restate_settings(&file.axis, &mut read.records)?;
             let note = file.identification.right(&mut read.records);
             read.notes.extend(note);
             // That the tests have several settings is what the damper is for.

@@ -1,7 +1,7 @@
 //! What a record says of the setting that a damper depends on.
 
 use dashpot_core::family::Axis;
-use dashpot_records::Record;
+use dashpot_records::{Record, setting_factor};
 
 /// The setting of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,13 +20,13 @@ pub fn is_of_axis(axis: &Axis, name: &str) -> bool {
 }
 
 impl OwnSetting {
-    /// The setting of a record, where it is the one of the axis.
+    /// The setting of a record, where it is the one of the axis and in its unit.
     pub fn find(axis: &Axis, record: &Record) -> OwnSetting {
-        let is_own = |name: &str| is_of_axis(axis, name);
-        if record.setting_signal.as_ref().is_some_and(|signal| is_own(&signal.name)) {
+        let is_own = |name: &str, unit: &str| is_of_axis(axis, name) && setting_factor(unit, axis.unit()) == Some(1.0);
+        if record.setting_signal.as_ref().is_some_and(|signal| is_own(&signal.name, &signal.unit)) {
             return OwnSetting::Changing;
         }
-        let own = record.setting.as_ref().filter(|setting| is_own(&setting.name));
+        let own = record.setting.as_ref().filter(|setting| is_own(&setting.name, &setting.unit));
         own.map_or(OwnSetting::Unstated, |setting| OwnSetting::Constant(setting.value))
     }
 }

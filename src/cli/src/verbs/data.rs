@@ -5,6 +5,7 @@ use crate::quantity::{metres, newtons, seconds};
 use anyhow::{Context as _, bail};
 use clap::Args;
 use dashpot_identification::model_file::ModelFile;
+use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::{Campaign, Channel, DateOrder, Note, Options, Positive, RecordError, assignment, load};
 use std::path::{Path, PathBuf};
 
@@ -191,6 +192,7 @@ impl DataArgs {
     /// Loads the campaign, corrected by the measurement error that the model's own fit found in these records.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
         let mut campaign = if model.axis.is_some() { self.load_over_setting()? } else { self.load()? };
+        restate_settings(&model.axis, &mut campaign.records)?;
         let note = model.identification.right(&mut campaign.records);
         note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));
         campaign.notes.extend(note);

@@ -15,6 +15,7 @@ use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{fit_family, model_file};
 use dashpot_identification::model_file::{ModelFile, family_of_text, read_family};
+use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::{Campaign, Record, agree_on_sign, hold_out, setting_in_words};
 use dashpot_report::diagnosis::{DiagnosisReport, SettingsReport, headline};
 use dashpot_report::inventory::probability;
@@ -111,6 +112,8 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
         files.extend(std::mem::take(&mut reference.files));
         good = Some(reference);
     }
+    let others = good.iter_mut().flat_map(|good| &mut good.records);
+    restate_settings(&model.axis, campaign.records.iter_mut().chain(others))?;
     let others = good.iter_mut().flat_map(|good| &mut good.records);
     let note = model.identification.right(campaign.records.iter_mut().chain(others));
     note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));

@@ -46,6 +46,7 @@ use dampers::{Dampers, TestDamper};
 use dashpot_core::Params;
 use dashpot_core::parameter::Element;
 use dashpot_identification::Estimate;
+use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::{Options, Profile, Record, Sentence, Unusable};
 use model::Tuned;
 use recent::Recent;
@@ -245,6 +246,10 @@ impl Session {
         }
         let mut records = own.original().records.clone();
         let mut of_reference = others.map_or_else(Vec::new, |others| others.original().records.clone());
+        if let Some((axis, _)) = model.over_setting() {
+            // Records in a unit of another kind state no setting of this damper.
+            let _ = restate_settings(axis, records.iter_mut().chain(&mut of_reference));
+        }
         let note = model.identification.right(records.iter_mut().chain(&mut of_reference));
         let reference = others.map(|others| Arc::new(others.seen_as(of_reference, note.clone())));
         self.campaign = Some(Arc::new(own.seen_as(records, note)));

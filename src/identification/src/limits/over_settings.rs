@@ -121,8 +121,7 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
         // A mean over tests and directions would hide a slow one.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
     };
-    let (measured, model) =
-        (slowest(|of| of.measured, |of| of.measured), slowest(|of| of.model, |of| of.model));
+    let (measured, model) = (slowest(|of| of.measured, |of| of.measured), slowest(|of| of.model, |of| of.model));
     let verdict = |value: Option<&Value>| match value {
         None => Verdict::NotTested,
         Some(value) if limit.holds(value.value) => Verdict::Pass,

@@ -96,6 +96,15 @@ impl Setting {
     }
 }
 
+/// The factor from one unit of a setting to another, as from mA to A; `None` where they are not of one kind. Without a unit it is that of the other.
+pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
+    if from.is_empty() || to.is_empty() || from == to {
+        return Some(1.0);
+    }
+    let ((_, base, factor), (_, other, of_other)) = (setting_in_unit(from)?, setting_in_unit(to)?);
+    (base == other).then_some(factor / of_other)
+}
+
 /// Whether two values of a setting are one: supplies are set to hundredths.
 pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME
