@@ -103,6 +103,8 @@ fn table(found: &Certificate, words: &Words) -> Table {
             label(one, words).into(),
             // As every velocity of a report, and of its figures.
             Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
+            // A response has its time in ms beside forces in N.
+            limit.quantity.display().0.into(),
             bound(limit.quantity, limit.low),
             bound(limit.quantity, limit.high),
             value(limit.quantity, one.measured.as_ref()),
@@ -115,11 +117,12 @@ fn table(found: &Certificate, words: &Words) -> Table {
     let columns = vec![
         Column::words(words.col_limit),
         Column::figures(words.col_at),
+        Column::words(words.col_unit),
         Column::figures(words.col_low_limit),
         Column::figures(words.col_high_limit),
-        Column::figures(words.col_measured_n),
+        Column::figures(words.measured),
         Column::words(words.col_verdict),
-        Column::figures(words.col_model_n),
+        Column::figures(words.model),
         Column::words(words.col_verdict),
         Column::words(words.col_from),
     ];

@@ -210,7 +210,7 @@ fn split(
         campaign.records.iter().zip(&settings).filter(|(_, s)| s.is_none()).map(|(r, _)| r.name.as_str()).collect();
     if !changing.is_empty() {
         dashpot_output::warn(&format!(
-            "note: the setting changes within {} tests, which are not diagnosed: {}",
+            "note: the setting changes within {} tests, which are not diagnosed: {}; whether the valve responds as before is no part of this answer, dashpot validate shows its response times",
             changing.len(),
             changing.join(", ")
         ));

@@ -160,6 +160,7 @@ pub fn fit_family(
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(notes_of_priors(&options.priors, &estimates, &axis));
+    notes.extend(worse_than_alone(&reports, &axis));
     notes.extend(selection);
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));
     notes.extend(coverage_notes(&segments(&constant)));
@@ -319,6 +320,19 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
         }));
     }
     notes
+}
+
+/// Error of the family over that of a fit of one setting alone, from which on that is worth a note: UTFSM's worst is 1.15, of a level of friction that
+/// varied but was shared 2.2.
+const WORSE: f64 = 1.5;
+
+/// Settings at which a fit of them alone is clearly better than the family.
+fn worse_than_alone<'r>(reports: &'r [SettingReport], axis: &'r SettingAxis) -> impl Iterator<Item = Sentence> + 'r {
+    reports.iter().filter_map(|of| {
+        let ratio = of.family.mean_error_n / of.own_fit.mean_error_n.max(1e-300);
+        let said = Sentence::from(phrases::FAMILY_WORSE).with("ratio", format!("{ratio:.1}"));
+        (ratio > WORSE).then(|| at_setting(axis, of.setting, said))
+    })
 }
 
 /// What is said of one setting.

@@ -12,6 +12,7 @@ use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::structure::context::Structure;
 use rayon::prelude::*;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// Mean error over the tests of a setting, on the mean cycle of each test.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -27,7 +28,7 @@ pub struct SettingError {
 pub struct SettingReport {
     /// Value of the setting.
     pub setting: f64,
-    /// Number of its tests, long ones counted by their stretches.
+    /// Number of its tests.
     pub tests: usize,
     /// Error of an ordinary damper that was fitted to this setting alone.
     pub own_fit: SettingError,
@@ -123,7 +124,7 @@ pub fn reports(
             let left_out = left_out_error(family, axis, settings, place);
             Some(SettingReport {
                 setting: of.value,
-                tests: of.tests.len(),
+                tests: of.tests.iter().map(|test| test.record).collect::<BTreeSet<_>>().len(),
                 own_fit,
                 family: fitted,
                 left_out,

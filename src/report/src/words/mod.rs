@@ -355,8 +355,6 @@ words!(
     col_at,
     col_low_limit,
     col_high_limit,
-    col_measured_n,
-    col_model_n,
     col_verdict,
     col_from,
     pass,

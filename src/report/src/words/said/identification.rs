@@ -165,6 +165,12 @@ pub const ALL: &[Said] = &[
         "模型文件给出了 {names}，但元件 {element} 已关闭，因此这些值不起作用；如需使用，请将其加入 elements",
     ],
     [
+        "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, or these tests are too few to show that it does",
+        "die Familie weicht {ratio}-mal so weit ab wie eine Identifikation dieser Einstellung allein: Eine Zahl, die alle teilen, mag hier eine andere sein, oder diese Versuche sind zu wenige, um das zu zeigen",
+        "la famille s’écarte {ratio} fois autant qu’une identification de ce seul réglage : une valeur commune à tous peut être différente ici, ou ces essais sont trop peu nombreux pour le montrer",
+        "该族模型的误差是仅对此设定单独辨识的 {ratio} 倍：各设定共用的某个参数在此可能不同，或这些试验太少而无法表明这一点",
+    ],
+    [
         "the element {element} is on, but the model file does not give {names}: it runs on the defaults of docs/parameters.md",
         "das Element {element} ist an, aber die Modelldatei gibt {names} nicht an: Es gelten die Vorgaben aus docs/parameters.md",
         "l’élément {element} est actif, mais le fichier de modèle ne donne pas {names} : les valeurs par défaut de docs/parameters.md s’appliquent",
