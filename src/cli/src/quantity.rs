@@ -54,7 +54,9 @@ impl FromStr for SettingText {
     fn from_str(text: &str) -> Result<SettingText, String> {
         let refusal =
             || format!("{text:?} is not a number, alone or with the unit of the setting, such as 0.6 or 0.6A");
-        let (value, unit) = split(text.trim()).ok_or_else(refusal)?;
+        // A decimal comma, as records may have it.
+        let point = if text.contains('.') { text.to_owned() } else { text.replacen(',', ".", 1) };
+        let (value, unit) = split(point.trim()).ok_or_else(refusal)?;
         Ok(SettingText { value, unit: unit.to_owned() })
     }
 }
@@ -105,7 +107,7 @@ mod tests {
         axis.set_unit("A").unwrap();
         let value = |text: &str| text.parse::<SettingText>().unwrap().in_unit_of(&axis);
         assert!((value("600mA").unwrap() - 0.6).abs() < 1e-12);
-        assert_eq!([value("0.6").unwrap(), value("0.6 A").unwrap()], [0.6; 2]);
+        assert_eq!(["0.6", "0.6 A", "0,6", "0,6A"].map(|text| value(text).unwrap()), [0.6; 4]);
         assert!(value("12 clicks").unwrap_err().to_string().contains("counted in A"));
         assert!("high".parse::<SettingText>().unwrap_err().contains("0.6A"));
     }

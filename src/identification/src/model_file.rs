@@ -103,7 +103,7 @@ fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, 
 
 /// A 95 % interval of a number or of every point of a curve.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "an interval is [low, high], that of a list has one such pair for each entry")]
 pub enum Interval {
     /// Of one number: low, high.
     Number([f64; 2]),
@@ -113,7 +113,10 @@ pub enum Interval {
 
 /// 95 % intervals over the values of a setting.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "an interval over the setting is one [low, high] for each of its values, that of a list one pair for each entry"
+)]
 pub enum IntervalOverSetting {
     /// Of a number: low and high at each value.
     Number(Vec<[f64; 2]>),

@@ -191,7 +191,32 @@ impl DataArgs {
 
     /// Loads the campaign, corrected by the measurement error that the model's own fit found in these records.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
-        let mut campaign = if model.axis.is_some() { self.load_over_setting()? } else { self.load()? };
+        let load = |of: &DataArgs| match model.axis.is_some() {
+            true => of.load_over_setting_like(&of.data),
+            false => of.load_like(&of.data),
+        };
+        let mut campaign = load(self)?;
+        let knows = |campaign: &Campaign| {
+            let known = &model.identification.fingerprints;
+            campaign.records.iter().any(|record| known.contains(&record.fingerprint()))
+        };
+        // A part of the records may leave open which direction they count positive; the fit, which had all of them, knows.
+        let is_open = self.positive.is_none() && !model.identification.fingerprints.is_empty();
+        if is_open && !knows(&campaign) && campaign.notes.iter().any(|note| note.kind == "sign_unsure") {
+            let positive = match campaign.sign.positive {
+                Positive::Rebound => Positive::Compression,
+                Positive::Compression => Positive::Rebound,
+            };
+            let turned = load(&DataArgs { positive: Some(positive), ..self.clone() })?;
+            if knows(&turned) {
+                let name = positive.name();
+                dashpot_output::warn(&format!(
+                    "note: the fit of the model counted these very records {name} positive, so they are counted so here"
+                ));
+                campaign = turned;
+            }
+        }
+        print_sign(&campaign.notes);
         restate_settings(&model.axis, &mut campaign.records)?;
         let note = model.identification.right(&mut campaign.records);
         note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));

@@ -140,8 +140,8 @@ fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     };
     let parts: Vec<String> = fit.parts.iter().map(part).collect();
     let mut out = vec![format!(
-        "actuator from {} tests (probability that the valve has it): {}",
-        fit.tests.len(),
+        "actuator from {} (probability that the valve has it): {}",
+        crate::plural::count_tests(fit.tests.len()),
         parts.join(", ")
     )];
     out.extend(fit.estimates.iter().map(|e| format_estimate(e.name, e)));

@@ -36,6 +36,7 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
         }
     }
     identification.not_identified = open;
+    identification.notes.retain(|note| place.is_of(note, &file.axis));
     let (specified, edited) = (file.specified.clone(), file.edited.clone());
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }
 }
@@ -61,6 +62,18 @@ impl Place {
 
     fn neighbors(&self, grid: &[f64]) -> Vec<f64> {
         [self.left, self.right].iter().filter_map(|place| grid.get(*place)).copied().collect()
+    }
+
+    /// Whether a note of the fit holds here: those of other settings do not, nor the force of an effect over all of them.
+    fn is_of(&self, note: &str, axis: &Axis) -> bool {
+        let own = note.strip_prefix("at ").and_then(|rest| rest.strip_prefix(axis.name())?.strip_prefix(" = "));
+        match own {
+            Some(rest) => {
+                let value: Option<f64> = rest.split(':').next().and_then(|value| value.trim().parse().ok());
+                value.is_none_or(|value| self.neighbors(axis.grid()).contains(&value))
+            }
+            None => !note.contains(" N rms, "),
+        }
     }
 
     /// The plain FV curve at the setting; `None` where the file has none of both neighbors.

@@ -112,7 +112,8 @@ pub fn is_same_setting(a: f64, b: f64) -> bool {
 
 /// A value of a setting with its unit, where it has one: `0.8 A`.
 pub fn setting_in_words(value: f64, unit: &str) -> String {
-    format!("{value} {unit}").trim_end().to_owned()
+    // 0 has no sign.
+    format!("{} {unit}", value + 0.0).trim_end().to_owned()
 }
 
 /// Rules of the user for the setting of each test.
