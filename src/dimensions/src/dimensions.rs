@@ -62,7 +62,7 @@ impl Dimensions {
         })
     }
 
-    /// A volume by the other entries that the drawing states: of the gas, or of the oil in the chambers and in the reserve where that is stated.
+    /// A volume by the other entries that the drawing states. That of the oil is in the chambers, and in the reserve where that is stated.
     pub fn by_others(&self, entry: Entry) -> Option<Uncertain> {
         match entry {
             Entry::GasVolume => {

@@ -1,6 +1,6 @@
 //! Which numbers of a model file were changed since its fit: those that lie outside the interval that the fit left for them.
 
-use crate::model_file::{Identification, Interval, IntervalOverSetting};
+use crate::fit_tables::{Identification, Interval, IntervalOverSetting};
 use dashpot_core::Params;
 use dashpot_core::family::Axis;
 use dashpot_core::family::axis::ENTRIES;

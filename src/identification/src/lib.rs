@@ -9,6 +9,7 @@ mod edited;
 mod expected;
 pub mod family;
 mod fit;
+mod fit_tables;
 mod intervals;
 mod inventory_text;
 mod kind;

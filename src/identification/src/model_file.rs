@@ -4,6 +4,7 @@
 //! are for validation, diagnosis and people.
 
 use super::short::short;
+pub use crate::fit_tables::{FvOnly, FvOnlyAt, Identification, Interval, IntervalOverSetting};
 use crate::{Estimate, Fit, Measured, Standing, describe_item, to_measurement_error};
 use crate::{edited, remarks};
 use dashpot_core::family::axis::ENTRIES;
@@ -14,8 +15,8 @@ use dashpot_core::{Fault, Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_records::sentence::Sentence;
-use dashpot_records::{Record, clock, read_small_text};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use dashpot_records::{clock, read_small_text};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -33,181 +34,6 @@ pub struct ModelFile {
     pub specified: Vec<usize>,
     /// Numbers that lie outside the interval which the fit left for them, such as `fv_force[3]@0.8`; [`ModelFile::new`] takes that interval out.
     pub edited: Vec<String>,
-}
-
-/// The tables behind the flat part.
-#[derive(Debug, Clone, Default, Deserialize, Serialize)]
-pub struct Identification {
-    /// Names of the tests that the fit used.
-    #[serde(default)]
-    pub tests: Vec<String>,
-    /// Their contents in short.
-    #[serde(default)]
-    pub fingerprints: Vec<String>,
-    /// Parameters that the data does not determine.
-    #[serde(default)]
-    pub not_identified: Vec<String>,
-    /// Remarks of the fit.
-    #[serde(default)]
-    pub notes: Vec<String>,
-    /// When the clock by which gain and zero drift was nought, s since 1970 by the rig's own clock.
-    #[serde(
-        default,
-        deserialize_with = "known_time",
-        serialize_with = "written_time",
-        skip_serializing_if = "Option::is_none"
-    )]
-    pub clock_from: Option<f64>,
-    /// What the fit found its records to be off by, with the ends of the 95 % interval; no part of the damper.
-    #[serde(default, deserialize_with = "known_numbers", skip_serializing_if = "BTreeMap::is_empty")]
-    pub measurement: BTreeMap<String, [f64; 3]>,
-    /// 95 % intervals by parameter; curves have one pair per point, and points without one have NaN.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub intervals: BTreeMap<String, Interval>,
-    /// 95 % intervals of what depends on the setting, one entry for each value of it.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub intervals_over_setting: BTreeMap<String, IntervalOverSetting>,
-    /// Which tests a parameter was identified from.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub sources: BTreeMap<String, String>,
-    /// The plain FV curve fitted to the same tests.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fv_only: Option<FvOnly>,
-    /// Those fitted to the tests of each setting.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub fv_only_over_setting: Vec<FvOnlyAt>,
-}
-
-fn written_time<S: Serializer>(time: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(&time.map_or_else(String::new, clock::written))
-}
-
-fn known_time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    let text = String::deserialize(from)?;
-    let refusal =
-        || format!("[identification] clock_from = \"{text}\" is no date and time, such as 2026-11-25 10:03:22");
-    clock::seconds(&text).map(Some).ok_or_else(|| serde::de::Error::custom(refusal()))
-}
-
-/// Refuses what no fit finds: a name that is not known could not be taken out of any record.
-fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
-    let numbers = BTreeMap::<String, [f64; 3]>::deserialize(from)?;
-    match numbers.iter().find(|(name, numbers)| Measured::named(name, **numbers).is_none()) {
-        Some((name, numbers)) => Err(serde::de::Error::custom(format!(
-            "[identification.measurement] {name} = {numbers:?} is nothing that a fit finds: it is delay, rig_mass, gain_drift or drift, with \
-             value, low and high end"
-        ))),
-        None => Ok(numbers),
-    }
-}
-
-/// A 95 % interval of a number or of every point of a curve.
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(untagged, expecting = "an interval is [low, high], that of a list has one such pair for each entry")]
-pub enum Interval {
-    /// Of one number: low, high.
-    Number([f64; 2]),
-    /// Of a list: low and high of each entry.
-    List(Vec<[f64; 2]>),
-}
-
-/// 95 % intervals over the values of a setting.
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(
-    untagged,
-    expecting = "an interval over the setting is one [low, high] for each of its values, that of a list one pair for each entry"
-)]
-pub enum IntervalOverSetting {
-    /// Of a number: low and high at each value.
-    Number(Vec<[f64; 2]>),
-    /// Of a list: low and high of each entry at each value.
-    List(Vec<Vec<[f64; 2]>>),
-}
-
-/// A plain FV curve at a setting.
-#[derive(Debug, Clone, Deserialize, Serialize)]
-pub struct FvOnlyAt {
-    /// The setting.
-    pub setting: f64,
-    /// The curve.
-    #[serde(flatten)]
-    pub curve: FvOnly,
-}
-
-/// The plain FV curve with a constant gas force.
-#[derive(Debug, Clone, Deserialize, Serialize)]
-pub struct FvOnly {
-    /// Velocities, m/s.
-    pub velocity: Vec<f64>,
-    /// Forces, N.
-    pub force: Vec<f64>,
-    /// Gas force, N.
-    pub gas_force: f64,
-}
-
-impl Identification {
-    /// Whether the fit used this record: the same measurement, not only the same name.
-    pub fn used(&self, record: &Record) -> bool {
-        if self.fingerprints.is_empty() {
-            return self.tests.contains(&record.name);
-        }
-        self.fingerprints.contains(&record.fingerprint())
-    }
-}
-
-impl FvOnly {
-    /// The curve of a parameter set.
-    pub fn of(params: &Params) -> FvOnly {
-        FvOnly {
-            velocity: params.list(list!("fv_velocity")).to_vec(),
-            force: params.list(list!("fv_force")).to_vec(),
-            gas_force: params.number(number!("gas_force")),
-        }
-    }
-
-    /// The force at a velocity, on straight lines that go on beyond the ends; `None` of fewer than two points.
-    fn at(&self, velocity: f64) -> Option<f64> {
-        let right = self.velocity.partition_point(|known| *known < velocity).clamp(1, self.velocity.len().max(2) - 1);
-        let ends = |values: &[f64]| Some((*values.get(right - 1)?, *values.get(right)?));
-        let ((from, to), (low, high)) = (ends(&self.velocity)?, ends(&self.force)?);
-        Some(low + (velocity - from) / (to - from) * (high - low))
-    }
-
-    /// The curve between this one and another, `part` of the way; `None` where one has fewer than two points.
-    pub(crate) fn between(&self, other: &FvOnly, part: f64) -> Option<FvOnly> {
-        let mix = |from: f64, to: f64| from + part * (to - from);
-        let velocity = if part < 0.5 { &self.velocity } else { &other.velocity };
-        let force = velocity.iter().map(|velocity| Some(mix(self.at(*velocity)?, other.at(*velocity)?)));
-        let force = force.collect::<Option<Vec<f64>>>()?;
-        Some(FvOnly { velocity: velocity.clone(), force, gas_force: mix(self.gas_force, other.gas_force) })
-    }
-
-    /// The lines of a model file that hold it, below the heading of a table.
-    pub(crate) fn lines(&self) -> String {
-        let floats = |v: &[f64]| v.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
-        format!(
-            "velocity = [{}]\nforce = [{}]\ngas_force = {}\n",
-            floats(&self.velocity),
-            floats(&self.force),
-            number(self.gas_force)
-        )
-    }
-
-    /// As a parameter set.
-    ///
-    /// # Errors
-    /// What the parameter table refuses.
-    pub fn params(&self) -> Result<Params, String> {
-        let mut p = Params::new();
-        p.disable_all();
-        let set = |r: Result<(), dashpot_core::Fault>| r.map_err(|f| f.reason.text().to_owned());
-        p.enable(element!("fv_curve"), true);
-        p.enable(element!("gas_preload"), true);
-        set(p.set_list(list!("fv_velocity"), &self.velocity))?;
-        set(p.set_list(list!("fv_force"), &self.force))?;
-        set(p.set(number!("gas_force"), self.gas_force))?;
-        Ok(p)
-    }
 }
 
 /// Why a model file cannot be used.
@@ -798,7 +624,7 @@ pub fn write(fit: &Fit) -> String {
         write_interval(&mut out, name, &of(name), &fit.params);
     }
     write_origins(&mut out, &fit.measured, names.iter().map(|name| (*name, of(name))));
-    out + &fv_only_table(&FvOnly::of(&fit.fv_only))
+    out + &fv_only_table(&FvOnly::from_params(&fit.fv_only))
 }
 
 #[cfg(test)]

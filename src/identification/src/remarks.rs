@@ -1,6 +1,6 @@
-//! What the numbers of a model file do not do: numbers of an element that is off, numbers that are missing, numbers that are not the fit's.
+//! Remarks about the numbers of a model file. They name numbers of an element that is off, numbers that are missing, and numbers that are not the fit's.
 
-use crate::model_file::Identification;
+use crate::fit_tables::Identification;
 use crate::phrases;
 use dashpot_core::Params;
 use dashpot_core::parameter::{self, Element, Row};

@@ -249,7 +249,7 @@ fn response(kind: Kind) -> StepResponse {
         steps: steps.len(),
         tests,
         sample_s: kind.sample,
-        settled,
+        end_fraction: settled,
         groups,
         measured: ResponseTimes::measure(&grid, &measured),
         model: ResponseTimes::measure(&grid, &model),

@@ -34,7 +34,7 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
         steps: 0,
         tests: Vec::new(),
         sample_s: 0.0,
-        settled: 1.0,
+        end_fraction: 1.0,
         groups: Vec::new(),
         measured: None,
         model: ResponseTimes::measure(&time, &response),

@@ -257,7 +257,7 @@ fn a_damper_without_an_actuator_gets_none() {
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
 
-/// One test with steps shows a lag of its own each way and a dead time, though one lag for both looks worse than none in it.
+/// One test with steps shows a lag each way and a dead time, though one lag for both looks worse than none.
 #[test]
 fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so() {
     let mut valve = truth(None);

@@ -314,8 +314,8 @@ fn response(of: &StepResponse, unit: &str) -> String {
         }
         _ => String::new(),
     };
-    let short = match of.settled < SETTLED {
-        true => format!("; the levels end at {:.0} % of the way, longer ones show more", 100.0 * of.settled),
+    let short = match of.end_fraction < SETTLED {
+        true => format!("; the levels end at {:.0} % of the way, longer ones show more", 100.0 * of.end_fraction),
         false => String::new(),
     };
     let step = format!("{} to {} {unit}", of.from, of.to);

@@ -20,8 +20,8 @@ const HYSTERESIS: f64 = -1.0;
 const RATE: f64 = -2.0;
 /// Rise of the log posterior below which a move is not made.
 const RISE: f64 = 0.5;
-/// Time behind a change of the command in which the force shows the valve, s: five of the longest time constants that dampers usually have, 30 ms
-/// (Savaresi et al. 2010, chapter 2). Over a whole test with 60 N of noise two times of 10 and 18 ms were taken for one of 18.
+/// Time behind a change of the command in which the force shows the valve, s. It is five of the longest time constants that dampers usually have,
+/// 30 ms (Savaresi et al. 2010, chapter 2). Over a whole test with 60 N of noise two times of 10 and 18 ms were taken for one of 18.
 const RESPONSE: f64 = 0.15;
 /// Starts of the time constant, s.
 const STARTS: [f64; 3] = [0.003, 0.012, 0.08];

@@ -322,8 +322,8 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
     notes
 }
 
-/// Error of the family over that of a fit of one setting alone, from which on that is worth a note: UTFSM's worst is 1.15, of a level of friction that
-/// varied but was shared 2.2.
+/// Error of the family over that of a fit of one setting alone from which on it is worth a note. UTFSM's worst is 1.15; where friction varied and was
+/// shared it was 2.2.
 const WORSE: f64 = 1.5;
 
 /// Settings at which a fit of them alone is clearly better than the family.

@@ -80,7 +80,7 @@ pub fn write(fit: &FamilyFit) -> String {
     for (setting, curve) in fit.settings_grid().iter().zip(&fit.fv_only) {
         let heading =
             "[[identification.fv_only_over_setting]]  # the plain FV curve fitted to the tests of this setting";
-        let _ = write!(out, "\n{heading}\nsetting = {setting:?}\n{}", FvOnly::of(curve).lines());
+        let _ = write!(out, "\n{heading}\nsetting = {setting:?}\n{}", FvOnly::from_params(curve).lines());
     }
     out += "\n[identification.depends_on_setting]  # probability\n";
     for of in &fit.dependences {

@@ -185,7 +185,7 @@ mod tests {
                 steps: 3,
                 tests: vec![format!("{from} {to}")],
                 sample_s: 1e-3,
-                settled: 1.0,
+                end_fraction: 1.0,
                 groups: Vec::new(),
                 measured: Some(times),
                 model: None,

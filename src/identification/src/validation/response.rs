@@ -78,7 +78,7 @@ pub struct StepResponse {
     /// Time between two samples, s; half of it is how far the instant of a step is known.
     pub sample_s: f64,
     /// Fraction of its way that the model's force has gone at the end of the levels.
-    pub settled: f64,
+    pub end_fraction: f64,
     /// Those of each test and direction with steps enough; the slowest of them is judged by a limit.
     pub groups: Vec<StepGroup>,
     /// Times of the measured force; absent where the records do not show them.

@@ -93,7 +93,7 @@ class StepResponse(Result):
     after: float = field(metadata={"key": "to"})
     sample_s: float
     """Time between two samples, s; half of it is how far the instant of a step is known."""
-    settled: float
+    end_fraction: float
     """Fraction of its way that the model's force has gone at the end of the levels."""
     groups: tuple[StepGroup, ...]
     """Those of each test and direction with steps enough; a limit judges the slowest."""
