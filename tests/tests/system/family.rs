@@ -412,7 +412,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     let told = refused(dir, &[&fit[..], &["--column", "setting=p pilo"]].concat());
     assert!(told.contains("no test has a column 'p pilo' for the setting"), "{told}");
     let told = done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());
-    assert!(told.contains("actuator from 1 tests"), "{told}");
+    assert!(told.contains("actuator from 1 test ("), "{told}");
     let found = json(&dir.join("fit.json"));
     let is_in_interval = |found: &serde_json::Value| {
         let all = found["actuator"]["estimates"].as_array().unwrap();
