@@ -309,7 +309,7 @@ fn summarize(
                 .with("sure", percents(of.settings.iter().map(|at| at.change.probability))),
         );
     }
-    if said.is_empty() && open.len() < count {
+    if said.is_empty() && open.is_empty() {
         said.push(if is_against { phrases::CHANGED_AT_NO_SETTING } else { phrases::AT_NO_SETTING }.into());
     }
     if !open.is_empty() {
@@ -351,7 +351,7 @@ mod tests {
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
         // What has no name is no "nothing".
         let said = summary(&all[2..], &[], &[2.0], false);
-        assert!(said.len() == 2 && said[1].contains("at 2 A"), "{said:?}");
+        assert!(said.len() == 1 && said[0].starts_with("at 2 A something is missing"), "{said:?}");
         let said = summary(&all[2..], &[], &[0.0, 1.0, 2.0], false);
         assert!(said.len() == 1 && said[0].contains("at every setting") && said[0].contains("no name"), "{said:?}");
         // Against a reference the headline is what changed.

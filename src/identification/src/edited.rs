@@ -40,7 +40,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
             edited.push(name.to_owned());
         }
         Some(Interval::List(all)) if all.len() == values.len() => {
-            edited.extend(blank(all, &values).map(|at| format!("{name}[{at}]")));
+            edited.extend(blank(all, values).map(|at| format!("{name}[{at}]")));
         }
         // Another number of points: none of the fit's is left.
         Some(Interval::List(_)) => {

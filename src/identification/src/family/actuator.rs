@@ -125,7 +125,7 @@ fn estimates(
             true => Standing::Identified,
         };
         for name in number.entries {
-            let was_seen = !(name.ends_with("_up") && !rises || name.ends_with("_down") && !falls);
+            let was_seen = (rises || !name.ends_with("_up")) && (falls || !name.ends_with("_down"));
             let standing = if was_seen { standing.clone() } else { Standing::NotIdentified };
             let is_identified = standing != Standing::NotIdentified;
             let Some(entry) = index_of(name.as_bytes()).and_then(|index| ENTRIES.get(index)) else { continue };
