@@ -40,7 +40,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
             edited.push(name.to_owned());
         }
         Some(Interval::List(all)) if all.len() == values.len() => {
-            edited.extend(blank(all, values).map(|at| format!("{name}[{at}]")));
+            edited.extend(blank(all, values).into_iter().map(|at| format!("{name}[{at}]")));
         }
         // Another number of points: none of the fit's is left.
         Some(Interval::List(_)) => {
@@ -54,7 +54,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
     let is_whole = match known.intervals_over_setting.get_mut(name) {
         Some(IntervalOverSetting::Number(all)) => match number.and_then(|number| axis.values(number)) {
             Some(values) if values.len() == all.len() => {
-                edited.extend(blank(all, values).map(|at| format!("{name}@{}", grid[at])));
+                edited.extend(blank(all, values).into_iter().map(|at| format!("{name}@{}", grid[at])));
                 true
             }
             _ => false,
@@ -62,7 +62,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
         Some(IntervalOverSetting::List(all)) if all.len() == grid.len() => {
             all.iter_mut().enumerate().all(|(place, all)| match axis.forces(place) {
                 Some(forces) if forces.len() == all.len() => {
-                    edited.extend(blank(all, forces).map(|at| format!("{name}[{at}]@{}", grid[place])));
+                    edited.extend(blank(all, forces).into_iter().map(|at| format!("{name}[{at}]@{}", grid[place])));
                     true
                 }
                 _ => false,
@@ -82,7 +82,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
 }
 
 /// Blanks the intervals that do not hold their value; returns their places.
-fn blank(all: &mut [[f64; 2]], values: &[f64]) -> impl Iterator<Item = usize> + use<> {
+fn blank(all: &mut [[f64; 2]], values: &[f64]) -> Vec<usize> {
     let mut places = Vec::new();
     for (at, (ends, value)) in all.iter_mut().zip(values).enumerate() {
         if !holds(ends, *value) {
@@ -90,7 +90,7 @@ fn blank(all: &mut [[f64; 2]], values: &[f64]) -> impl Iterator<Item = usize> + 
             places.push(at);
         }
     }
-    places.into_iter()
+    places
 }
 
 /// Whether a value lies within; an interval without ends says nothing, one of a fixed point has two that are alike.

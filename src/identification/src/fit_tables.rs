@@ -44,7 +44,7 @@ pub struct Identification {
     /// The plain FV curve fitted to the same tests.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fv_only: Option<FvOnly>,
-    /// Those fitted to the tests of each setting.
+    /// The plain FV curve fitted to the tests of each setting.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fv_only_over_setting: Vec<FvOnlyAt>,
 }
@@ -158,10 +158,10 @@ impl FvOnly {
     pub(crate) fn lines(&self) -> String {
         let floats = |v: &[f64]| v.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(", ");
         format!(
-            "velocity = [{}]\nforce = [{}]\ngas_force = {}\n",
+            "velocity = [{}]\nforce = [{}]\ngas_force = {:?}\n",
             floats(&self.velocity),
             floats(&self.force),
-            format_args!("{:?}", self.gas_force)
+            self.gas_force
         )
     }
 

@@ -19,6 +19,24 @@ pub struct SettingUnitError {
     pub own: String,
 }
 
+/// Whether what is called so is the setting of an axis; an axis without a name takes any.
+pub fn is_of_axis(axis: &Axis, name: &str) -> bool {
+    axis.name().is_empty() || axis.name() == name
+}
+
+/// Restates values of what is called so in the unit of the axis, where it is its setting. Returns whether the units are of one kind.
+pub fn restate<'v>(axis: &Axis, name: &str, unit: &mut String, values: impl IntoIterator<Item = &'v mut f64>) -> bool {
+    if !axis.is_some() || !is_of_axis(axis, name) {
+        return true;
+    }
+    let Some(factor) = setting_factor(unit, axis.unit()) else { return false };
+    values.into_iter().for_each(|value| *value *= factor);
+    if !axis.unit().is_empty() {
+        axis.unit().clone_into(unit);
+    }
+    true
+}
+
 /// Restates the settings of records in the unit of the damper's setting, where they are the same quantity.
 ///
 /// # Errors
@@ -27,22 +45,22 @@ pub fn restate_settings<'r>(
     axis: &Axis,
     records: impl IntoIterator<Item = &'r mut Record>,
 ) -> Result<(), SettingUnitError> {
-    let own = axis.unit();
-    let is_own = |name: &str| axis.name().is_empty() || axis.name() == name;
-    for record in records {
-        let test = &record.name;
-        let of = |name: &str, unit: &str| {
-            let (test, name, unit, own) = (test.clone(), name.to_owned(), unit.to_owned(), own.to_owned());
-            setting_factor(&unit, &own).ok_or(SettingUnitError { test, name, unit, own })
+    for Record { name: test, setting, setting_signal, .. } in records {
+        let refused = |name: &str, unit: &str| SettingUnitError {
+            test: test.clone(),
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            own: axis.unit().to_owned(),
         };
-        if let Some(setting) = record.setting.as_mut().filter(|setting| is_own(&setting.name)) {
-            setting.value *= of(&setting.name, &setting.unit)?;
-            own.clone_into(&mut setting.unit);
+        if let Some(of) = setting
+            && !restate(axis, &of.name, &mut of.unit, [&mut of.value])
+        {
+            return Err(refused(&of.name, &of.unit));
         }
-        if let Some(signal) = record.setting_signal.as_mut().filter(|signal| is_own(&signal.name)) {
-            let factor = of(&signal.name, &signal.unit)?;
-            signal.values.iter_mut().chain(&mut signal.range).for_each(|value| *value *= factor);
-            own.clone_into(&mut signal.unit);
+        if let Some(of) = setting_signal
+            && !restate(axis, &of.name, &mut of.unit, of.values.iter_mut().chain(&mut of.range))
+        {
+            return Err(refused(&of.name, &of.unit));
         }
     }
     Ok(())
@@ -66,6 +84,10 @@ mod tests {
         restate_settings(&axis, &mut all).unwrap();
         assert!((all[0].setting.as_ref().unwrap().value - 400.0).abs() < 1e-9);
         assert!((all[1].setting_signal.as_ref().unwrap().range[1] - 1200.0).abs() < 1e-9);
+        // An ordinary damper, or one that names no unit, leaves the unit of the record.
+        let mut ordinary = [Record { setting: Some(setting("A")), ..Record::default() }];
+        restate_settings(&Axis::NONE, &mut ordinary).unwrap();
+        assert_eq!(ordinary[0].setting, Some(setting("A")));
         // Once more changes nothing, and another quantity has no factor.
         restate_settings(&axis, &mut all).unwrap();
         assert!((all[0].setting.as_ref().unwrap().value - 400.0).abs() < 1e-9);

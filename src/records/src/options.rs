@@ -29,6 +29,15 @@ impl Positive {
             Positive::Compression => "compression",
         }
     }
+
+    /// The other direction.
+    #[must_use]
+    pub fn opposite(self) -> Positive {
+        match self {
+            Positive::Rebound => Positive::Compression,
+            Positive::Compression => Positive::Rebound,
+        }
+    }
 }
 
 impl FromStr for Positive {

@@ -1,6 +1,7 @@
 //! What a record says of the setting that a damper depends on.
 
 use dashpot_core::family::Axis;
+use dashpot_identification::setting_units::is_of_axis;
 use dashpot_records::{Record, setting_factor};
 
 /// The setting of a record.
@@ -12,11 +13,6 @@ pub enum OwnSetting {
     Constant(f64),
     /// It changes within the record.
     Changing,
-}
-
-/// Whether what is called so is the setting of an axis; an axis without a name takes any.
-pub fn is_of_axis(axis: &Axis, name: &str) -> bool {
-    axis.name().is_empty() || axis.name() == name
 }
 
 impl OwnSetting {

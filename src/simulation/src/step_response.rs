@@ -75,13 +75,13 @@ impl StepForces {
 
 /// The mean response to steps of one kind on a grid of times since the step, from 0 before to 1 at its end.
 pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
-    let raw = fraction_of_way(steps, grid);
+    let raw = fraction_of_way(&steps.iter().collect::<Vec<_>>(), grid);
     let [zero, one] = ends(&raw, grid);
     scaled(&raw, zero, one)
 }
 
 /// The mean fraction of the way between the forces before and after that the force has gone; not a number where no step says it.
-fn fraction_of_way(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
+fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let mut sums = vec![[0.0; 2]; grid.len()];
@@ -124,8 +124,10 @@ fn scaled(raw: &[f64], zero: f64, one: f64) -> Vec<f64> {
 ///
 /// What the model misses at the levels is no part of the response, so the measured one ends where the model does. That is below 1 where the level
 /// is too short for the valve: taken for 1, a time constant of 60 ms would show 47 ms to 63 % of the way.
-fn both(measured: &[StepForces], model: &[StepForces], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
-    let [measured, model] = [measured, model].map(|steps| fraction_of_way(steps, grid));
+fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
+    let forces: [fn(&Step) -> &StepForces; 2] = [|step| &step.measured, |step| &step.model];
+    let [measured, model] =
+        forces.map(|of| fraction_of_way(&steps.iter().map(|step| of(step)).collect::<Vec<_>>(), grid));
     // The way of a step is counted from where the force stood before it.
     let [zero, one] = ends(&model, grid);
     let model = scaled(&model, zero, 1.0);
@@ -227,10 +229,6 @@ fn response(kind: Kind) -> StepResponse {
     // Not finer than the samples: noise between them is none.
     let points = (span / kind.sample.max(1e-6)).min(POINTS as f64).max(8.0) as usize;
     let grid: Vec<f64> = (0..=points).map(|k| span * k as f64 / points as f64 - BEFORE).collect();
-    let of = |own: &[&Step]| {
-        let forces = |of: fn(&Step) -> &StepForces| own.iter().map(|step| of(step).clone()).collect::<Vec<_>>();
-        both(&forces(|step| &step.measured), &forces(|step| &step.model), &grid)
-    };
     let mut groups: BTreeMap<(&str, bool), Vec<&Step>> = BTreeMap::new();
     for step in &steps {
         groups.entry((step.test.as_str(), step.is_rebound)).or_default().push(step);
@@ -238,11 +236,11 @@ fn response(kind: Kind) -> StepResponse {
     let mut tests: Vec<String> = steps.iter().map(|step| step.test.clone()).collect();
     tests.dedup();
     let groups = groups.into_iter().filter(|(_, own)| own.len() >= FEWEST).map(|((test, is_rebound), own)| {
-        let [measured, model] = of(&own).0.map(|response| ResponseTimes::measure(&grid, &response));
+        let [measured, model] = both(&own, &grid).0.map(|response| ResponseTimes::measure(&grid, &response));
         StepGroup { test: test.to_owned(), is_rebound, steps: own.len(), measured, model }
     });
     let groups = groups.collect();
-    let ([measured, model], settled) = of(&steps);
+    let ([measured, model], settled) = both(&steps, &grid);
     StepResponse {
         from: kind.levels[0],
         to: kind.levels[1],

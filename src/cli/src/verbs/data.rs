@@ -196,17 +196,11 @@ impl DataArgs {
             false => of.load_like(&of.data),
         };
         let mut campaign = load(self)?;
-        let knows = |campaign: &Campaign| {
-            let known = &model.identification.fingerprints;
-            campaign.records.iter().any(|record| known.contains(&record.fingerprint()))
-        };
+        let knows = |campaign: &Campaign| campaign.records.iter().any(|record| model.identification.used(record));
         // A part of the records may leave open which direction they count positive; the fit, which had all of them, knows.
         let is_open = self.positive.is_none() && !model.identification.fingerprints.is_empty();
         if is_open && !knows(&campaign) && campaign.notes.iter().any(|note| note.kind == "sign_unsure") {
-            let positive = match campaign.sign.positive {
-                Positive::Rebound => Positive::Compression,
-                Positive::Compression => Positive::Rebound,
-            };
+            let positive = campaign.sign.positive.opposite();
             let turned = load(&DataArgs { positive: Some(positive), ..self.clone() })?;
             if knows(&turned) {
                 let name = positive.name();

@@ -9,9 +9,9 @@ use dashpot_core::Model;
 use dashpot_core::family::Family;
 use dashpot_core::step::LONG_STEP;
 use dashpot_identification::model_file::prepared;
-use dashpot_records::{MotionSetting, read_motion, setting_factor};
+use dashpot_identification::setting_units::restate;
+use dashpot_records::read_motion;
 use dashpot_simulation::imposed_motion::{ImposedMotion, SimulatedSample};
-use dashpot_simulation::own_setting::is_of_axis;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
@@ -60,12 +60,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         anyhow::bail!("{} depends on no setting; leave --setting out", args.model.display());
     }
     let mut record = read_motion(&args.motion, &args.columns.options()?)?;
-    let is_own = |of: &&mut MotionSetting| file.axis.is_some() && is_of_axis(&file.axis, &of.name);
-    if let Some(of) = record.setting.as_mut().filter(is_own)
-        && let Some(factor) = setting_factor(&of.unit, file.axis.unit())
-    {
-        of.values.iter_mut().for_each(|value| *value *= factor);
-        file.axis.unit().clone_into(&mut of.unit);
+    if let Some(of) = &mut record.setting {
+        // Another unit is refused where the setting of the motion is needed.
+        restate(&file.axis, &of.name, &mut of.unit, &mut of.values);
     }
     let own = record.setting.as_ref();
     let commands = match file.axis.is_some() {

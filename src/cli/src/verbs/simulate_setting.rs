@@ -3,9 +3,9 @@
 use super::data::name_of;
 use anyhow::bail;
 use dashpot_core::family::Axis;
+use dashpot_identification::setting_units::is_of_axis;
 use dashpot_records::{Channel, MotionSetting, SettingSource};
 use dashpot_simulation::imposed_motion::ImposedMotion;
-use dashpot_simulation::own_setting::is_of_axis;
 use std::path::Path;
 
 /// Settings over time, as the option gives them.

@@ -3,8 +3,7 @@
 use super::actuator::{ActuatorContext, ActuatorForm, ActuatorProblem, ActuatorRefit, Ways};
 use crate::cancel;
 use crate::samples::Test;
-use crate::structure::evidence::{Evidence, mean_squares};
-use nalgebra::DVector;
+use crate::structure::evidence::{Evidence, mean_square};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -111,14 +110,13 @@ fn responding(test: &Test) -> Vec<usize> {
     if found.is_empty() { (0..test.allowed.len()).collect() } else { found }
 }
 
-fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext) -> f64 {
-    let of_test = |(test, (_, residual)): (&Test, &(_, Vec<f64>))| {
-        let places = responding(test);
-        let only = |values: &[f64]| places.iter().filter_map(|k| values.get(*k)).copied().collect::<Vec<f64>>();
-        let part = Test { allowed: only(&test.allowed), ..test.clone() };
-        mean_squares(&[part], &DVector::from_vec(only(residual))).first().copied().unwrap_or(0.0)
+/// Log posterior of an actuator by the samples of each test that show the valve.
+fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext, places: &[Vec<usize>]) -> f64 {
+    let of_test = |((test, (_, residual)), places): ((&Test, &(_, Vec<f64>)), &Vec<usize>)| {
+        let samples = places.iter().filter_map(|k| Some((*residual.get(*k)?, *test.allowed.get(*k)?)));
+        mean_square(test.unit(), samples)
     };
-    let squares = context.tests.iter().zip(&refit.blocks).map(of_test).collect();
+    let squares = context.tests.iter().zip(&refit.blocks).zip(places).map(of_test).collect();
     let evidence = Evidence {
         weights: context.tests.iter().map(|test| test.weight).collect(),
         mean_squares: squares,
@@ -133,6 +131,7 @@ fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext) -> f64 {
 pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync)) -> Option<ActuatorSearch> {
     let (low, high) = context.definition.axis.range();
     let range = high - low;
+    let places: Vec<Vec<usize>> = context.tests.iter().map(responding).collect();
     let mut known: BTreeMap<ActuatorForm, Option<(f64, ActuatorRefit)>> = BTreeMap::new();
     let fit = |form: ActuatorForm, from: Option<&ActuatorRefit>| {
         let problem = ActuatorProblem::new(context, form);
@@ -155,7 +154,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
             .into_par_iter()
             .filter_map(|start| problem.refit(form, start.as_deref(), COMPARE.0, COMPARE.1))
             .collect();
-        let scored = found.into_iter().map(|refit| (log_posterior(&refit, context), refit));
+        let scored = found.into_iter().map(|refit| (log_posterior(&refit, context, &places), refit));
         scored.reduce(|best, next| if next.0 > best.0 { next } else { best })
     };
     let (mut best_posterior, mut best) = fit(ActuatorForm::NONE, None)?;

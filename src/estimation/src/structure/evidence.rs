@@ -38,23 +38,24 @@ pub struct Evidence {
     pub relief: f64,
 }
 
-/// Mean square residual of each test, in units of noise and curve discretization; residuals beyond [`HUBER`] count linearly.
+/// Mean square residual of samples of a test, in its unit of noise and curve discretization; residuals beyond [`HUBER`] count linearly.
+///
+/// A sample is its weighted residual and its allowed error, N.
+pub fn mean_square(unit: f64, samples: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (mut sum, mut expected) = (0.0, 0.0);
+    for (residual, allowed) in samples {
+        let size = residual.abs();
+        sum += if size <= HUBER { size * size } else { HUBER * (2.0 * size - HUBER) };
+        expected += (unit / allowed).powi(2);
+    }
+    sum / expected.max(1e-300)
+}
+
+/// Mean square residual of each test.
 pub fn mean_squares(tests: &[Test], residual: &DVector<f64>) -> Vec<f64> {
-    let mut row = 0;
-    tests
-        .iter()
-        .map(|test| {
-            let unit = test.unit();
-            let (mut sum, mut expected) = (0.0, 0.0);
-            for allowed in &test.allowed {
-                let size = residual[row].abs();
-                sum += if size <= HUBER { size * size } else { HUBER * (2.0 * size - HUBER) };
-                expected += (unit / allowed).powi(2);
-                row += 1;
-            }
-            sum / expected.max(1e-300)
-        })
-        .collect()
+    let mut rows = residual.iter().copied();
+    let of_test = |test: &Test| mean_square(test.unit(), rows.by_ref().zip(test.allowed.iter().copied()));
+    tests.iter().map(of_test).collect()
 }
 
 /// What a number need not cost, of `per_number`, since more is known of it on this damper than on others.

@@ -79,7 +79,7 @@ pub struct StepResponse {
     pub sample_s: f64,
     /// Fraction of its way that the model's force has gone at the end of the levels.
     pub end_fraction: f64,
-    /// Those of each test and direction with steps enough; the slowest of them is judged by a limit.
+    /// Response times of each test and direction that has at least three steps; a limit judges the slowest.
     pub groups: Vec<StepGroup>,
     /// Times of the measured force; absent where the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]

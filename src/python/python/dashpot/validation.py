@@ -96,7 +96,7 @@ class StepResponse(Result):
     end_fraction: float
     """Fraction of its way that the model's force has gone at the end of the levels."""
     groups: tuple[StepGroup, ...]
-    """Those of each test and direction with steps enough; a limit judges the slowest."""
+    """Response times of each test and direction that has at least three steps; a limit judges the slowest."""
     measured: ResponseTimes | None = field(default=None, metadata={"omitted": True})
     """Of the measured force; none where the records do not show them."""
     model: ResponseTimes | None = field(default=None, metadata={"omitted": True})

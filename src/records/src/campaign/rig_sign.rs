@@ -60,10 +60,7 @@ pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
 impl Campaign {
     /// Counts force and motion the other way round.
     fn turn(&mut self) {
-        self.sign.positive = match self.sign.positive {
-            Positive::Rebound => Positive::Compression,
-            Positive::Compression => Positive::Rebound,
-        };
+        self.sign.positive = self.sign.positive.opposite();
         self.sign.standstill_force = -self.sign.standstill_force;
         self.sign.asymmetry = self.sign.asymmetry.map(|ratio| 1.0 / ratio);
         let counted = self.sign.counted();

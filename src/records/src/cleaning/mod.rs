@@ -129,7 +129,7 @@ fn enough(samples: &Samples) -> Result<(), RecordError> {
     Ok(())
 }
 
-/// Displacement and velocity.
+/// Displacement and velocity, with the cycles of the displacement.
 struct CompleteMotion {
     displacement: Vec<f64>,
     velocity: Vec<f64>,
