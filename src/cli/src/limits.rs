@@ -24,6 +24,7 @@ pub fn table(found: &Certificate) -> String {
     }
     let (all, tested) = (found.limits.len(), found.limits.len() - untested);
     out += &match found.overall {
+        Overall::Pass if all == 1 => "PASS: the one limit is kept".to_owned(),
         Overall::Pass => format!("PASS: all {all} limits are kept"),
         Overall::Fail if untested == 0 => format!("FAIL: {failed} of {all} limits are not kept"),
         Overall::Fail => {

@@ -410,6 +410,11 @@ pub(crate) mod sign {
 
 /// Numbers of `checks/unit_magnitude.rs`.
 pub(crate) mod unit_magnitude {
+    /// Current, A, from which mA were likely read as A. Valves of dampers take up to 3 A, coils of magneto-rheological ones up to 10 A.
+    ///
+    /// Test: `milliamperes_that_are_called_amperes_are_refused`.
+    pub(crate) const MOST_CURRENT: f64 = 30.0;
+
     /// Damping of the fastest test, N s/m, below which a force is likely written in kN.
     ///
     /// A damper of 20 N at 1 m/s has 20, one of a passenger car in kN some units.

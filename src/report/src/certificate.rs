@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn the_verdict_stands_first_and_in_the_language_asked_for() {
         let kept = "quantity,velocity_m_s,low,high\nforce,0.31,880,930\n";
-        assert!(page_of(kept, Language::English).contains("PASS. The damper keeps all 1 limits."));
+        assert!(page_of(kept, Language::English).contains("PASS. The damper keeps all limits (1)."));
         let missed = kept.replace("930", "890");
         let german = page_of(&missed, Language::German);
         assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));

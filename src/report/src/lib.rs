@@ -179,7 +179,9 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     let first = sections.len() + family.as_ref().map_or(0, Vec::len);
     sections.extend(family.into_iter().flatten());
     if let Some(svg) = peaks::force_at_peak(validation, &input.curve, words) {
-        let figure = Figure::new("force-at-peak", svg).saying(words.fv_caption);
+        // A family has a line for each setting, in its own figure.
+        let caption = if input.family.is_some() { words.fv_caption_by_setting } else { words.fv_caption };
+        let figure = Figure::new("force-at-peak", svg).saying(caption);
         sections.push(Section::new("peaks", words.fv_section, vec![Block::Wide(figure)]));
     }
     sections.extend(limits.map(Section::beyond));

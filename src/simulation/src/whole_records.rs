@@ -8,12 +8,13 @@
 use crate::prediction::predict;
 use crate::warm_starts::WarmStarts;
 use dashpot_core::Params;
+use dashpot_identification::family::FamilyFit;
 use dashpot_identification::model_file::{NoModel, prepared};
 use dashpot_identification::validation::{Compared, Deviation, ValidationError, validate};
 use dashpot_identification::{Fit, Measured, to_measurement_error};
-use dashpot_records::Record;
 use dashpot_records::measurement_correction::correct_record;
 use dashpot_records::smoothing::smooth;
+use dashpot_records::{Record, is_same_setting};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -70,10 +71,59 @@ pub struct Quality {
 /// # Errors
 /// As [`deviation`].
 pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
+    let (model, fv_only) = (of_fit(fit, records)?, without(&fit.measured, &fit.fv_only, records)?);
+    Ok(Quality { model, fv_only, noise_n: mean_noise(records) })
+}
+
+/// Mean magnitude of the noise of records, N; zero where it is not known.
+fn mean_noise(records: &[&Record]) -> f64 {
     let known: Vec<f64> = records.iter().map(|record| record.noise.force_rms).filter(|rms| *rms > 0.0).collect();
-    // The mean magnitude of normally distributed noise is √(2/π) of its root mean square.
-    let noise_n = known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt();
-    Ok(Quality { model: of_fit(fit, records)?, fv_only: without(&fit.measured, &fit.fv_only, records)?, noise_n })
+    // That of normally distributed noise is √(2/π) of its root mean square.
+    known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt()
+}
+
+/// How good a family is over the tests of constant settings that it was made of, each at its own.
+///
+/// # Errors
+/// As [`deviation`].
+pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
+    let off = to_measurement_error(&fit.measured);
+    let mut all: Vec<(Record, [Vec<f64>; 2])> = Vec::new();
+    for (setting, fv_only) in fit.settings_grid().iter().zip(&fit.fv_only) {
+        let is_of_setting =
+            |record: &Record| record.setting.as_ref().is_some_and(|of| is_same_setting(of.value, *setting));
+        let own: Vec<Record> = records
+            .iter()
+            .filter(|record| is_of_setting(record) && fit.fingerprints.contains(&record.fingerprint()))
+            .map(|record| correct_record(record, &off))
+            .collect();
+        let warm = WarmStarts::new(&own.iter().collect::<Vec<_>>());
+        let params = fit.damper.params_at(*setting);
+        let (damper, curve) = ((&params, prepared(&params)?), (fv_only, prepared(fv_only)?));
+        let found: Vec<(Record, [Vec<f64>; 2])> = own
+            .into_par_iter()
+            .enumerate()
+            .map(|(k, record)| {
+                let smoothed = smooth(&record);
+                let forces =
+                    [&damper, &curve].map(|(params, model)| predict(model, &record, &smoothed, warm.rise(params, k)));
+                (record, forces)
+            })
+            .collect();
+        all.extend(found);
+    }
+    let compared: Vec<Compared> = all
+        .iter()
+        .map(|(record, [model, fv_only])| Compared {
+            record,
+            model: model.clone(),
+            fv_only: fv_only.clone(),
+            used_in_fit: true,
+        })
+        .collect();
+    let errors = validate(&compared)?.overall.errors;
+    let own: Vec<&Record> = all.iter().map(|(record, _)| record).collect();
+    Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&own) })
 }
 
 /// Over the records without what the measurement was found to be off by.

@@ -275,6 +275,7 @@ pub fn is_shown_first(note: &Note) -> bool {
         "torn",
         "sign_unsure",
         "settings",
+        "setting_name",
         "changing_setting",
         "setting_over_time",
         "cut_off",

@@ -4,10 +4,11 @@ use super::data::{DataArgs, name_of};
 use super::record_notes::print_record_notes;
 use super::validate::{compare_family, settings_table};
 use crate::page::TextArgs;
+use crate::plural::count_tests;
 use crate::progress::Progress;
 use dashpot_identification::family::{
-    ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFigures, FamilyFit, SettingAxis, SettingDependence,
-    SettingError, SettingReport, fit_family, model_file,
+    ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFigures, FamilyFit, FamilyItem, ForceAtSetting, SettingAxis,
+    SettingDependence, SettingError, SettingReport, fit_family, model_file,
 };
 use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
@@ -15,8 +16,8 @@ use dashpot_identification::{Estimate, FitOptions, Standing, describe_item};
 use dashpot_records::{Campaign, Record, setting_in_words};
 use dashpot_report::numbers::{with_interval, with_unit};
 use dashpot_report::words::TERMINAL;
-use dashpot_report::{FamilyReport, Print, ReportInput};
-use dashpot_simulation::comparison;
+use dashpot_report::{FamilyReport, Print, ReportInput, quality};
+use dashpot_simulation::{comparison, whole_records};
 use std::path::Path;
 
 /// Where the results go.
@@ -51,7 +52,11 @@ pub fn run(
     for note in &found.notes {
         say(&format!("note: {note}"))?;
     }
-    say(&format!("{} tests fitted; model in {}", found.tests.len(), name_of(output)))?;
+    say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
+    say(&quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL))?;
+    if let Some(text) = format_interpolation(&found) {
+        say(&text)?;
+    }
     if let Some(path) = json {
         dashpot_output::json(path, &FamilyFigures::new(&found, campaign, Some(output)))?;
     }
@@ -110,7 +115,8 @@ fn write_report(
 /// The family as text.
 fn format_family(found: &FamilyFit) -> Vec<String> {
     let axis = &found.setting;
-    let mut out: Vec<String> = found.inventory.iter().map(|item| format!("  {}", describe_item(item))).collect();
+    let mut out: Vec<String> =
+        found.inventory.iter().map(|of| format!("  {}{}", describe_item(&of.item), format_forces(of, axis))).collect();
     let listed = |varies: bool| {
         let own = found.dependences.iter().filter(|of| of.varies == varies);
         let one = |of: &SettingDependence| format!("{} ({:.2})", of.name, of.probability);
@@ -132,6 +138,12 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     out
 }
 
+/// The force of an effect at each setting.
+fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
+    let at = |of: &ForceAtSetting| format!("{}: {:.1} N", setting_in_words(of.setting, &axis.unit), of.force_n_rms);
+    format!(" ({})", of.settings.iter().map(at).collect::<Vec<_>>().join(", "))
+}
+
 /// The actuator.
 fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     let part = |of: &ActuatorDecision| {
@@ -141,7 +153,7 @@ fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     let parts: Vec<String> = fit.parts.iter().map(part).collect();
     let mut out = vec![format!(
         "actuator from {} (probability that the valve has it): {}",
-        crate::plural::count_tests(fit.tests.len()),
+        count_tests(fit.tests.len()),
         parts.join(", ")
     )];
     out.extend(fit.estimates.iter().map(|e| format_estimate(e.name, e)));
@@ -160,6 +172,24 @@ fn format_estimate(name: &str, e: &Estimate) -> String {
         }
         _ => format!("  {name:<38} {:>16}", with_unit(e.value, e.unit)),
     }
+}
+
+/// Ratio to the error of its own fit up to which an interpolated setting is as good as one of the grid.
+const AS_GOOD: f64 = 1.3;
+
+/// How good the family is between its settings, by the worst of those that were left out; `None` where none was.
+fn format_interpolation(found: &FamilyFit) -> Option<String> {
+    let left_out = found.settings.iter().filter_map(|of| Some((of, of.left_out?, of.left_out_ratio?)));
+    let (of, error, ratio) = left_out.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let at = setting_in_words(of.setting, &found.setting.unit);
+    let text = format!(
+        "between settings: a family that did not see {at} misses there by {:.2} N ({:.2} %), {ratio:.2} times as much as a fit of {at} alone",
+        error.mean_error_n, error.error_percent
+    );
+    Some(match ratio > AS_GOOD {
+        true => format!("{text}; records between {at} and its neighbors would help most"),
+        false => text,
+    })
 }
 
 /// The errors at each setting.

@@ -1,6 +1,7 @@
 //! The setting of the damper along a motion: that of the motion's file, or of `dashpot simulate --setting`.
 
 use super::data::name_of;
+use crate::quantity::{SettingText, seconds};
 use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_identification::setting_units::is_of_axis;
@@ -8,9 +9,9 @@ use dashpot_records::{Channel, MotionSetting, SettingSource};
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use std::path::Path;
 
-/// Settings over time, as the option gives them.
+/// Settings over time, as the option gives them: from when on, s, and what.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Schedule(Vec<(f64, f64)>);
+pub struct Schedule(Vec<(f64, SettingText)>);
 
 impl Schedule {
     /// Reads a number, or times and numbers.
@@ -18,17 +19,16 @@ impl Schedule {
     /// # Errors
     /// A sentence where the text is neither, or the times do not increase.
     pub fn parse(text: &str) -> Result<Schedule, String> {
-        let number = |text: &str| {
-            let value = text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
-            value.ok_or_else(|| format!("{text:?} is no number; give one, or times and numbers such as 0:0.4,1.5:1.2"))
+        let setting = |text: &str| {
+            text.parse::<SettingText>().map_err(|why| format!("{why}, or times and settings such as 0:0.4,1.5:1.2"))
         };
         if !text.contains(':') {
-            return Ok(Schedule(vec![(f64::NEG_INFINITY, number(text)?)]));
+            return Ok(Schedule(vec![(f64::NEG_INFINITY, setting(text)?)]));
         }
         let mut all = Vec::new();
         for part in text.split(',') {
             let (time, value) = part.split_once(':').ok_or_else(|| format!("{part:?} has no time, as in 1.5:1.2"))?;
-            all.push((number(time)?, number(value)?));
+            all.push((seconds(time)?, setting(value)?));
         }
         if all.windows(2).any(|pair| pair[1].0 <= pair[0].0) {
             return Err("the times must increase".to_owned());
@@ -36,25 +36,28 @@ impl Schedule {
         Ok(Schedule(all))
     }
 
-    /// The setting at a time; `start` before the first time.
-    fn value_at(&self, time: f64, start: f64) -> f64 {
-        self.0.iter().rev().find(|(from, _)| *from <= time).map_or(start, |(_, value)| *value)
+    /// The settings in the unit of a damper's setting.
+    fn values(&self, axis: &Axis) -> anyhow::Result<Vec<(f64, f64)>> {
+        self.0.iter().map(|(from, setting)| Ok((*from, setting.in_unit_of(axis)?))).collect()
     }
+}
 
-    /// A note where a setting lies outside the grid.
-    fn outside(&self, (low, high): (f64, f64)) -> Option<String> {
-        let (_, value) = self.0.iter().find(|(_, value)| *value < low || *value > high)?;
-        Some(format!(
-            "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them"
-        ))
-    }
+/// The setting at a time of a schedule; `start` before its first time.
+fn value_at(schedule: &[(f64, f64)], time: f64, start: f64) -> f64 {
+    schedule.iter().rev().find(|(from, _)| *from <= time).map_or(start, |(_, value)| *value)
+}
+
+/// A note where a setting of a schedule lies outside the grid.
+fn schedule_outside(schedule: &[(f64, f64)], (low, high): (f64, f64)) -> Option<String> {
+    let (_, value) = schedule.iter().find(|(_, value)| *value < low || *value > high)?;
+    Some(format!("the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them"))
 }
 
 /// Where the setting of each step comes from.
 #[derive(Debug, Clone, PartialEq)]
-enum Source<'a> {
+enum Source {
     /// The option, and the start setting of the model file, which holds before its first time.
-    Schedule(&'a Schedule, f64),
+    Schedule(Vec<(f64, f64)>, f64),
     /// The file of the motion.
     Motion,
     /// The start setting of the model file.
@@ -63,13 +66,13 @@ enum Source<'a> {
 
 /// The commands of a run, and what the user must know of them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Commands<'a> {
-    source: Source<'a>,
+pub struct Commands {
+    source: Source,
     /// Notes.
     pub notes: Vec<String>,
 }
 
-impl<'a> Commands<'a> {
+impl Commands {
     /// Chooses between the option and the motion's own setting.
     ///
     /// # Errors
@@ -77,8 +80,8 @@ impl<'a> Commands<'a> {
     pub fn choose(
         (model, axis): (&Path, &Axis),
         (motion, own): (&Path, Option<&MotionSetting>),
-        given: Option<&'a Schedule>,
-    ) -> anyhow::Result<Commands<'a>> {
+        given: Option<&Schedule>,
+    ) -> anyhow::Result<Commands> {
         // A column that the user named is the setting, whatever its heading calls it.
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
@@ -120,13 +123,14 @@ impl<'a> Commands<'a> {
                 )),
                 None => {}
             }
-            notes.extend(schedule.outside(axis.range()));
-            return Ok(Commands { source: Source::Schedule(schedule, axis.start()), notes });
+            let values = schedule.values(axis)?;
+            notes.extend(schedule_outside(&values, axis.range()));
+            return Ok(Commands { source: Source::Schedule(values, axis.start()), notes });
         }
         let Some(of) = own else {
             notes.push(format!(
                 "the damper is at the start setting of {}, {}; no setting was found in the motion's columns or read from its name. \
-                 Give --setting, such as --setting 0.8 or --setting 0:0.4,1.5:1.2, or name its column with --column setting=HEADING",
+                 Give --setting, such as --setting 0.8 or --setting 0:0.4,1.5:1.2, or name its column with --column setting=HEADING. A column of currents without a unit is not read: --unit current=A",
                 model.display(),
                 axis.start()
             ));
@@ -149,12 +153,12 @@ impl<'a> Commands<'a> {
 
     /// The command in the step of a motion that ends at a sample.
     pub fn command(&self, motion: &ImposedMotion, sample: usize) -> f64 {
-        match self.source {
+        match &self.source {
             Source::Schedule(schedule, start) => {
-                schedule.value_at(motion.time.get(sample).copied().unwrap_or(0.0), start)
+                value_at(schedule, motion.time.get(sample).copied().unwrap_or(0.0), *start)
             }
             Source::Motion => motion.command(sample).unwrap_or(0.0),
-            Source::Start(start) => start,
+            Source::Start(start) => *start,
         }
     }
 }
@@ -193,6 +197,18 @@ fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_schedule_may_bear_units() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 1.6]).unwrap();
+        axis.set_unit("A").unwrap();
+        let values = |text: &str| Schedule::parse(text).unwrap().values(&axis);
+        assert_eq!(values("400mA").unwrap(), [(f64::NEG_INFINITY, 0.4)]);
+        assert_eq!(values("0:400mA, 500ms:1.2A,1.5:0").unwrap(), [(0.0, 0.4), (0.5, 1.2), (1.5, 0.0)]);
+        assert!(values("3bar").unwrap_err().to_string().contains("counted in A"));
+        assert!(Schedule::parse("1:0,0:1").is_err() && Schedule::parse("0:0.4,1.2").is_err());
+    }
 
     #[test]
     fn a_whole_number_in_a_name_is_a_current_where_the_model_reaches_it() {

@@ -216,6 +216,22 @@ fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2]
     [(first + right - 1, 1.0 - part), (first + right, part)]
 }
 
+/// Derivatives that are wanted of the forces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    /// None.
+    Forces,
+    /// Over the errors of the force at each setting and direction.
+    Levels,
+    /// Over the errors between two neighbors of the grid.
+    Gaps,
+}
+
+/// Form of an error of interpolation: nought at both neighbors and 1 midway.
+fn bump([(_, left), (_, right)]: [(usize, f64); 2]) -> f64 {
+    4.0 * left * right
+}
+
 impl<'a> ActuatorProblem<'a> {
     /// The problem of an actuator of a form.
     pub fn new(context: &'a ActuatorContext<'a>, form: ActuatorForm) -> ActuatorProblem<'a> {
@@ -227,21 +243,18 @@ impl<'a> ActuatorProblem<'a> {
         self.context.definition.axis.grid()
     }
 
-    /// Forces at the scored samples of the test of a block, and their derivatives over the levels where they are wanted.
+    /// Forces at the scored samples of the test of a block, and the derivatives that are wanted of them.
     ///
     /// The command comes `later` than counted, in samples.
-    fn forces(
-        &self,
-        block: usize,
-        family: &Family,
-        x: &[f64],
-        with_levels: bool,
-        later: f64,
-    ) -> (Vec<f64>, DMatrix<f64>) {
+    fn forces(&self, block: usize, family: &Family, x: &[f64], wanted: Wanted, later: f64) -> (Vec<f64>, DMatrix<f64>) {
         let test = &self.context.tests[block];
         let (grid, levels) = (self.grid(), &x[self.numbers.len()..]);
         let later = later * self.context.sample_times.get(block).copied().unwrap_or(0.0);
-        let count = if with_levels { levels.len() } else { 0 };
+        let count = match wanted {
+            Wanted::Forces => 0,
+            Wanted::Levels => levels.len(),
+            Wanted::Gaps => grid.len() - 1,
+        };
         let found = RefCell::new((DMatrix::zeros(0, 0), 1));
         let along = |segment: &crate::segment::Segment| {
             let moved = segment.setting.as_ref().filter(|_| later != 0.0).map(|all| shifted(&segment.dt, all, later));
@@ -249,12 +262,14 @@ impl<'a> ActuatorProblem<'a> {
             let (mut forces, settings) = run_commanded(family, segment, commands);
             let mut columns = DMatrix::zeros(forces.len(), count);
             for (i, (force, setting)) in forces.iter_mut().zip(&settings).enumerate() {
-                let mut gain = 1.0;
-                for (level, weight) in level_weights(grid, *setting, segment.input[i].velocity) {
-                    gain += weight * levels[level];
-                    if with_levels {
-                        columns[(i, level)] += weight * *force;
+                let weights = level_weights(grid, *setting, segment.input[i].velocity);
+                let gain = 1.0 + weights.iter().map(|(level, weight)| weight * levels[*level]).sum::<f64>();
+                match wanted {
+                    Wanted::Forces => {}
+                    Wanted::Levels => {
+                        weights.iter().for_each(|(level, weight)| columns[(i, *level)] += weight * *force);
                     }
+                    Wanted::Gaps => columns[(i, weights[0].0 % grid.len())] = bump(weights) * *force,
                 }
                 *force *= gain;
             }
@@ -263,7 +278,7 @@ impl<'a> ActuatorProblem<'a> {
         };
         let forces = self.context.rig.measured_forces(test, None, self.context.rig_theta, &along);
         let (columns, length) = found.into_inner();
-        if !with_levels {
+        if wanted == Wanted::Forces {
             return (forces, columns);
         }
         // A filtered force channel takes several steps a sample.
@@ -335,13 +350,30 @@ impl ActuatorProblem<'_> {
         let family = family_with(self.context.definition, &self.numbers, x)?;
         let of_test = |block: usize| {
             let at = |later: f64| {
-                let forces = self.forces(block, &family, x, false, later).0;
+                let forces = self.forces(block, &family, x, Wanted::Forces, later).0;
                 self.weighted(&self.context.tests[block], &forces)
             };
             let (early, late) = (at(-STEP)?, at(STEP)?);
             Some(early.iter().zip(&late).map(|(early, late)| (late - early) / (2.0 * STEP)).collect())
         };
         (0..self.context.tests.len()).map(of_test).collect()
+    }
+}
+
+impl ActuatorProblem<'_> {
+    /// Derivatives of the weighted residuals of each test over the error of the force midway between two neighbors of the grid, as a fraction of it:
+    /// one entry for each pair of neighbors.
+    pub fn gap_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<Vec<f64>>>> {
+        let family = family_with(self.context.definition, &self.numbers, x)?;
+        let of_test = |block: usize| {
+            let mut columns = self.forces(block, &family, x, Wanted::Gaps, 0.0).1;
+            let allowed = &self.context.tests[block].allowed;
+            columns.row_iter_mut().zip(allowed).for_each(|(mut row, allowed)| row /= *allowed);
+            columns
+        };
+        let all: Vec<DMatrix<f64>> = (0..self.context.tests.len()).map(of_test).collect();
+        let of_gap = |gap: usize| all.iter().map(|columns| columns.column(gap).iter().copied().collect()).collect();
+        Some((0..self.grid().len() - 1).map(of_gap).collect())
     }
 }
 
@@ -378,7 +410,7 @@ impl Residuals for ActuatorProblem<'_> {
     }
 
     fn residuals(&self, block: usize, at: &ActuatorPoint) -> Option<Vec<f64>> {
-        self.weighted(&self.context.tests[block], &self.forces(block, &at.family, &at.x, false, 0.0).0)
+        self.weighted(&self.context.tests[block], &self.forces(block, &at.family, &at.x, Wanted::Forces, 0.0).0)
     }
 
     fn jacobian(&self, block: usize, at: &ActuatorPoint) -> Option<(Vec<f64>, DMatrix<f64>)> {
@@ -392,10 +424,10 @@ impl Residuals for ActuatorProblem<'_> {
             };
             self.numbers.iter().enumerate().map(of).collect()
         });
-        let (forces, levels) = self.forces(block, &at.family, &at.x, true, 0.0);
+        let (forces, levels) = self.forces(block, &at.family, &at.x, Wanted::Levels, 0.0);
         let mut jacobian = DMatrix::zeros(forces.len(), at.x.len());
         for (column, (family, step)) in moved.as_ref()?.iter().enumerate() {
-            let (near, _) = self.forces(block, family, &at.x, false, 0.0);
+            let (near, _) = self.forces(block, family, &at.x, Wanted::Forces, 0.0);
             for (row, (near, force)) in near.iter().zip(&forces).enumerate() {
                 jacobian[(row, column)] = (near - force) / step / test.allowed[row];
             }

@@ -8,8 +8,9 @@ use crate::units::Units;
 use crate::words::Words;
 use dashpot_core::Model;
 use dashpot_core::parameter::Element;
-use dashpot_records::Record;
+use dashpot_identification::setting_units::is_of_axis;
 use dashpot_records::smoothing::Motion;
+use dashpot_records::{Record, setting_factor, setting_in_words};
 use dashpot_simulation::prediction::predict;
 use egui_plot::PlotPoint;
 use std::collections::BTreeSet;
@@ -160,11 +161,19 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
 /// A test whose setting changes must not look like one that the model follows where it stands at one setting.
 fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
     let Some(dampers) = session.dampers() else { return String::new() };
-    let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
+    let axis = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0));
+    let unit = axis.map_or("", |axis| axis.unit());
     match dampers.of_test(record) {
         TestDamper::AtSetting(value) => format!(" ({})", format!("{} {unit}", words.typed(value)).trim_end()),
         TestDamper::Shown if record.setting_signal.is_some() => format!(" ({})", words.setting_changes),
-        _ => String::new(),
+        TestDamper::Shown => match (&record.setting, axis) {
+            (Some(of), Some(axis)) if !is_of_axis(axis, &of.name) || setting_factor(&of.unit, unit).is_none() => {
+                let own = setting_in_words(of.value, &of.unit);
+                format!(" ({})", words.setting_of_another.replace("{setting}", &own))
+            }
+            _ => String::new(),
+        },
+        TestDamper::Changing => String::new(),
     }
 }
 

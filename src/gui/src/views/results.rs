@@ -151,7 +151,8 @@ fn family_fit(ui: &mut Ui, found: &FamilyFit, language: Language) {
         let line = format!("{}{}{figures}", translate_name(of.name, said), said.colon);
         ui.add(egui::Label::new(RichText::new(line).small()).wrap()).on_hover_text(of.name);
     }
-    inventory(ui, &found.inventory, false, language);
+    let items: Vec<InventoryItem> = found.inventory.iter().map(|of| of.item.clone()).collect();
+    inventory(ui, &items, false, language);
     for FamilyEstimate { setting, estimate: e } in found.estimates.iter().filter(|e| e.estimate.index.is_none()) {
         let (Some(low), Some(high)) = (e.low, e.high) else { continue };
         let (value, interval) = with_interval(e.value, low, high, e.unit, said);

@@ -104,6 +104,7 @@ pub const WORDS: Words = Words {
     own_settings_hint: "注明设置的试验与该设置下的减振器比较；滑块用于其余试验。关闭：所有试验均按滑块。",
     setting_tuned: "手动调整的数值属于此设置：先复位或撤销，再转到其他设置。",
     setting_changes: "设置在变化，模型取单一设置",
+    setting_of_another: "{setting} 是另一种量，模型取滑块处的设置",
     unsaved_model: "新模型",
     not_saved: "尚未保存",
     rejected: "已拒绝",

@@ -104,6 +104,7 @@ pub const WORDS: Words = Words {
     own_settings_hint: "Tests whose records state a setting are compared with the damper there; the slider holds for the others. Off: all tests at the slider.",
     setting_tuned: "Values that were tuned belong to this setting: reset or undo them to go to another.",
     setting_changes: "the setting changes, the model is at one",
+    setting_of_another: "{setting} is another quantity, the model is at the slider",
     unsaved_model: "New model",
     not_saved: "Not saved yet",
     rejected: "Refused",

@@ -104,6 +104,7 @@ pub const WORDS: Words = Words {
     own_settings_hint: "Les essais qui indiquent un réglage sont comparés à l’amortisseur à ce réglage ; le curseur vaut pour les autres. Désactivé : tous les essais au réglage du curseur.",
     setting_tuned: "Les valeurs réglées à la main appartiennent à ce réglage : annulez-les ou revenez au départ pour en changer.",
     setting_changes: "le réglage varie, le modèle est à un seul",
+    setting_of_another: "{setting} est une autre grandeur, le modèle est au curseur",
     unsaved_model: "Nouveau modèle",
     not_saved: "Pas encore enregistré",
     rejected: "Refusé",

@@ -104,6 +104,7 @@ pub const WORDS: Words = Words {
     own_settings_hint: "Versuche mit eigener Einstellung werden mit dem Dämpfer dort verglichen; der Schieber gilt für die übrigen. Aus: alle Versuche beim Schieber.",
     setting_tuned: "Von Hand geänderte Werte gehören zu dieser Einstellung: erst zurücksetzen oder rückgängig machen.",
     setting_changes: "die Einstellung ändert sich, das Modell steht bei einer",
+    setting_of_another: "{setting} ist eine andere Größe, das Modell steht beim Schieber",
     unsaved_model: "Neues Modell",
     not_saved: "Noch nicht gespeichert",
     rejected: "Abgelehnt",

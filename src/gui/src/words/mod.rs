@@ -189,6 +189,8 @@ pub struct Words {
     pub setting_tuned: &'static str,
     /// Behind the name of a test whose setting changes.
     pub setting_changes: &'static str,
+    /// Behind the name of a test whose setting is none of the model.
+    pub setting_of_another: &'static str,
     pub unsaved_model: &'static str,
     pub not_saved: &'static str,
     pub rejected: &'static str,

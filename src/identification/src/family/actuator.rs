@@ -1,6 +1,7 @@
 //! The actuator of a family, identified from tests whose setting changes.
 
 use super::TEMPERATURE;
+use super::interpolation_error::InterpolationError;
 use super::left_out::SettingReport;
 use crate::intervals::{Estimate, Standing, Z};
 use crate::phrases;
@@ -77,7 +78,10 @@ pub fn identify_actuator(
     let rig_theta = family.hypothesis.theta_at(&family.refit.theta, 0);
     let context =
         ActuatorContext { definition: damper, rig, rig_theta: &rig_theta, tests: &tests, sample_times: &sample_times };
-    let ActuatorSearch { best, parts, timing } = search_actuator(&context, progress)?;
+    let interpolation = interpolation_errors(damper, reports);
+    let ActuatorSearch { best, parts, timing, gaps } = search_actuator(&context, progress)?;
+    let considered: Vec<(f64, Vec<Vec<f64>>)> =
+        std::iter::once((SPREAD, timing)).chain(interpolation.into_iter().zip(gaps)).collect();
     let axis = axis_with(&damper.axis, &best.numbers, &best.theta)?;
     damper.axis = axis;
     let decision = |of: &dashpot_estimation::family::actuator_search::ActuatorPart| ActuatorDecision {
@@ -86,10 +90,26 @@ pub fn identify_actuator(
         probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
     };
     Some(ActuatorFit {
-        estimates: estimates(&best, &timing, damper, ways_of(records)),
+        estimates: estimates(&best, &considered, damper, ways_of(records)),
         parts: parts.iter().map(decision).collect(),
         tests: records.iter().map(|record| record.name.clone()).collect(),
     })
+}
+
+/// Standard deviation of the error of the force midway between neighbors of the grid, as a fraction of it, for each pair.
+///
+/// It is what the [left-out settings](SettingReport::left_out) show beyond the error that the family has there anyway. A valve on its way passes
+/// these settings, so a wrong force there is a wrong time.
+fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f64> {
+    let errors = InterpolationError::new(damper);
+    let difference = |place: usize| {
+        let report = reports.get(place)?;
+        let squared = report.left_out?.error_percent.powi(2) - report.family.error_percent.powi(2);
+        Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
+    };
+    let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), difference);
+    // With two settings nothing can be left out.
+    damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 
 /// Whether the setting rises in a record, and whether it falls.
@@ -100,22 +120,27 @@ fn ways_of(records: &[&Record]) -> [bool; 2] {
     [has(|pair| pair[1] > pair[0]), has(|pair| pair[1] < pair[0])]
 }
 
-/// The numbers with their intervals. What holds for a way that the setting never goes is not identified, though both may share it.
+/// The numbers with their intervals, which hold what is `considered` beside them: its standard deviation, and the derivatives of the residuals over it.
+///
+/// What holds for a way that the setting never goes is not identified, though both may share it.
 fn estimates(
     refit: &ActuatorRefit,
-    timing: &[Vec<f64>],
+    considered: &[(f64, Vec<Vec<f64>>)],
     damper: &Definition,
     [rises, falls]: [bool; 2],
 ) -> Vec<Estimate> {
     let precisions = refit.precisions();
     let Some((covariance, _)) = robust_covariance(&refit.blocks, &precisions) else { return Vec::new() };
-    let shift = considered_shift(&refit.blocks, &precisions, timing);
-    // The instant of the command is off by the same time at all steps.
-    let of_timing = |place: usize| shift.as_ref().map_or(0.0, |shift| SPREAD * shift[place]);
+    // Each is off by the same at all steps: the instant of the command, and the force between two settings.
+    let shifts: Vec<_> = considered
+        .iter()
+        .filter_map(|(spread, columns)| Some((spread, considered_shift(&refit.blocks, &precisions, columns)?)))
+        .collect();
     let unit = damper.axis.unit();
     let mut all = Vec::new();
     for (place, number) in refit.numbers.iter().enumerate() {
-        let deviation = libm::hypot(covariance[(place, place)].max(0.0).sqrt(), of_timing(place));
+        let of_considered: f64 = shifts.iter().map(|(spread, shift)| (*spread * shift[place]).powi(2)).sum();
+        let deviation = (covariance[(place, place)].max(0.0) + of_considered).sqrt();
         let (low, high) = number.bounds;
         let at = |z: f64| number.value(dashpot_records::restrict(refit.theta[place] + z * deviation, low, high));
         let is_at_bound = refit.theta[place] <= low || refit.theta[place] >= high;

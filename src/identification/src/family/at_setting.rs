@@ -1,20 +1,29 @@
 //! A family at one of its settings: an ordinary damper that keeps what the fit knows of it there.
 
+use super::interpolation_error::InterpolationError;
 use crate::model_file::{FvOnly, FvOnlyAt, Interval, IntervalOverSetting, ModelFile};
+use crate::phrases;
 use dashpot_core::Params;
 use dashpot_core::family::Axis;
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::list;
 use dashpot_core::parameter::Number;
+use dashpot_records::sentence::Sentence;
 
-/// The ordinary damper at a setting, with the 95 % intervals there. Between two settings of the fit the ends lie as far from the value as those of
-/// the two, in proportion.
+/// The ordinary damper at a setting, with the 95 % intervals there.
+///
+/// Between two settings of the fit the ends lie as far from the value as those of the two, in proportion, and the
+/// [error of interpolation](InterpolationError) is added to them as an independent one. Where that is unknown there is no interval, and a note says so.
 pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     let params = file.definition().params_at(setting);
     let mut identification = file.identification.clone();
     let place = Place::new(file.axis.grid(), setting);
+    let error = InterpolationError::new(&file.definition());
+    let mut without = Vec::new();
     for (name, over) in std::mem::take(&mut identification.intervals_over_setting) {
-        if let Some(interval) = place.interval(&name, &over, &file.axis, &params) {
+        if error.of_value(setting, |_| 0.0).is_none() {
+            without.push(name);
+        } else if let Some(interval) = place.interval(&name, &over, (&file.axis, &params), &error) {
             identification.intervals.insert(name, interval);
         }
     }
@@ -37,12 +46,18 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     }
     identification.not_identified = open;
     identification.notes.retain(|note| place.is_of(note, &file.axis));
+    if !without.is_empty() {
+        let names = without.iter().map(String::as_str);
+        let said = Sentence::from(phrases::NO_INTERVAL_BETWEEN).with_names("names", names, phrases::COMMA);
+        identification.notes.push(said.to_string());
+    }
     let (specified, edited) = (file.specified.clone(), file.edited.clone());
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }
 }
 
 /// Where a setting lies on a grid.
 struct Place {
+    setting: f64,
     left: usize,
     right: usize,
     /// How far from the one to the other, 0..=1.
@@ -57,7 +72,7 @@ impl Place {
         let width = grid.get(right).zip(grid.get(left)).map_or(0.0, |(right, left)| right - left);
         // Beyond the grid the damper is that of its end.
         let part = if width > 0.0 { ((setting - grid[left]) / width).clamp(0.0, 1.0) } else { 0.0 };
-        Place { left, right, part }
+        Place { setting, left, right, part }
     }
 
     fn neighbors(&self, grid: &[f64]) -> Vec<f64> {
@@ -86,34 +101,45 @@ impl Place {
     }
 
     /// The interval of a number or a list at the setting; `None` where the file has another grid for it than for its values.
-    fn interval(&self, name: &str, over: &IntervalOverSetting, axis: &Axis, at: &Params) -> Option<Interval> {
+    fn interval(
+        &self,
+        name: &str,
+        over: &IntervalOverSetting,
+        (axis, at): (&Axis, &Params),
+        error: &InterpolationError,
+    ) -> Option<Interval> {
         match over {
             IntervalOverSetting::Number(ends) => {
                 let number = Number::find(name).ok()?;
                 let values = axis.values(number)?;
                 let both = [self.left, self.right].map(|place| Some((*values.get(place)?, *ends.get(place)?)));
                 // A number that was changed since the fit has no interval.
-                let ends = self.between(at.number(number), both).filter(|ends| ends.iter().all(|end| !end.is_nan()))?;
-                Some(Interval::Number(ends))
+                let error = error.of_value(self.setting, |params| params.number(number))?;
+                let ends = self.between(at.number(number), both, error)?;
+                ends.iter().all(|end| !end.is_nan()).then(|| Interval::Number(ends.map(|end| number.inside(end))))
             }
             IntervalOverSetting::List(ends) => {
                 let now = at.list(list!("fv_force"));
                 let points = (0..now.len()).map(|point| {
                     let both = [self.left, self.right]
                         .map(|place| Some((*axis.forces(place)?.get(point)?, *ends.get(place)?.get(point)?)));
-                    self.between(now[point], both)
+                    let force =
+                        |params: &Params| params.list(list!("fv_force")).get(point).copied().unwrap_or(f64::NAN);
+                    self.between(now[point], both, error.of_value(self.setting, force)?)
                 });
                 Some(Interval::List(points.collect::<Option<_>>()?))
             }
         }
     }
 
-    /// Ends about a value by those of the two neighbors about theirs.
-    fn between(&self, value: f64, both: [Option<(f64, [f64; 2])>; 2]) -> Option<[f64; 2]> {
+    /// Ends about a value by those of the two neighbors about theirs, and by the error of interpolation.
+    fn between(&self, value: f64, both: [Option<(f64, [f64; 2])>; 2], error: f64) -> Option<[f64; 2]> {
         let [(left, ends_left), (right, ends_right)] = [both[0]?, both[1]?];
         Some([0, 1].map(|end| {
             let (from, to) = (ends_left[end] - left, ends_right[end] - right);
-            value + from + self.part * (to - from)
+            let mean = from + self.part * (to - from);
+            let further = libm::hypot(mean, error) - mean.abs();
+            value + mean + if end == 0 { -further } else { further }
         }))
     }
 }
@@ -124,12 +150,13 @@ mod tests {
     use crate::model_file::family_of_text;
     use dashpot_core::number;
 
-    const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0]\n\
-         setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 100.0\ncoulomb_force = [20.0, 60.0]\n\
-         fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n\n[identification]\n\
+    /// What depends on the setting is straight over it, so that interpolation is off by nothing.
+    const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0, 2.0]\n\
+         setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 100.0\ncoulomb_force = [20.0, 60.0, 100.0]\n\
+         fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0], [-4000.0, 0.0, 6000.0]]\n\n[identification]\n\
          not_identified = [\"coulomb_force@1\"]\n\n[identification.intervals]\ngas_force = [90.0, 110.0]\n\n\
-         [identification.intervals_over_setting]\ncoulomb_force = [\n    [15.0, 25.0],\n    [40.0, 80.0],\n]\n\
-         fv_force = [\n    [[-810.0, -790.0], [0.0, 0.0], [1190.0, 1210.0]],\n    [[-2430.0, -2370.0], [0.0, 0.0], [3580.0, 3620.0]],\n]\n";
+         [identification.intervals_over_setting]\ncoulomb_force = [\n    [15.0, 25.0],\n    [40.0, 80.0],\n    [90.0, 110.0],\n]\n\
+         fv_force = [\n    [[-810.0, -790.0], [0.0, 0.0], [1190.0, 1210.0]],\n    [[-2430.0, -2370.0], [0.0, 0.0], [3580.0, 3620.0]],\n    [[-4040.0, -3960.0], [0.0, 0.0], [5960.0, 6040.0]],\n]\n";
 
     fn at(setting: f64) -> ModelFile {
         at_setting(&family_of_text(FAMILY, "f.toml".as_ref()).unwrap(), setting)
@@ -157,7 +184,26 @@ mod tests {
         }
         assert!(!middle.axis.is_some() && !middle.was_changed());
         // Beyond the grid the damper is that of its end.
-        assert_eq!(number_of(&at(9.0), "coulomb_force"), [40.0, 80.0]);
+        assert_eq!(number_of(&at(9.0), "coulomb_force"), [90.0, 110.0]);
+    }
+
+    #[test]
+    fn the_error_of_interpolation_widens_an_interval_and_where_it_is_unknown_there_is_none() {
+        let bent = FAMILY.replace("[20.0, 60.0, 100.0]", "[20.0, 60.0, 140.0]");
+        let file = family_of_text(&bent, "f.toml".as_ref()).unwrap();
+        let middle = at_setting(&file, 0.5);
+        let [low, high] = number_of(&middle, "coulomb_force");
+        // The line through its neighbors has 80 N for 60 N, so that halfway to one of them three eighths of 20 N are open.
+        assert!(((high - low) / 2.0 - libm::hypot(12.5, 7.5)).abs() < 1e-9, "{low} {high}");
+        let two = FAMILY.replace(", 2.0]", "]").replace(", 100.0]", "]").replace(", [-4000.0, 0.0, 6000.0]", "");
+        let two = two.replace("    [90.0, 110.0],\n", "");
+        let two = two.replace("    [[-4040.0, -3960.0], [0.0, 0.0], [5960.0, 6040.0]],\n", "");
+        let middle = at_setting(&family_of_text(&two, "f.toml".as_ref()).unwrap(), 0.5);
+        assert!(!middle.identification.intervals.contains_key("coulomb_force"));
+        assert!(
+            middle.identification.notes.iter().any(|note| note.starts_with("coulomb_force, fv_force: no interval"))
+        );
+        assert_eq!(number_of(&middle, "gas_force"), [90.0, 110.0]);
     }
 
     #[test]

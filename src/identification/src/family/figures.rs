@@ -1,9 +1,9 @@
 //! The figures of a family's fit, as `dashpot fit --setting --json` writes them and Python reads them.
 
 use super::actuator::ActuatorFit;
-use super::fit::{FamilyEstimate, FamilyFit, SettingDependence};
+use super::fit::{FamilyEstimate, FamilyFit, FamilyItem, SettingDependence};
 use super::left_out::SettingReport;
-use crate::{InventoryItem, Measured};
+use crate::Measured;
 use dashpot_records::{Campaign, Sentence, SignFinding, Unusable};
 use serde::Serialize;
 use std::path::Path;
@@ -28,7 +28,7 @@ pub struct FamilyFigures<'a> {
     depends_on_setting: &'a [SettingDependence],
     #[serde(skip_serializing_if = "Option::is_none")]
     actuator: Option<&'a ActuatorFit>,
-    inventory: &'a [InventoryItem],
+    inventory: &'a [FamilyItem],
     measured: &'a [Measured],
     /// Errors at each value of the setting, also of the family without it.
     settings: &'a [SettingReport],

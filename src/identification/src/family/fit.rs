@@ -56,6 +56,28 @@ pub struct SettingDependence {
     pub probability: f64,
 }
 
+/// Force that an effect carries at one setting.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ForceAtSetting {
+    /// The setting.
+    pub setting: f64,
+    /// Root mean square over the tests there, N.
+    pub force_n_rms: f64,
+    /// That force over the root mean square of the measured one.
+    #[serde(rename = "share")]
+    pub fraction: f64,
+}
+
+/// An effect of a family.
+#[derive(Debug, Clone, Serialize)]
+pub struct FamilyItem {
+    /// The effect, with the force that it carries over all settings.
+    #[serde(flatten)]
+    pub item: InventoryItem,
+    /// The force at each setting.
+    pub settings: Vec<ForceAtSetting>,
+}
+
 /// An identified family.
 #[derive(Debug, Clone)]
 pub struct FamilyFit {
@@ -70,7 +92,7 @@ pub struct FamilyFit {
     /// The actuator; absent where no test has a setting that changes.
     pub actuator: Option<ActuatorFit>,
     /// Effects with the force that they carry over all settings.
-    pub inventory: Vec<InventoryItem>,
+    pub inventory: Vec<FamilyItem>,
     /// What the records are off by; it never becomes part of the model.
     pub measured: Vec<Measured>,
     /// When the clock by which gain and zero drift was nought, s since 1970.
@@ -261,8 +283,8 @@ fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<S
     named.collect()
 }
 
-/// The force that each effect carries over all settings. Its probability is that against the family without it.
-fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<InventoryItem> {
+/// The force that each effect carries, over all settings and at each. Its probability is that against the family without it.
+fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyItem> {
     let probabilities: BTreeMap<&str, f64> = best
         .components
         .iter()
@@ -273,7 +295,7 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Invent
             (component.effect, 1.0 / (1.0 + libm::exp(-rise / TEMPERATURE)))
         })
         .collect();
-    let mut all: Vec<InventoryItem> = Vec::new();
+    let mut all: Vec<FamilyItem> = Vec::new();
     let count = settings.len() as f64;
     for (place, of) in settings.iter().enumerate() {
         let template = best.hypothesis.template.clone();
@@ -281,24 +303,21 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Invent
         let structure = Structure::new(template, refit, best.components.clone(), &of.tests);
         let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
         for item in inventory(&structure, None, &of.tests, &probability) {
-            match all.iter_mut().find(|known| known.effect == item.effect) {
+            let here = ForceAtSetting { setting: of.value, force_n_rms: item.force_n_rms, fraction: item.fraction };
+            match all.iter_mut().find(|known| known.item.effect == item.effect) {
                 Some(known) => {
-                    known.force_n_rms += item.force_n_rms.powi(2) / count;
-                    known.fraction += item.fraction.powi(2) / count;
-                    known.test_forces_n.extend(item.test_forces_n);
+                    known.item.test_forces_n.extend(item.test_forces_n);
+                    known.settings.push(here);
                 }
-                None => all.push(InventoryItem {
-                    force_n_rms: item.force_n_rms.powi(2) / count,
-                    fraction: item.fraction.powi(2) / count,
-                    ..item
-                }),
+                None => all.push(FamilyItem { item, settings: vec![here] }),
             }
         }
     }
-    for item in &mut all {
-        (item.force_n_rms, item.fraction) = (item.force_n_rms.sqrt(), item.fraction.sqrt());
+    for FamilyItem { item, settings } in &mut all {
+        let rms = |of: fn(&ForceAtSetting) -> f64| (settings.iter().map(|s| of(s).powi(2)).sum::<f64>() / count).sqrt();
+        (item.force_n_rms, item.fraction) = (rms(|of| of.force_n_rms), rms(|of| of.fraction));
     }
-    all.sort_by(|a, b| b.force_n_rms.total_cmp(&a.force_n_rms));
+    all.sort_by(|a, b| b.item.force_n_rms.total_cmp(&a.item.force_n_rms));
     all
 }
 

@@ -6,6 +6,7 @@
 //! | [`actuator`] | the response of the valve, from tests whose setting changes |
 //! | [`at_setting()`] | the ordinary damper at a setting, with its intervals |
 //! | [`actuator_numbers()`] | the numbers of the valve that a model file has |
+//! | [`interpolation_error`] | how far a damper between two settings may be off |
 //! | [`FamilyFigures`] | the figures of a fit as JSON |
 //! | [`fit`] | the fit: structure, numbers, what depends on the setting |
 //! | [`left_out`] | how well a setting is predicted by the others |
@@ -16,6 +17,7 @@ mod actuator_numbers;
 mod at_setting;
 mod figures;
 mod fit;
+mod interpolation_error;
 mod left_out;
 pub mod model_file;
 mod selection;
@@ -25,7 +27,7 @@ pub use actuator::{ActuatorDecision, ActuatorFit};
 pub use actuator_numbers::{ActuatorNumber, actuator_numbers};
 pub use at_setting::at_setting;
 pub use figures::FamilyFigures;
-pub use fit::{FamilyEstimate, FamilyFit, SettingDependence, fit_family};
+pub use fit::{FamilyEstimate, FamilyFit, FamilyItem, ForceAtSetting, SettingDependence, fit_family};
 pub use left_out::{SettingError, SettingReport};
 pub use settings::{FamilyError, SettingAxis, SettingRecords};
 

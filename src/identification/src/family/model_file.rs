@@ -1,12 +1,12 @@
 //! The model file of a family: the kernel's flat part, then tables with what the fit knows.
 
 use super::fit::{FamilyEstimate, FamilyFit};
-use crate::Estimate;
 use crate::intervals::Standing;
 use crate::model_file::{
     Account, FvOnly, describe_parameter, flat_family, format_pair, format_points, write_account, write_interval,
     write_origins,
 };
+use crate::{Estimate, InventoryItem};
 use std::fmt::Write as _;
 
 /// Estimates of a parameter at a setting; at none for a shared one.
@@ -42,11 +42,12 @@ pub fn write(fit: &FamilyFit) -> String {
             setting.map_or(name.clone(), |setting| format!("{name}@{setting}"))
         })
         .collect();
+    let inventory: Vec<InventoryItem> = fit.inventory.iter().map(|of| of.item.clone()).collect();
     let account = Account {
         tests: &fit.tests,
         fingerprints: &fit.fingerprints,
         not_identified: &not_identified,
-        inventory: &fit.inventory,
+        inventory: &inventory,
         notes: &fit.notes,
         measured: &fit.measured,
         clock_from: fit.clock_from,

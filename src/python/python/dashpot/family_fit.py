@@ -19,6 +19,22 @@ class SettingAxis(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class ForceAtSetting(Result):
+    """Force that an effect carries at one setting, N rms, and its share of the measured force."""
+
+    setting: float
+    force_n_rms: float
+    share: float
+
+
+@dataclass(frozen=True, repr=False)
+class FamilyItem(InventoryItem):
+    """One effect of a family, with the force it carries over all settings and at each."""
+
+    settings: tuple[ForceAtSetting, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
 class FamilyEstimate(Estimate):
     """What a fit says of one number, with its 95 % interval."""
 
@@ -87,7 +103,7 @@ class FamilyFitResult(Result):
     tests: tuple[str, ...]
     parameters: tuple[FamilyEstimate, ...]
     depends_on_setting: tuple[SettingDependence, ...]
-    inventory: tuple[InventoryItem, ...]
+    inventory: tuple[FamilyItem, ...]
     measured: tuple[Measured, ...]
     settings: tuple[SettingReport, ...]
     notes: tuple[str, ...]

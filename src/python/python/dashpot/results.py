@@ -20,13 +20,13 @@ from .diagnosis import (
 )
 from .diagnosis_settings import ChangeAtSetting, ChangeOverSettings, EffectAtSetting, EffectOverSettings, FamilyDiagnosis, SettingDiagnosis
 from .explanation import Contradiction, Explanation, Gap, Quantity
-from .family_fit import ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFitResult, SettingAxis, SettingDependence, SettingError, SettingReport
+from .family_fit import ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFitResult, FamilyItem, ForceAtSetting, SettingAxis, SettingDependence, SettingError, SettingReport
 from .groups import Group, GroupsDiagnosis
 from .literature import LiteratureModel
 
 __all__ = [
     "ActuatorDecision", "ActuatorFit", "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "ChangeAtSetting", "ChangeOverSettings", "Checked", "Contradiction", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "EffectAtSetting", "EffectOverSettings", "ErrorMatrix", "Errors", "Estimate",
-    "Evidence", "Explanation", "FamilyDiagnosis", "FamilyEstimate", "FamilyFitResult", "Figures", "Finding", "Findings", "FitResult", "Gap", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
+    "Evidence", "Explanation", "FamilyDiagnosis", "FamilyEstimate", "FamilyFitResult", "FamilyItem", "Figures", "Finding", "Findings", "FitResult", "ForceAtSetting", "Gap", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
     "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Quantity", "Region", "ResponseTimes", "Result", "Rival", "SettingAxis", "SettingDependence", "SettingDiagnosis", "SettingError", "SettingReport", "SettingSummary", "Shift", "SignFinding", "StepGroup", "StepResponse", "Summary", "TestOutcome", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]

@@ -9,7 +9,7 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 use crate::tuning::unit_magnitude::{
-    FASTEST, FOLLOWS, LONG, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
+    FASTEST, FOLLOWS, LONG, MOST_CURRENT, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
 };
 
 /// Refuses a campaign whose figures speak for a unit a thousandfold off; a unit given by the user is right.
@@ -18,10 +18,15 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         return Ok(());
     };
     let insisted = |channel| options.units.contains_key(&channel);
+    let slip = |channel, written, likely, evidence| Err(RecordError::UnitSlip { channel, written, likely, evidence });
+    let largest = records.iter().map(largest_current).fold(0.0, f64::max);
+    if largest > MOST_CURRENT && !insisted(Channel::Current) && options.settings.name.is_none() {
+        let evidence = Sentence::from(phrases::TOO_MUCH_CURRENT).with("current", format!("{largest:.0}"));
+        return slip(Channel::Current, Unit::Ampere, Unit::Milliampere, evidence);
+    }
     let half = |r: &Record| 0.5 * range(&r.force);
     let strongest = records.iter().map(half).fold(0.0, f64::max);
     let damping = half(fastest) / fastest.peak_velocity.max(1e-9);
-    let slip = |channel, written, likely, evidence| Err(RecordError::UnitSlip { channel, written, likely, evidence });
     if !insisted(Channel::Time) {
         let seconds = |r: &Record| r.time.last().copied().unwrap_or(0.0) - r.time.first().copied().unwrap_or(0.0);
         if let Some(quick) = records.iter().find(|r| r.frequency > FASTEST && r.amplitude > 1e-4) {
@@ -67,6 +72,14 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     Ok(())
 }
 
+/// Largest current of a record's valve, A.
+fn largest_current(record: &Record) -> f64 {
+    let constant = record.setting.as_ref().filter(|of| of.name == "current" && of.unit == "A").map(|of| of.value.abs());
+    let changing = record.setting_signal.as_ref().filter(|of| of.name == "current" && of.unit == "A");
+    let ends = changing.map(|of| of.range[0].abs().max(of.range[1].abs()));
+    constant.or(ends).unwrap_or(0.0)
+}
+
 /// Whether the force of a record has to do with its motion.
 fn follows(record: &Record) -> bool {
     let count = record.force.len().max(1) as f64;
@@ -84,6 +97,7 @@ fn follows(record: &Record) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::setting_value::Setting;
 
     /// A damper with a force at 1 m/s, and friction, tested at some amplitudes and peak speeds; units slip by factors.
     fn campaign(force: f64, friction: f64, tests: &[(f64, f64)], slip: [f64; 3]) -> Vec<Record> {
@@ -156,6 +170,22 @@ mod tests {
         let mut options = Options::default();
         options.units.insert(Channel::Force, Unit::Newton);
         assert!(refuse(&campaign(2000.0, 50.0, &USUAL, [1.0, 1.0, 1e-3]), &options).is_ok());
+    }
+
+    #[test]
+    fn milliamperes_that_are_called_amperes_are_refused() {
+        let at = |value: f64, options: &Options| {
+            let mut records = campaign(2000.0, 50.0, &USUAL, [1.0; 3]);
+            let setting = Setting { name: "current".into(), unit: "A".into(), value };
+            records.iter_mut().for_each(|record| record.setting = Some(setting.clone()));
+            refuse(&records, options).map_or_else(|e| e.to_string(), |()| String::new())
+        };
+        let mut insists = Options::default();
+        insists.units.insert(Channel::Current, Unit::Ampere);
+        let none = Options::default();
+        assert!(at(800.0, &none).contains("--unit current=mA, or --unit current=A to insist"), "{}", at(800.0, &none));
+        assert!(at(-1600.0, &none).contains("1600 A"));
+        assert_eq!([at(10.0, &none), at(800.0, &insists)], ["", ""]);
     }
 
     /// A record with half the range of its force, N, its peak velocity, m/s, and its sampling.

@@ -157,7 +157,7 @@ pub struct Note {
 impl Note {
     /// Whether it is a warning: a result may be wrong where nobody acts on it.
     pub fn is_loud(&self) -> bool {
-        ["sign_unsure", "settings", "changing_setting", "cut_off"].contains(&self.kind)
+        ["sign_unsure", "settings", "setting_name", "changing_setting", "cut_off"].contains(&self.kind)
     }
 
     /// Whether it tells of damage to a record or of what was only guessed of it, and not of routine.

@@ -59,9 +59,9 @@ crate::phrases! {
     // Samples.
     CLIPPED_MOTION: "{channel} is clipped at {value} {unit} in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}";
     ROUNDED: "{channel} stands at {value} {unit} in {count} samples, first at line {line}; other tests go further, so that this is taken for a turn and not for the end of the range";
-    CLIPPED_FORCE: "force is clipped at {value} N in {count} samples ({percent} %), first at line {line}; these samples are left out";
+    CLIPPED_FORCE: "force is clipped at {value} N, first at line {line} (samples: {count}, {percent} %); these samples are left out";
     SPIKY: "{channel} is spiky: {percent} % of the samples stand off their neighbours; too many to be stray spikes, left as they are";
-    SPIKES: "{count} samples of {channel} in {spikes} spikes replaced by straight lines, first at line {line}, largest {largest} {unit} off";
+    SPIKES: "spikes of {channel} replaced by straight lines, first at line {line}, largest {largest} {unit} off (spikes: {spikes}, samples: {count})";
     // Motion.
     CONSISTENT: "velocity is {gain} times the derivative of displacement and lags it by {lag} ms ({percent} % of the displacement's variance unexplained)";
     DIFFERENTIATED: "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz{shorter}";
@@ -122,7 +122,8 @@ crate::phrases! {
     SETTING_AT: "{value}: {names}";
     SETTING_VARIES: "the {setting} of the damper's valve changes between {low} and {high} all through the test";
     SETTING_CHANGES: "{change}. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
-    SETTING_STEPS: "the {setting} of the damper's valve steps {count} times between {low} and {high} within the test";
+    SETTING_STEPS: "the {setting} of the damper's valve steps between {low} and {high} within the test (steps: {count})";
+    SETTING_NAME: "the name of {tests} states {named}, and its {setting} channel shows {shown}: the channel counts. Check which is right; to take the other, write it into campaign.toml under settings";
     SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";
     SETTING: "{number}) {names}";
     SETTING_ALL: "all of '{name}' ({count})";
@@ -192,6 +193,7 @@ crate::phrases! {
     TOO_QUICK: "{record} would move ±{amplitude} mm at {frequency} Hz for {seconds} s";
     TOO_LONG: "the fastest of {count} tests would reach {velocity} mm/s, the longest last {hours} h, with a sample every {step} s";
     TOO_STIFF: "no test would move more than ±{amplitude} mm, and {force} N at {velocity} mm/s would be a damping of {damping} N s/m";
+    TOO_MUCH_CURRENT: "the current of the damper's valve would reach {current} A";
     TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m";
     // What no damper has.
     ABSURD: "{record}: shows {what}, which no suspension damper has; {advice}";

@@ -12,6 +12,8 @@ use crate::quantities::setting_value::{NAMES, SAME, Setting, SettingRules, setti
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
 /// of more than a letter.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
+    let is_given = |record: &Record| rules.setting_of(&record.name).is_some();
+    notes.extend(records.iter().filter(|record| !is_given(record)).filter_map(contradicted_name));
     for record in records.iter_mut() {
         if let Some(setting) = rules.setting_of(&record.name) {
             record.setting = Some(setting);
@@ -20,6 +22,30 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     }
     name_settings(records);
     note_settings(records, notes);
+}
+
+/// How far a channel may be off the setting in a name, as a fraction of the larger: supplies and measured coil currents keep a tenth.
+const NAMED: f64 = 0.1;
+
+/// A note where the name of a test states another setting than its channel.
+fn contradicted_name(record: &Record) -> Option<Note> {
+    let shown = record.setting.as_ref()?;
+    let (named, is_sure) = Setting::of_name(&record.name)?;
+    let is_off = (named.value - shown.value).abs() > NAMED * named.value.abs().max(shown.value.abs());
+    if !is_sure || named.name != shown.name || named.unit != shown.unit || !is_off || named.is_same(shown) {
+        return None;
+    }
+    let words = |of: &Setting| setting_in_words(of.value, &of.unit);
+    let text = Sentence::from(phrases::SETTING_NAME)
+        .with("tests", &record.name)
+        .with("named", words(&named))
+        .with("shown", words(shown));
+    let text = if NAMES.contains(&shown.name.as_str()) {
+        text.with_word("setting", &shown.name)
+    } else {
+        text.with("setting", &shown.name)
+    };
+    Some(Note { kind: "setting_name", text })
 }
 
 /// Takes the note on several settings back, and makes it of each group that still has several.
@@ -116,6 +142,15 @@ mod tests {
             assign_settings(&mut records, &SettingRules::default(), &mut Vec::new());
             assert_eq!(records[0].setting.as_ref().map(|s| s.value), expected);
             assert!(records[2].setting.is_none());
+        }
+        // A name against a channel of the same quantity.
+        for (name, value, is_noted) in [("a_1.6A", 0.4, true), ("a_1.6A", 1.52, false), ("a_12clicks", 0.4, false)] {
+            let setting = Setting { name: "current".into(), unit: "A".into(), value };
+            let mut records = vec![Record { setting: Some(setting), ..record(name) }];
+            let mut notes = Vec::new();
+            assign_settings(&mut records, &SettingRules::default(), &mut notes);
+            assert_eq!(notes.iter().any(|note| note.kind == "setting_name"), is_noted, "{name} {notes:?}");
+            assert_eq!(records[0].setting.as_ref().map(|s| s.value), Some(value));
         }
         for names in [&["t_1A", "t_2A", "t_3A"][..], &["a_0.4A", "b_0.4A"], &["a_0.4A", "b"]] {
             assert!(settled(names).1.is_empty(), "{names:?}");

@@ -17,8 +17,6 @@ const WIDE: [f64; 2] = [880.0, 400.0];
 const POINTS: usize = 61;
 /// Velocities at which the force is drawn over the setting, as fractions of what the tests reach.
 const FRACTIONS: [f64; 3] = [1.0, 0.5, 0.1];
-/// Smallest velocity of the ratio as a fraction of what the tests reach: below, friction alone decides.
-const LEAST: f64 = 0.02;
 
 /// Series under names that are no words of the report.
 #[derive(Default)]
@@ -78,11 +76,17 @@ fn measured(peak: &PeakForce) -> [f64; 2] {
 
 /// Force over the setting at chosen velocities, and the ratio of the stiffest to the softest setting over velocity.
 pub fn over_setting(damper: &Definition, validation: &Validation, words: &Words) -> Vec<Figure> {
-    let peaks = || validation.tests.iter().flat_map(|test| &test.peaks).map(|peak| peak.velocity_m_s);
-    let (low, high) = (peaks().fold(0.0, f64::min), peaks().fold(0.0, f64::max));
+    let peaks: Vec<f64> = validation.tests.iter().flat_map(|test| &test.peaks).map(|peak| peak.velocity_m_s).collect();
+    // The slowest and the fastest peak of a direction; none stays at zero.
+    let reach = |is_own: fn(&f64) -> bool| {
+        let own = || peaks.iter().copied().filter(is_own);
+        let slowest = own().reduce(|a, b| if b.abs() < a.abs() { b } else { a }).unwrap_or(0.0);
+        [slowest, own().fold(0.0, |a, b| if b.abs() > a.abs() { b } else { a })]
+    };
+    let (compression, rebound) = (reach(|v| *v < 0.0), reach(|v| *v > 0.0));
     let mut figures: Vec<Figure> = Vec::new();
-    figures.extend(force_over_setting(damper, [low, high], words));
-    figures.extend(ratio(damper, [low, high], words));
+    figures.extend(force_over_setting(damper, [compression[1], rebound[1]], words));
+    figures.extend(ratio(damper, [compression, rebound], words));
     figures
 }
 
@@ -117,10 +121,11 @@ fn without_gas(damper: &Definition, setting: f64) -> Option<Model> {
     Model::new(&params).ok()
 }
 
-fn ratio(damper: &Definition, [low, high]: [f64; 2], words: &Words) -> Option<Figure> {
+/// The ratio from the slowest to the fastest peak of each direction: below, no test says what the force is at both settings.
+fn ratio(damper: &Definition, [compression, rebound]: [[f64; 2]; 2], words: &Words) -> Option<Figure> {
     let strength = |setting: f64| -> Option<f64> {
         let model = without_gas(damper, setting)?;
-        Some(at_velocities(&model, &[low, high]).iter().map(|[_, force]| force.abs()).sum())
+        Some(at_velocities(&model, &[compression[1], rebound[1]]).iter().map(|[_, force]| force.abs()).sum())
     };
     let mut known: Vec<(f64, f64)> =
         damper.axis.grid().iter().filter_map(|setting| Some((*setting, strength(*setting)?))).collect();
@@ -129,13 +134,14 @@ fn ratio(damper: &Definition, [low, high]: [f64; 2], words: &Words) -> Option<Fi
     let [of_soft, of_hard] = [soft, hard].map(|setting| without_gas(damper, setting));
     let (of_soft, of_hard) = (of_soft?, of_hard?);
     let mut all = Named::default();
-    for (role, end, name) in [(0, high, words.rebound), (1, low, words.compression)] {
-        let velocities: Vec<f64> =
-            (0..POINTS).map(|k| end * (LEAST + (1.0 - LEAST) * k as f64 / (POINTS - 1) as f64)).collect();
+    for (role, [from, to], name) in [(0, rebound, words.rebound), (1, compression, words.compression)] {
+        let velocities: Vec<f64> = (0..POINTS).map(|k| from + (to - from) * k as f64 / (POINTS - 1) as f64).collect();
         let [soft, hard] = [&of_soft, &of_hard].map(|model| at_velocities(model, &velocities));
         let points = soft.iter().zip(&hard).filter(|(a, b)| a[0] == b[0] && a[0] != 0.0);
         let ratios = points.map(|(soft, hard)| [1e3 * soft[0].abs(), hard[1] / soft[1]]).filter(|p| p[1].is_finite());
-        all.add(Role::Group(role), name.to_owned(), ratios.collect(), Marks::Line);
+        // Tests of one speed leave a point.
+        let marks = if from == to { Marks::Dots } else { Marks::Line };
+        all.add(Role::Group(role), name.to_owned(), ratios.collect(), marks);
     }
     let axes = [words.axis_speed, words.axis_ratio].map(str::to_owned);
     let svg = all.draw(words.plot_ratio, axes, SIZE, words)?;
@@ -170,7 +176,7 @@ mod tests {
 
     #[test]
     fn the_gas_is_no_part_of_the_ratio() {
-        let figure = ratio(&damper(), [-1.0, 1.0], &crate::words::EN).unwrap();
+        let figure = ratio(&damper(), [[-0.1, -1.0], [0.1, 1.0]], &crate::words::EN).unwrap();
         // A ratio of 3 at all velocities: an axis around one value.
         assert!(figure.caption.contains('2') && figure.svg.contains("data-plane"), "{}", figure.caption);
         let model = without_gas(&damper(), 2.0).unwrap();

@@ -56,6 +56,7 @@ impl FamilyReport<'_> {
     pub fn tables(self, words: &Words) -> Option<Section> {
         let mut blocks: Vec<Block> = numbers::table(self.model, words).map(Block::Table).into_iter().collect();
         blocks.extend(self.fit.map(|fit| Block::Table(numbers::dependences(fit, words))));
+        blocks.extend(self.fit.and_then(|fit| numbers::effects(self.model, fit, words)).map(Block::Table));
         (!blocks.is_empty()).then(|| Section::new("setting-numbers", words.family_numbers_section, blocks))
     }
 }

@@ -3,13 +3,14 @@
 use super::{axis_title, named};
 use crate::blocks::{Column, Figure, Table};
 use crate::cells::Cell;
-use crate::numbers::digits;
+use crate::inventory::probability;
+use crate::numbers::{digits, error};
 use crate::plot::axes::{Axis, Marks, Plane, SIZE, Series};
 use crate::plot::palette::Role;
 use crate::words::Words;
 use dashpot_core::number;
 use dashpot_core::parameter::{self, Number, Row};
-use dashpot_identification::family::FamilyFit;
+use dashpot_identification::family::{FamilyFit, FamilyItem, ForceAtSetting};
 use dashpot_identification::model_file::{Interval, IntervalOverSetting, ModelFile};
 
 /// Friction levels and the gas force: they are drawn whether they depend on the setting or not.
@@ -158,6 +159,35 @@ fn curve_rows(model: &ModelFile, words: &Words) -> Vec<Vec<Cell>> {
         }
     }
     rows
+}
+
+/// The force of every effect at each setting; `None` where there is none beside the FV curve.
+pub fn effects(model: &ModelFile, fit: &FamilyFit, words: &Words) -> Option<Table> {
+    let definition = model.definition();
+    let rows_of = |of: &FamilyItem| -> Vec<Vec<Cell>> {
+        let row = |here: &ForceAtSetting| {
+            vec![
+                words.named(of.item.effect).into(),
+                words.word(of.item.form).into(),
+                Cell { text: probability(of.item.probability), ..Cell::fraction(of.item.probability) },
+                named(&definition, here.setting, words).into(),
+                Cell::number(here.force_n_rms, error),
+                Cell::fraction(here.fraction),
+            ]
+        };
+        of.settings.iter().map(row).collect()
+    };
+    let columns = vec![
+        Column::words(words.col_effect),
+        Column::words(words.col_form),
+        Column::figures(words.col_probability),
+        Column::words(words.col_setting),
+        Column::figures(words.col_force_rms),
+        Column::figures(words.col_share_of_force),
+    ];
+    let rows: Vec<Vec<Cell>> = fit.inventory.iter().flat_map(rows_of).collect();
+    let caption = words.family_effects.to_owned();
+    (!rows.is_empty()).then_some(Table { caption, columns, rows, sortable: true })
 }
 
 /// What depends on the setting, with its probability.

@@ -186,6 +186,7 @@ words!(
     noise_sentence,
     // Its sections.
     fv_section,
+    fv_caption_by_setting,
     fv_caption,
     worst_section,
     worst_caption,
@@ -291,6 +292,7 @@ words!(
     family_numbers_section,
     family_numbers_table,
     family_varies,
+    family_effects,
     family_dependences,
     responses_section,
     responses_about,

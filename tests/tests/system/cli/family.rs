@@ -60,12 +60,10 @@ fn a_family_is_fitted_validated_and_simulated() {
     for words in ["depends on current", "shared by all settings", "family without it", "0.6 A"] {
         assert!(ran.out.contains(words), "{words}: {}", ran.out);
     }
-    for threads in ["1", "3"] {
-        let again = ["fit", "rig", "--setting", "current", "-o", "again.toml"];
-        assert_eq!(run_with(dir, &again, &[("RAYON_NUM_THREADS", threads)]).code, Some(0));
-        let written = |name: &str| std::fs::read_to_string(dir.join(name)).unwrap();
-        assert!(written("family.toml") == written("again.toml"), "{threads} threads");
-    }
+    let again = ["fit", "rig", "--setting", "current", "-o", "again.toml"];
+    assert_eq!(run_with(dir, &again, &[("RAYON_NUM_THREADS", "1")]).code, Some(0));
+    let written = |name: &str| std::fs::read_to_string(dir.join(name)).unwrap();
+    assert!(written("family.toml") == written("again.toml"), "one thread and as many as there are");
     let found = json(&dir.join("fit.json"));
     assert_eq!(found["setting"]["grid"].as_array().unwrap().len(), 3);
     let settings = found["settings"].as_array().unwrap();
@@ -413,7 +411,7 @@ fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     std::fs::create_dir(dir.join("rig")).unwrap();
     std::fs::write(dir.join("rig/steps.csv"), record).unwrap();
     let ran = run(dir, &["validate", "valve.toml", "rig", "--positive", "rebound", "--json", "v.json"]);
-    let change = "'steps': the current of the damper's valve steps 2 times between 0.20 and 1.20 A within the test";
+    let change = "'steps': the current of the damper's valve steps between 0.20 and 1.20 A within the test (steps: 2)";
     assert!(ran.code == Some(0) && ran.err.contains(change) && !ran.err.contains("--exclude"), "{}", ran.err);
     let of = json(&dir.join("v.json"))["changing"].clone();
     // The record is smoothed, the motion is not.

@@ -38,7 +38,7 @@ fn a_damper_passes_or_fails_by_its_windows() {
     assert_eq!(json(&dir.join("c.json"))["limits"]["passed"], true);
     let page = fs::read_to_string(dir.join("c.html")).unwrap();
     assert!(
-        page.contains("PASS. The damper keeps all 5 limits.") && page.contains("l.csv") && page.contains("SHA-256")
+        page.contains("PASS. The damper keeps all limits (5).") && page.contains("l.csv") && page.contains("SHA-256")
     );
     assert_eq!(run(dir, &args).code, Some(0));
     assert!(fs::read_to_string(dir.join("c.html")).unwrap() == page, "the same bytes");

@@ -240,16 +240,22 @@ pub const ALL: &[Said] = &[
         "记录不能确定 {names}：取阀通常的数值",
     ],
     [
+        "{names}: no interval here, between two settings; a fit at three or more settings shows how far interpolation is off",
+        "{names}: hier, zwischen zwei Einstellungen, kein Intervall; erst drei oder mehr Einstellungen zeigen, wie weit die Interpolation abweicht",
+        "{names} : pas d’intervalle ici, entre deux réglages ; un ajustement à trois réglages ou plus montre l’erreur de l’interpolation",
+        "{names}：位于两个设置之间，此处无区间；拟合三个或更多设置才能显示插值误差",
+    ],
+    [
         "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host",
         "{names} hängt von {setting} ab und speichert Energie oder wirkt in Ruhe: eine Änderung der Einstellung kann am Fahrzeug Arbeit leisten",
         "{names} dépend de {setting} et accumule de l’énergie ou agit au repos : un changement de réglage peut fournir un travail au véhicule",
         "{names} 随 {setting} 变化，且储存能量或在静止时起作用：改变设置可能对宿主做功",
     ],
     [
-        "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), or write setting and [settings] into campaign.toml beside them",
-        "kein Versuch nennt {name}. In die Namen aller Versuche schreiben (800mA, 12clicks, 150psi), die Spalte angeben (--column setting=HEADING), oder setting und [settings] in campaign.toml daneben eintragen",
-        "aucun essai n’indique {name}. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), ou écrire setting et [settings] dans campaign.toml à côté",
-        "没有试验说明 {name}。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），或在旁边的 campaign.toml 中写入 setting 和 [settings]",
+        "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them",
+        "kein Versuch nennt {name}. In die Namen aller Versuche schreiben (800mA, 12clicks, 150psi), die Spalte angeben (--column setting=HEADING), die Einheit einer Stromspalte ohne Einheit nennen (--unit current=A), oder setting und [settings] in campaign.toml daneben eintragen",
+        "aucun essai n’indique {name}. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), donner l’unité d’une colonne de courant qui n’en a pas (--unit current=A), ou écrire setting et [settings] dans campaign.toml à côté",
+        "没有试验说明 {name}。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），给出无单位电流列的单位（--unit current=A），或在旁边的 campaign.toml 中写入 setting 和 [settings]",
     ],
     [
         "no test says its {name}; the tests have a setting called {known}: give --setting with that name",

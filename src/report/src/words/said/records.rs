@@ -233,9 +233,9 @@ pub const ALL: &[Said] = &[
         "{channel}在 {count} 个采样中停在 {value} {unit}，首次在第 {line} 行；其他试验超过该值，因此视为换向而非量程尽头",
     ],
     [
-        "force is clipped at {value} N in {count} samples ({percent} %), first at line {line}; these samples are left out",
-        "die Kraft ist in {count} Messwerten ({percent} %) bei {value} N abgeschnitten, zuerst in Zeile {line}; diese Messwerte sind weggelassen",
-        "l’effort est écrêté à {value} N sur {count} échantillons ({percent} %), d’abord à la ligne {line} ; ces échantillons sont écartés",
+        "force is clipped at {value} N, first at line {line} (samples: {count}, {percent} %); these samples are left out",
+        "die Kraft ist bei {value} N abgeschnitten, zuerst in Zeile {line} (Messwerte: {count}, {percent} %); diese Messwerte sind weggelassen",
+        "l’effort est écrêté à {value} N, d’abord à la ligne {line} (échantillons : {count}, {percent} %) ; ces échantillons sont écartés",
         "力有 {count} 个采样（{percent} %）在 {value} N 处被削平，首次在第 {line} 行；这些采样已舍去",
     ],
     [
@@ -245,9 +245,9 @@ pub const ALL: &[Said] = &[
         "{channel}通道尖峰很多：{percent} % 的采样偏离相邻采样；数量过多，不是偶发尖峰，保持原样",
     ],
     [
-        "{count} samples of {channel} in {spikes} spikes replaced by straight lines, first at line {line}, largest {largest} {unit} off",
-        "{count} Messwerte des Kanals {channel} in {spikes} Störspitzen durch Geraden ersetzt, die erste in Zeile {line}, die größte um {largest} {unit} zu weit",
-        "{count} échantillons de la voie {channel} en {spikes} pics remplacés par des droites, le premier à la ligne {line}, le plus grand écarté de {largest} {unit}",
+        "spikes of {channel} replaced by straight lines, first at line {line}, largest {largest} {unit} off (spikes: {spikes}, samples: {count})",
+        "Störspitzen des Kanals {channel} durch Geraden ersetzt, die erste in Zeile {line}, die größte um {largest} {unit} zu weit (Störspitzen: {spikes}, Messwerte: {count})",
+        "pics de la voie {channel} remplacés par des droites, le premier à la ligne {line}, le plus grand écarté de {largest} {unit} (pics : {spikes}, échantillons : {count})",
         "{channel}通道 {spikes} 个尖峰共 {count} 个采样已用直线代替，首次在第 {line} 行，最大偏差 {largest} {unit}",
     ],
     // Motion.
@@ -719,9 +719,21 @@ pub const ALL: &[Said] = &[
         "{change}。dashpot fit --setting {option} 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
     ],
     [
-        "the {setting} of the damper's valve steps {count} times between {low} and {high} within the test",
+        "the current of the damper's valve would reach {current} A",
+        "der Strom des Dämpferventils erreichte {current} A",
+        "le courant de la valve de l’amortisseur atteindrait {current} A",
+        "减振器阀的电流将达到 {current} A",
+    ],
+    [
+        "the name of {tests} states {named}, and its {setting} channel shows {shown}: the channel counts. Check which is right; to take the other, write it into campaign.toml under settings",
+        "der Name von {tests} nennt {named}, und der Kanal {setting} zeigt {shown}: es gilt der Kanal. Prüfen, was stimmt; soll der andere Wert gelten, ihn in campaign.toml unter settings eintragen",
+        "le nom de {tests} indique {named}, et sa voie {setting} montre {shown} : la voie compte. Vérifier lequel est juste ; pour prendre l’autre, l’écrire dans campaign.toml sous settings",
+        "{tests} 的名称写明 {named}，而其{setting}通道显示 {shown}：以通道为准。请核对；若取另一值，请写入 campaign.toml 的 settings",
+    ],
+    [
+        "the {setting} of the damper's valve steps between {low} and {high} within the test (steps: {count})",
         "am Dämpferventil springt {setting} im Versuch {count}-mal zwischen {low} und {high}",
-        "à la valve de l’amortisseur, {setting} saute {count} fois entre {low} et {high} pendant l’essai",
+        "à la valve de l’amortisseur, {setting} saute entre {low} et {high} pendant l’essai (sauts : {count})",
         "试验中减振器阀的{setting}在 {low} 与 {high} 之间阶跃 {count} 次",
     ],
     [

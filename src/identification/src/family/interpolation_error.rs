@@ -1,0 +1,115 @@
+//! How far a damper between two settings may be off, by how its numbers bend over the settings.
+
+use dashpot_core::Params;
+use dashpot_core::family::Definition;
+
+/// Factor on the second derivative where one neighbor alone shows it, at an end of the grid: beyond that neighbor it may grow. Without it the bound
+/// is exceeded at the ends of a wave over the setting (the test below).
+const AT_END: f64 = 1.5;
+
+/// The dampers at the settings of a grid, by which the error between them is estimated.
+///
+/// Straight lines are off by half the second derivative times the distances to both neighbors (Davis, Interpolation and Approximation, 1963, 3.1).
+/// How far a setting lies off the straight line through its neighbors shows that second derivative, and the larger one of both neighbors holds between
+/// them. The monotone cubic is closer than a straight line where the damper is smooth over the setting, and no closer where it bends.
+pub struct InterpolationError {
+    grid: Vec<f64>,
+    dampers: Vec<Params>,
+}
+
+impl InterpolationError {
+    /// The errors of a damper over a setting.
+    pub fn new(damper: &Definition) -> InterpolationError {
+        let grid = damper.axis.grid().to_vec();
+        let dampers = grid.iter().map(|setting| damper.params_at(*setting)).collect();
+        InterpolationError { grid, dampers }
+    }
+
+    /// How far a value at a setting may be off, to either side, in units of the value.
+    ///
+    /// Nought on the grid and beyond its ends; `None` where no neighbor lies between others, as with two settings.
+    pub fn of_value(&self, setting: f64, value: impl Fn(&Params) -> f64) -> Option<f64> {
+        self.of_differences(setting, |place| {
+            let [before, own, after] =
+                [place.checked_sub(1)?, place, place + 1].map(|k| Some((self.grid.get(k)?, self.dampers.get(k)?)));
+            let ((from, before), (here, own), (to, after)) = (before?, own?, after?);
+            let part = (here - from) / (to - from);
+            Some((value(own) - (1.0 - part) * value(before) - part * value(after)).abs())
+        })
+    }
+
+    /// The same of any quantity, given by how far it is off at a place of the grid that its neighbors predict.
+    pub fn of_differences(&self, setting: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
+        let right = self.grid.partition_point(|value| *value < setting);
+        let (Some(left), Some(next)) = (right.checked_sub(1), self.grid.get(right)) else { return Some(0.0) };
+        if *next <= setting {
+            return Some(0.0);
+        }
+        let bend = |place: usize| {
+            let (before, after) = (self.grid.get(place.checked_sub(1)?)?, self.grid.get(place + 1)?);
+            let here = self.grid[place];
+            Some(difference(place)? / ((here - before) * (after - here)))
+        };
+        let largest = match [bend(left), bend(right)] {
+            [Some(a), Some(b)] => a.max(b),
+            [a, b] => AT_END * a.or(b)?,
+        };
+        Some(largest * (setting - self.grid[left]) * (next - setting))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::family::Axis;
+    use dashpot_core::number;
+
+    fn family(grid: &[f64], friction: impl Fn(f64) -> f64) -> Definition {
+        let mut params = Params::new();
+        params.enable(dashpot_core::element!("coulomb_friction"), true);
+        let mut axis = Axis::NONE;
+        axis.set_grid(grid).unwrap();
+        let values: Vec<f64> = grid.iter().map(|setting| friction(*setting)).collect();
+        axis.set_values(number!("coulomb_force"), &values).unwrap();
+        Definition { params, axis }
+    }
+
+    fn bound(damper: &Definition, setting: f64) -> Option<f64> {
+        InterpolationError::new(damper).of_value(setting, |params| params.number(number!("coulomb_force")))
+    }
+
+    #[test]
+    fn the_bound_holds_the_error_between_settings_of_common_characteristics() {
+        let grid = [0.0, 0.25, 0.5, 0.75, 1.0];
+        let straight = |x: f64| 20.0 + 100.0 * x;
+        let square = |x: f64| 20.0 + 100.0 * x * x;
+        let saturating = |x: f64| 20.0 + 100.0 * libm::tanh(2.0 * x);
+        let wave = |x: f64| 60.0 - 40.0 * libm::cos(3.0 * x);
+        for characteristic in [straight as fn(f64) -> f64, square, saturating, wave] {
+            let damper = family(&grid, characteristic);
+            for k in 0..=100 {
+                let setting = f64::from(k) / 100.0;
+                let value = damper.params_at(setting).number(number!("coulomb_force"));
+                let bound = bound(&damper, setting).unwrap();
+                let error = (value - characteristic(setting)).abs();
+                // Beside a setting the cubic's own derivative there counts, which is off by less than half as much again.
+                let beside = (setting % 0.25 - 0.125).abs() > 0.0625;
+                let most = if beside { 1.5 * bound } else { bound };
+                assert!(error <= most + 1e-9, "{setting}: {error} > {most}");
+            }
+        }
+        assert!(bound(&family(&grid, straight), 0.4).unwrap() < 1e-9);
+    }
+
+    #[test]
+    fn nothing_is_off_on_the_grid_and_two_settings_show_no_bend() {
+        let three = family(&[0.0, 1.0, 2.0], |x| 20.0 + 10.0 * x * x);
+        for on_grid in [-1.0, 0.0, 1.0, 2.0, 5.0] {
+            assert_eq!(bound(&three, on_grid), Some(0.0));
+        }
+        // The middle lies 10 N below the line through the ends, at distances of 1 and 1.
+        assert!((bound(&three, 0.5).unwrap() - AT_END * 0.25 * 10.0).abs() < 1e-9);
+        let two = family(&[0.0, 1.0], |x| 20.0 + 10.0 * x);
+        assert_eq!((bound(&two, 0.5), bound(&two, 1.0)), (None, Some(0.0)));
+    }
+}
