@@ -123,7 +123,7 @@ crate::phrases! {
     SETTING_VARIES: "the {setting} of the damper's valve changes between {low} and {high} all through the test";
     SETTING_CHANGES: "{change}. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
     SETTING_STEPS: "the {setting} of the damper's valve steps between {low} and {high} within the test (steps: {count})";
-    SETTING_NAME: "the name of {tests} states {named}, and its {setting} channel shows {shown}: the channel counts. Check which is right; to take the other, write it into campaign.toml under settings";
+    SETTING_NAME: "the name of {test} states {named}, and its {setting} channel shows {shown}: the channel counts (tests whose name and channel disagree: {count}). Check which is right; to take the names, write their values into campaign.toml under settings";
     SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";
     SETTING: "{number}) {names}";
     SETTING_ALL: "all of '{name}' ({count})";

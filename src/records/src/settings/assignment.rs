@@ -13,7 +13,7 @@ use crate::quantities::setting_value::{NAMES, SAME, Setting, SettingRules, setti
 /// of more than a letter.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     let is_given = |record: &Record| rules.setting_of(&record.name).is_some();
-    notes.extend(records.iter().filter(|record| !is_given(record)).filter_map(contradicted_name));
+    notes.extend(contradicted_names(records.iter().filter(|record| !is_given(record))));
     for record in records.iter_mut() {
         if let Some(setting) = rules.setting_of(&record.name) {
             record.setting = Some(setting);
@@ -27,25 +27,33 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
 /// How far a channel may be off the setting in a name, as a fraction of the larger: supplies and measured coil currents keep a tenth.
 const NAMED: f64 = 0.1;
 
-/// A note where the name of a test states another setting than its channel.
-fn contradicted_name(record: &Record) -> Option<Note> {
+/// The setting that the name of a test states, and the one of its channel, where they differ.
+fn contradicted_name(record: &Record) -> Option<(&Record, Setting, &Setting)> {
     let shown = record.setting.as_ref()?;
     let (named, is_sure) = Setting::of_name(&record.name)?;
     let is_off = (named.value - shown.value).abs() > NAMED * named.value.abs().max(shown.value.abs());
-    if !is_sure || named.name != shown.name || named.unit != shown.unit || !is_off || named.is_same(shown) {
-        return None;
-    }
+    let contradicts =
+        is_sure && named.name == shown.name && named.unit == shown.unit && is_off && !named.is_same(shown);
+    contradicts.then_some((record, named, shown))
+}
+
+/// A note where names of tests state other settings than their channels.
+fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<Note> {
+    let mut all = records.filter_map(contradicted_name);
+    let (record, named, shown) = all.next()?;
     let words = |of: &Setting| setting_in_words(of.value, &of.unit);
     let text = Sentence::from(phrases::SETTING_NAME)
-        .with("tests", &record.name)
+        .with("test", &record.name)
         .with("named", words(&named))
-        .with("shown", words(shown));
-    let text = if NAMES.contains(&shown.name.as_str()) {
-        text.with_word("setting", &shown.name)
-    } else {
-        text.with("setting", &shown.name)
-    };
-    Some(Note { kind: "setting_name", text })
+        .with("shown", words(shown))
+        .with("count", 1 + all.count());
+    Some(Note { kind: "setting_name", text: with_setting_name(text, &shown.name) })
+}
+
+/// A sentence with the name of a setting, which is a word of the program or the user's.
+fn with_setting_name(text: Sentence, name: &str) -> Sentence {
+    // A name that the user gave is the same in every language.
+    if NAMES.contains(&name) { text.with_word("setting", name) } else { text.with("setting", name) }
 }
 
 /// Takes the note on several settings back, and makes it of each group that still has several.

@@ -725,10 +725,10 @@ pub const ALL: &[Said] = &[
         "减振器阀的电流将达到 {current} A",
     ],
     [
-        "the name of {tests} states {named}, and its {setting} channel shows {shown}: the channel counts. Check which is right; to take the other, write it into campaign.toml under settings",
-        "der Name von {tests} nennt {named}, und der Kanal {setting} zeigt {shown}: es gilt der Kanal. Prüfen, was stimmt; soll der andere Wert gelten, ihn in campaign.toml unter settings eintragen",
-        "le nom de {tests} indique {named}, et sa voie {setting} montre {shown} : la voie compte. Vérifier lequel est juste ; pour prendre l’autre, l’écrire dans campaign.toml sous settings",
-        "{tests} 的名称写明 {named}，而其{setting}通道显示 {shown}：以通道为准。请核对；若取另一值，请写入 campaign.toml 的 settings",
+        "the name of {test} states {named}, and its {setting} channel shows {shown}: the channel counts (tests whose name and channel disagree: {count}). Check which is right; to take the names, write their values into campaign.toml under settings",
+        "der Name von {test} nennt {named}, und der Kanal {setting} zeigt {shown}: es gilt der Kanal (Versuche, bei denen Name und Kanal sich widersprechen: {count}). Prüfen, was stimmt; sollen die Namen gelten, ihre Werte in campaign.toml unter settings eintragen",
+        "le nom de {test} indique {named}, et sa voie {setting} montre {shown} : la voie compte (essais dont le nom et la voie se contredisent : {count}). Vérifier lequel est juste ; pour prendre les noms, écrire leurs valeurs dans campaign.toml sous settings",
+        "{test} 的名称写明 {named}，而其{setting}通道显示 {shown}：以通道为准（名称与通道不符的试验数：{count}）。请核对；若以名称为准，请将其值写入 campaign.toml 的 settings",
     ],
     [
         "the {setting} of the damper's valve steps between {low} and {high} within the test (steps: {count})",
