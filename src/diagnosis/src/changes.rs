@@ -3,9 +3,7 @@
 use super::phrases;
 use dashpot_core::{Params, list};
 use dashpot_estimation::curve_part::{CurvePart, Side, Speeds};
-use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::hypothesis::Free;
-use dashpot_estimation::samples::Test;
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_records::{Sentence, reading_unit};
@@ -57,15 +55,15 @@ fn force_at(params: &Params, velocity: f64) -> f64 {
     near.map_or(0.0, |k| f[k])
 }
 
-/// The changes of a structure against its base; `probability` and `force` of an effect by its name.
+/// The changes of a structure against its base, whose free numbers have these ends of their intervals; `probability` and `force` of an effect by its
+/// name.
 pub fn changes(
     structure: &Structure,
-    tests: &[Test],
+    ends: &[[f64; 2]],
     probability: &dyn Fn(&str) -> f64,
     force: &dyn Fn(&str) -> f64,
 ) -> Vec<Change> {
     let Structure { hypothesis, refit, .. } = structure;
-    let Some((covariance, _)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
     let (before, after) = (&hypothesis.base, hypothesis.params(&refit.theta));
     let mut all: Vec<Change> = hypothesis
         .numbers
@@ -73,7 +71,7 @@ pub fn changes(
         .enumerate()
         .filter_map(|(k, number)| {
             let delta = refit.theta[k];
-            let ends = hypothesis.interval(k, delta, covariance[(k, k)].max(0.0).sqrt());
+            let ends = ends[k];
             let change = match number.free {
                 Free::Shift(unknown) => {
                     let (Unknown::Log(own) | Unknown::Linear(own) | Unknown::Above(own, _)) = unknown else {

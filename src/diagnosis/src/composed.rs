@@ -17,6 +17,7 @@ use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
+use dashpot_estimation::structure::alternatives::{alternatives, interval_ends};
 use dashpot_estimation::structure::component::{Component, element_of};
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, Status, inventory};
@@ -132,7 +133,14 @@ impl Composed<'_> {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
         }
         let force = |effect: &str| items.iter().find(|i| i.effect == effect).map_or(0.0, |i| i.force_n_rms);
-        let changed = if is_against { changes(&self.best, &self.fitted, &probability, &force) } else { Vec::new() };
+        let others = alternatives(&self.search, &self.best, at, &self.fitted);
+        let known = interval_ends(&self.best, &others, &self.fitted);
+        let bounds = || self.best.hypothesis.numbers.iter().map(|number| number.bounds.into()).collect();
+        let ends: Vec<[f64; 2]> = known.clone().unwrap_or_else(bounds);
+        let changed = match &known {
+            Some(ends) if is_against => changes(&self.best, ends, &probability, &force),
+            _ => Vec::new(),
+        };
         let (changed_items, inventory): (Vec<InventoryItem>, Vec<InventoryItem>) =
             items.iter().cloned().partition(|item| item.form == "changed");
         let measured_rms = rms_of_tests(&self.fitted.iter().map(|t| t.forces().to_vec()).collect::<Vec<_>>());
@@ -178,9 +186,8 @@ impl Composed<'_> {
         let or_warm_gas = (effects.contains(&"force_drift") && !self.situation.temperature_measured)
             .then(|| phrases::OR_WARM_GAS.into());
         let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
-        let deviations = self.deviations();
-        let findings = self.findings(&names, &inventory, &tree, &probability, &deviations);
-        let estimates = improved::estimates(&self.best, &deviations);
+        let findings = self.findings(&names, &inventory, &tree, &probability, &ends);
+        let estimates = improved::estimates(&self.best, known.as_deref());
         let too_small = (!immaterial.is_empty()).then(|| {
             let effects = immaterial.iter().map(|c| c.effect);
             Sentence::from(phrases::IMMATERIAL).with_names("effects", effects, phrases::COMMA)
@@ -224,7 +231,7 @@ impl Composed<'_> {
             priors: self.best.hypothesis.priors.clone(),
             corrections: self.corrections(),
             estimates,
-            measured: improved::measured(&self.best, &deviations),
+            measured: improved::measured(&self.best, &ends),
         };
         for (held_out, tests, before, after) in
             [(false, &self.fitted, &fitted_before, &fitted_after), (true, &self.left, &left_before, &left_after)]
@@ -251,15 +258,6 @@ impl Composed<'_> {
             }
         }
         diagnosis
-    }
-
-    /// Standard deviations of the numbers of the best structure.
-    fn deviations(&self) -> Vec<f64> {
-        let n = self.best.hypothesis.numbers.len();
-        match sandwich(&self.best.hypothesis, &self.best.refit, &self.fitted) {
-            Some((covariance, _)) => (0..n).map(|k| covariance[(k, k)].max(0.0).sqrt()).collect(),
-            None => vec![f64::INFINITY; n],
-        }
     }
 
     /// The effects that are not in the best structure.
@@ -407,7 +405,7 @@ impl Composed<'_> {
         items: &[InventoryItem],
         tree: &[tree::Branch],
         probability: &dyn Fn(&str) -> f64,
-        deviations: &[f64],
+        ends: &[[f64; 2]],
     ) -> Vec<Finding> {
         let (hypothesis, theta) = (&self.best.hypothesis, &self.best.refit.theta);
         let (whole, before) = (self.best.evidence.mean(), self.start.evidence.mean());
@@ -423,7 +421,7 @@ impl Composed<'_> {
                 let at = |t: f64| physical(&number.free, t);
                 let (name, unit) = name_of(&number.free);
                 let value = at(theta[k]);
-                let [low, high] = hypothesis.interval(k, theta[k], deviations[k]).map(at);
+                let [low, high] = ends[k].map(at);
                 parameters
                     .insert(name, Value { value, low, high, unit, plausible: is_plausible(hypothesis, k, theta) });
             }

@@ -14,8 +14,8 @@ use dashpot_identification::{Estimate, Fit, Measured, Standing};
 use dashpot_records::measurement_correction::MeasurementError;
 use dashpot_records::{Record, Sentence};
 
-/// Intervals of all scalars of the last explanation, whose numbers have these standard deviations.
-pub(super) fn estimates(found: &Structure, deviations: &[f64]) -> Vec<Estimate> {
+/// Intervals of all scalars of the last explanation, whose numbers have these ends; they are its bounds where nothing is known of them.
+pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {
     let (last, end) = (&found.hypothesis, &found.refit);
     last.numbers
         .iter()
@@ -24,32 +24,30 @@ pub(super) fn estimates(found: &Structure, deviations: &[f64]) -> Vec<Estimate> 
             let Free::Model(Unknown::Log(_) | Unknown::Linear(_)) = &number.free else { return None };
             let at = |t: f64| physical(&number.free, t);
             let (name, unit) = name_of(&number.free);
-            let (value, deviation) = (end.theta[k], deviations[k]);
-            let known = deviation.is_finite();
-            let [low, high] = last.interval(k, value, deviation).map(at);
+            let ends = ends.map(|ends| ends[k].map(at));
             Some(Estimate {
                 name,
                 index: None,
-                value: at(value),
-                low: known.then_some(low),
-                high: known.then_some(high),
+                value: at(end.theta[k]),
+                low: ends.map(|ends| ends[0]),
+                high: ends.map(|ends| ends[1]),
                 unit,
                 from: phrases::ALL_FITTED_TESTS.into(),
-                standing: if known { Standing::Identified } else { Standing::NotIdentified },
+                standing: if ends.is_some() { Standing::Identified } else { Standing::NotIdentified },
             })
         })
         .collect()
 }
 
 /// What the last explanation finds the measurement to be off by, of what the reader of records can take out.
-pub(super) fn measured(found: &Structure, deviations: &[f64]) -> Vec<Measured> {
+pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
     let (last, end) = (&found.hypothesis, &found.refit);
     let numbers = last.numbers.iter().enumerate();
     numbers
         .filter_map(|(k, number)| {
             let Free::Rig(artefact) = &number.free else { return None };
             let value = end.theta[k];
-            let [low, high] = last.interval(k, value, deviations[k]);
+            let [low, high] = ends[k];
             Measured::from_artefact(*artefact, [value, low, high])
         })
         .collect()

@@ -24,6 +24,7 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
+use dashpot_estimation::structure::alternatives::alternatives;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
@@ -489,6 +490,9 @@ fn fit_thesis(
     let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
     let inventory = inventory(&best, None, tests, &probability);
     let mut found = finish(&best, tests, &about.given);
+    for other in alternatives(&search, &best, Temperatures::WITHOUT_REFERENCE, tests) {
+        hold_too(&mut found.estimates, estimates(&other.hypothesis, &other.refit, tests).iter());
+    }
     found.inventory = inventory;
     // Without a series path too: a channel that comes early by as much would hide it.
     if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {

@@ -128,6 +128,23 @@ fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
     assert!(gap > 0.95, "{gap}");
 }
 
+/// With few tests the gas column stands for the spring beside it as well, at ten to one. Its intervals hold what the gas is with the spring.
+#[test]
+fn an_interval_holds_what_a_less_probable_structure_says() {
+    let mut truth = base();
+    truth.enable(Element::find("gas_spring").unwrap(), true);
+    for (name, value) in [("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)] {
+        truth.set(Number::find(name).unwrap(), value).unwrap();
+    }
+    let found = of(&campaign(&truth, &fewer_tests(), 12, 0.02), &base());
+    assert_eq!(found.findings[0].effect, "gas_spring", "{}", told(&found));
+    let parameters = &found.findings[0].parameters;
+    for (name, value) in [("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)] {
+        let of = &parameters[name];
+        assert!(of.low < value && value < of.high, "{name}: {of:?}");
+    }
+}
+
 #[test]
 fn a_mass_between_load_cell_and_damper_is_named() {
     names("moving_mass", &[("moving_mass", 2.0)]);

@@ -11,8 +11,10 @@
 //! | [`halving`] | refits of the promising ones by successive halving |
 //! | [`expansion`] | all structures with one more effect than a given one |
 //! | [`search`] | add, remove, swap and change of form, from several starts; the table of visited structures |
+//! | [`alternatives`] | structures that the records do not rule out, and how far they leave numbers open |
 //! | [`curve_points`], [`series_restart`], [`coordinate_search`], [`nearby`] | what refits need |
 
+pub mod alternatives;
 pub mod budget;
 pub mod component;
 pub mod context;

@@ -237,9 +237,13 @@ impl StructureSearch {
 
     /// Probability that the damper has one of the forms that satisfy a condition: the sum over the structures of the table that contain one.
     pub fn probability_of(&self, at: Temperatures, is_in: &dyn Fn(&Form) -> bool) -> f64 {
-        let all: Vec<f64> = self.table.values().map(|row| row.log_weight(at)).collect();
-        let own: Vec<f64> =
-            self.table.iter().filter(|(key, _)| key.iter().any(is_in)).map(|(_, row)| row.log_weight(at)).collect();
+        let all: Vec<f64> = self.table.values().map(|row| at.log_weight(row.log_posterior, row.log_prior)).collect();
+        let own: Vec<f64> = self
+            .table
+            .iter()
+            .filter(|(key, _)| key.iter().any(is_in))
+            .map(|(_, row)| at.log_weight(row.log_posterior, row.log_prior))
+            .collect();
         if own.is_empty() { 0.0 } else { libm::exp(log_sum_exp(&own) - log_sum_exp(&all)) }
     }
 
@@ -268,12 +272,10 @@ impl Temperatures {
     /// Against a reference: what is wrong with the form of the laws is wrong with both dampers, and the comparison was made because something
     /// changed. With the prior in full, a fifth of the right names is lost there.
     pub const AGAINST_REFERENCE: Temperatures = Temperatures { records: 2.0, prior: 2.0 };
-}
 
-impl Visited {
-    /// Log weight of the structure among others.
-    fn log_weight(&self, at: Temperatures) -> f64 {
-        (self.log_posterior - self.log_prior) / at.records + self.log_prior / at.prior
+    /// Log weight of a structure among others.
+    pub fn log_weight(self, log_posterior: f64, log_prior: f64) -> f64 {
+        (log_posterior - log_prior) / self.records + log_prior / self.prior
     }
 }
 
