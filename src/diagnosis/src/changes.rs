@@ -55,8 +55,9 @@ fn force_at(params: &Params, velocity: f64) -> f64 {
     near.map_or(0.0, |k| f[k])
 }
 
-/// The changes of a structure against its base, whose free numbers have these ends of their intervals; `probability` and `force` of an effect by its
-/// name.
+/// The changes of a structure against its base. Its free numbers have these ends of their intervals.
+///
+/// `probability` and `force` are those of an effect by its name.
 pub fn changes(
     structure: &Structure,
     ends: &[[f64; 2]],

@@ -138,8 +138,16 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     out
 }
 
-/// The force of an effect at each setting.
+/// Fraction within which forces of an effect are alike at all settings.
+const ALIKE: f64 = 0.02;
+
+/// The force of an effect at each setting, where it differs.
 fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
+    let forces = || of.settings.iter().map(|here| here.force_n_rms);
+    let (low, high) = (forces().fold(f64::INFINITY, f64::min), forces().fold(0.0, f64::max));
+    if high - low <= ALIKE * high {
+        return " (alike at all settings)".to_owned();
+    }
     let at = |of: &ForceAtSetting| format!("{}: {:.1} N", setting_in_words(of.setting, &axis.unit), of.force_n_rms);
     format!(" ({})", of.settings.iter().map(at).collect::<Vec<_>>().join(", "))
 }

@@ -361,8 +361,9 @@ impl ActuatorProblem<'_> {
 }
 
 impl ActuatorProblem<'_> {
-    /// Derivatives of the weighted residuals of each test over the error of the force midway between two neighbors of the grid, as a fraction of it:
-    /// one entry for each pair of neighbors.
+    /// Derivatives of the weighted residuals of each test over the error of the force midway between two neighbors of the grid.
+    ///
+    /// The error is a fraction of the force. There is one entry for each pair of neighbors.
     pub fn gap_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<Vec<f64>>>> {
         let family = family_with(self.context.definition, &self.numbers, x)?;
         let of_test = |block: usize| {

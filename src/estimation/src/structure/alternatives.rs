@@ -21,10 +21,9 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
     at.log_weight(structure.log_posterior, structure.log_prior)
 }
 
-/// Structures with one effect more, one less or one in the place of another than `best`, each at least as probable beside it as an interval may leave
-/// out, refitted and most probable first.
+/// Structures with one effect more than `best`, one less or one exchanged, refitted and most probable first.
 ///
-/// `best` is the most probable structure of the search, or what is left of it: then the whole is an alternative.
+/// Each is at least as probable beside it as an interval may leave out. `best` is the most probable structure of the search, or what is left of it: then the whole is an alternative.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Structure> {
     let own = log_weight(best, at);
     let is_open = |weight: f64| 1.0 / (1.0 + libm::exp(own - weight)) >= LEAST;

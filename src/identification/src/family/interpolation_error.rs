@@ -38,7 +38,7 @@ impl InterpolationError {
         })
     }
 
-    /// The same of any quantity, given by how far it is off at a place of the grid that its neighbors predict.
+    /// How far any quantity may be off, given how far its neighbors miss it at a place of the grid.
     pub fn of_differences(&self, setting: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
         let right = self.grid.partition_point(|value| *value < setting);
         let (Some(left), Some(next)) = (right.checked_sub(1), self.grid.get(right)) else { return Some(0.0) };

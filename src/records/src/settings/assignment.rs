@@ -24,7 +24,7 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     note_settings(records, notes);
 }
 
-/// How far a channel may be off the setting in a name, as a fraction of the larger: supplies and measured coil currents keep a tenth.
+/// How far a channel may be off the setting in a name, as a fraction of the larger. Supplies and measured coil currents keep a tenth.
 const NAMED: f64 = 0.1;
 
 /// The setting that the name of a test states, and the one of its channel, where they differ.
