@@ -1,7 +1,7 @@
 //! How far the records leave the numbers of a refit open.
 
 use super::gram::gram;
-use super::hypothesis::{Free, Hypothesis, Number};
+use super::hypothesis::{Free, Hypothesis, Number, Residual};
 use super::refit::Refit;
 use super::samples::Test;
 use crate::sensitivity::Accuracy;
@@ -17,6 +17,16 @@ use rayon::prelude::*;
 /// Where the force jumps as a number moves, the tangent holds no further than to the next sample; its deviation is then that of the force
 /// itself.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
+    sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
+}
+
+/// The [`sandwich`] of numbers whose residuals are these at a vector of them.
+pub(crate) fn sandwich_of(
+    hypothesis: &Hypothesis,
+    refit: &Refit,
+    tests: &[Test],
+    residual_at: &(dyn Fn(&[f64]) -> Option<Residual> + Sync),
+) -> Option<(DMatrix<f64>, Vec<f64>)> {
     let mut first = 0;
     let blocks: Vec<(DMatrix<f64>, Vec<f64>)> = tests
         .iter()
@@ -31,7 +41,7 @@ pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Optio
         |number: &Number| number.prior.map_or(1e-12 / (number.step * number.step), |(_, sd)| 1.0 / (sd * sd));
     let precisions: Vec<f64> = hypothesis.numbers.iter().map(precision).collect();
     let (mut covariance, determined) = robust_covariance(&blocks, &precisions)?;
-    let stretches = stretches(hypothesis, refit, tests, &covariance, &precisions);
+    let stretches = stretches(hypothesis, refit, residual_at, &covariance, &precisions);
     for (i, j) in (0..precisions.len()).flat_map(|i| (0..precisions.len()).map(move |j| (i, j))) {
         covariance[(i, j)] *= stretches[i] * stretches[j];
     }
@@ -52,11 +62,10 @@ const FARTHEST: f64 = 1024.0;
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,
-    tests: &[Test],
+    residual_at: &(dyn Fn(&[f64]) -> Option<Residual> + Sync),
     covariance: &DMatrix<f64>,
     precisions: &[f64],
 ) -> Vec<f64> {
-    let residual_at = |theta: &[f64]| hypothesis.residual_by(Accuracy::Derivatives, tests, theta);
     let Some(here) = residual_at(&refit.theta) else { return vec![1.0; refit.theta.len()] };
     let of_number = |k: usize| {
         // A curve bends the force in proportion.

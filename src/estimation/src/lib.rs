@@ -46,6 +46,8 @@ pub mod samples;
 pub mod scale;
 pub mod segment;
 pub mod sensitivity;
+#[cfg(test)]
+mod sines;
 pub mod situation;
 pub mod solve;
 pub mod spring_end;

@@ -1,9 +1,11 @@
 //! The least-squares problem of a damper at several settings: one block of residuals for each setting.
 
+use crate::deviations::sandwich_of;
 use crate::hypothesis::{Hypothesis, Number, Residual};
 use crate::prior_set::PriorSet;
 use crate::refit::{Effort, Refit, options};
 use crate::samples::Test;
+use crate::sensitivity::Accuracy;
 use crate::solve::{Bounds, Residuals, Rows, solve_knowing};
 use dashpot_core::Params;
 use nalgebra::{DMatrix, DVector};
@@ -121,6 +123,22 @@ impl FamilyHypothesis {
         less
     }
 
+    /// The [covariance](crate::deviations::sandwich) of all free numbers at a refit, and how well each is determined.
+    pub fn covariance(&self, refit: &FamilyRefit, settings: &[SettingTests]) -> Option<(DMatrix<f64>, Vec<f64>)> {
+        let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
+        let residual_at = |theta: &[f64]| self.residual_by(Accuracy::Derivatives, settings, theta);
+        sandwich_of(&self.joint(), &self.joint_refit(refit), &tests, &residual_at)
+    }
+
+    /// Residuals of all settings, one after the other; `None` where one makes no finite force.
+    fn residual_by(&self, accuracy: Accuracy, settings: &[SettingTests], theta: &[f64]) -> Option<Residual> {
+        let of = |(place, of): (usize, &SettingTests)| {
+            self.template.residual_by(accuracy, &of.tests, &self.theta_at(theta, place))
+        };
+        let all: Vec<Residual> = settings.iter().enumerate().map(of).collect::<Option<_>>()?;
+        Some(Residual::from_iterator(all.iter().map(|of| of.len()).sum(), all.iter().flat_map(|of| of.iter().copied())))
+    }
+
     /// Refits the family from where it starts; `None` where it makes no finite force.
     pub fn refit(&self, settings: &[SettingTests], effort: Effort) -> Option<FamilyRefit> {
         let numbers = self.numbers();
@@ -207,7 +225,45 @@ impl Residuals for Problem<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hypothesis::Free;
+    use crate::sines::measured;
+    use crate::unknowns::{CurveName, Unknown};
     use crate::vocabulary::base_numbers;
+
+    /// A damper at two settings whose FV curves differ, and everything else does not.
+    #[test]
+    fn residuals_of_a_family_are_those_of_each_setting_at_its_own_numbers() {
+        let base = Params::new();
+        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
+        let is_curve = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
+        let varies: Vec<bool> = template.numbers.iter().map(|number| is_curve(&number.free)).collect();
+        let soft = template.start();
+        let mut hard = soft.clone();
+        hard.iter_mut().zip(&varies).filter(|(_, varies)| **varies).for_each(|(rise, _)| *rise += 50.0);
+        let settings: Vec<SettingTests> = [&soft, &hard]
+            .iter()
+            .enumerate()
+            .map(|(k, theta)| {
+                let tests = measured(&template.clone().starting_at(theta), &[(0.01, 8.0), (0.03, 1.0)]);
+                SettingTests { value: k as f64, tests }
+            })
+            .collect();
+        let family = FamilyHypothesis { template, varies, starts: vec![soft, hard] };
+        let theta = family.start();
+        let at = |theta: &[f64]| family.residual_by(Accuracy::Full, &settings, theta).unwrap();
+        let truth = at(&theta);
+        assert!(truth.len() == 320 && truth.amax() < 1e-9, "{}", truth.amax());
+        // The numbers of the first setting move its residuals alone.
+        let columns = family.columns();
+        let mut moved = theta.clone();
+        columns[0].iter().filter(|place| !columns[1].contains(place)).for_each(|place| moved[*place] += 10.0);
+        let moved = at(&moved);
+        let [first, second] = [0, 160].map(|from| moved.rows(from, 160).amax());
+        assert!(first > 0.1 && second < 1e-9, "{first} {second}");
+        // As its derivatives say, which the intervals come from.
+        let refit = family.refit(&settings, Effort { steps: 0, ..Effort::SCREEN }).unwrap();
+        assert!(family.covariance(&refit, &settings).is_some_and(|(_, known)| known.len() == theta.len()));
+    }
 
     #[test]
     fn shared_numbers_have_one_place_and_others_one_for_each_setting() {

@@ -124,51 +124,9 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
 mod tests {
     use super::*;
     use crate::prior_set::PriorSet;
-    use crate::segment::Segment;
+    use crate::sines::measured;
     use crate::vocabulary::base_numbers;
-    use dashpot_core::{Input, Params};
-
-    /// Sines of so many metres and hertz, with the forces of an explanation.
-    fn measured(of: &Hypothesis, sines: &[(f64, f64)]) -> Vec<Test> {
-        let test = |&(amplitude, frequency): &(f64, f64)| {
-            let (count, omega) = (160, std::f64::consts::TAU * frequency);
-            let dt = 1.0 / (80.0 * frequency);
-            let motion = |k: usize| {
-                let phase = omega * dt * k as f64;
-                Input::motion(amplitude * libm::sin(phase), amplitude * omega * libm::cos(phase))
-            };
-            Test {
-                record: 0,
-                segment: Segment {
-                    name: String::new(),
-                    dt: vec![dt; count],
-                    input: (0..count).map(motion).collect(),
-                    setting: None,
-                    force: vec![0.0; count],
-                    from: 80,
-                    scale: 5.0,
-                    top: 3000.0,
-                    peak_velocity: amplitude * omega,
-                    amplitude,
-                    clock: 0.0,
-                },
-                allowed: vec![5.0; 80],
-                mean_noise: 5.0,
-                independence: 1.0,
-                growth: 0.0,
-                noise_freedom: 1000.0,
-                frequency,
-                weight: 1.0,
-            }
-        };
-        let mut tests: Vec<Test> = sines.iter().map(test).collect();
-        let forces = of.forces(&tests, &of.start()).unwrap();
-        for (test, scored) in tests.iter_mut().zip(forces) {
-            let from = test.segment.from;
-            test.segment.force[from..].copy_from_slice(&scored);
-        }
-        tests
-    }
+    use dashpot_core::Params;
 
     #[test]
     fn a_series_element_that_took_the_shape_of_something_else_is_found_again() {

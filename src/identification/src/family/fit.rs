@@ -17,7 +17,6 @@ use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
 use dashpot_core::{Fault, Params, element, list};
 use dashpot_estimation::campaign_clock::clock_from;
-use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::family::pattern::{Site, varying_sites};
 use dashpot_estimation::family::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
 use dashpot_estimation::family::search::{dependences, search_family};
@@ -221,7 +220,7 @@ fn damper(best: &FamilyStructure, axis: &SettingAxis, settings: &[SettingTests])
 fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[SettingTests]) -> Vec<FamilyEstimate> {
     let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
     let (joint, joint_refit) = (hypothesis.joint(), hypothesis.joint_refit(refit));
-    let Some((covariance, determined)) = sandwich(&joint, &joint_refit, &tests) else { return Vec::new() };
+    let Some((covariance, determined)) = hypothesis.covariance(refit, settings) else { return Vec::new() };
     let known = Known { covariance, determined, sources: sources(&joint, &joint_refit, &tests) };
     let columns = hypothesis.columns();
     let varying = varying_sites(&hypothesis.template, &hypothesis.varies);
