@@ -25,7 +25,9 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
 ///
 /// Each is at least as probable beside it as an interval may leave out. `best` is the most probable structure of the search, or what is left of it: then the whole is an alternative.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Structure> {
-    let own = log_weight(best, at);
+    // As exactly as the others are judged: more exact integration moves the log posterior by units.
+    let judged = best.refitted(tests, Effort::JUDGE);
+    let own = log_weight(judged.as_ref().unwrap_or(best), at);
     let is_open = |weight: f64| 1.0 / (1.0 + libm::exp(own - weight)) >= LEAST;
     let added = search.last.iter().chain(&search.rivals).filter(|trial| trial.unnamed.is_none());
     let added = added.map(|trial| &trial.structure).chain(std::iter::once(&search.best));
