@@ -41,7 +41,9 @@ pub enum Kind {
 }
 
 /// Keys that stand at the top of the JSON of some verb; a foreign JSON file has none of them.
-const OWN_KEYS: [&str; 9] = [
+const OWN_KEYS: [&str; 11] = [
+    "contradictions",
+    "effects",
     "parameters",
     "misfit",
     "overall",

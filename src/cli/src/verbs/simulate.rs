@@ -95,7 +95,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     drop(progress);
     dashpot_output::write(&args.output, csv(&answers))?;
     // Remarks go where the rows do not.
-    let of_setting = commands.map_or_else(Vec::new, |commands| commands.notes);
+    let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
+    let of_setting = commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached);
     for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(of_setting).chain(unread) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }

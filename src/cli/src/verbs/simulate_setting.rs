@@ -151,6 +151,15 @@ impl Commands {
         Ok(Commands { source: Source::Motion, notes })
     }
 
+    /// A note where a schedule has times that the motion, which ends at `end`, s, never reaches.
+    pub fn unreached(&self, end: f64) -> Option<String> {
+        let Source::Schedule(schedule, _) = &self.source else { return None };
+        let (from, value) = schedule.iter().find(|(from, _)| *from > end)?;
+        Some(format!(
+            "the motion ends at {end} s, so the setting {value} from {from} s on is never reached; times are in s, or with a unit such as 500ms"
+        ))
+    }
+
     /// The command in the step of a motion that ends at a sample.
     pub fn command(&self, motion: &ImposedMotion, sample: usize) -> f64 {
         match &self.source {

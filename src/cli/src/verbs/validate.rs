@@ -102,6 +102,12 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         limits::check_without_setting(windows)?;
     }
     let campaign = args.data.load_for(&model)?;
+    let is_stated = |record: &Record| record.setting.is_some() || record.setting_signal.is_some();
+    if setting.is_some() && campaign.records.iter().all(is_stated) {
+        dashpot_output::warn(
+            "note: every test states its own setting, which counts; --setting is that of tests that state none",
+        );
+    }
     let compared = if is_family { compare_family(&model, &campaign, setting)? } else { compare(&model, &campaign)? };
     let mut validation = validate(&compared)?;
     let settings = match is_family {

@@ -344,12 +344,14 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
 /// shared it was 2.2.
 const WORSE: f64 = 1.5;
 
-/// Settings at which a fit of them alone is clearly better than the family.
+/// Settings at which a fit of them alone is clearly better than the family, or clearly worse.
 fn worse_than_alone<'r>(reports: &'r [SettingReport], axis: &'r SettingAxis) -> impl Iterator<Item = Sentence> + 'r {
     reports.iter().filter_map(|of| {
         let ratio = of.family.mean_error_n / of.own_fit.mean_error_n.max(1e-300);
-        let said = Sentence::from(phrases::FAMILY_WORSE).with("ratio", format!("{ratio:.1}"));
-        (ratio > WORSE).then(|| at_setting(axis, of.setting, said))
+        let (times, phrase) =
+            if ratio > 1.0 { (ratio, phrases::FAMILY_WORSE) } else { (1.0 / ratio, phrases::ALONE_WORSE) };
+        let said = Sentence::from(phrase).with("ratio", format!("{times:.1}"));
+        (times > WORSE).then(|| at_setting(axis, of.setting, said))
     })
 }
 

@@ -42,16 +42,19 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     let offset = load_cell::offset(records.iter().flat_map(|r| &r.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let (mut turned, mut moved) = (Vec::new(), Vec::new());
     for (i, record) in records.iter().enumerate() {
-        let Some(own) = beside(i, &as_read[i], 1.0, &at, offset) else { continue };
+        // Another setting of the damper has other forces.
+        let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
+        let beside = |levels: &Levels, turn: f64, at: &Others| beside((i, &is_alike), levels, turn, at, offset);
+        let Some(own) = beside(&as_read[i], 1.0, &at) else { continue };
         // At every one of its velocities: a triangle has few samples at all but one.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
-        if is_off && beside(i, &as_read[i], -1.0, &at, offset).is_some_and(|other| other.farthest <= other.allowed) {
+        if is_off && beside(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));
             continue;
         }
         // A zero that moved is the same at every velocity; what short strokes and places change of a damper is not.
         let constant = |seen: &Beside| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
-        let at_the_ends = beside(i, &towards_ends[i], 1.0, &at_ends, offset).filter(constant);
+        let at_the_ends = beside(&towards_ends[i], 1.0, &at_ends).filter(constant);
         let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
         if own.offset.abs() > own.allowed && constant(&own) && same {
             moved.push((record, own));
@@ -80,6 +83,17 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     }
 }
 
+/// Whether two tests were measured at one constant setting of the damper, or state none.
+fn is_at_one_setting(a: &Record, b: &Record) -> bool {
+    let changes = a.setting_signal.is_some() || b.setting_signal.is_some();
+    !changes
+        && match (&a.setting, &b.setting) {
+            (Some(a), Some(b)) => a.is_same(b),
+            (None, None) => true,
+            _ => false,
+        }
+}
+
 /// The force between the directions of all tests, by velocity.
 fn by_velocity(seen: &[Levels]) -> Others {
     let mut at = Others::new();
@@ -90,11 +104,17 @@ fn by_velocity(seen: &[Levels]) -> Others {
 }
 
 /// How a test lies to the others, were its forces in these directions; nothing where they share too few velocities.
-fn beside(own: usize, seen: &Levels, turn: f64, at: &Others, offset: f64) -> Option<Beside> {
+fn beside(
+    (own, is_alike): (usize, &dyn Fn(usize) -> bool),
+    seen: &Levels,
+    turn: f64,
+    at: &Others,
+    offset: f64,
+) -> Option<Beside> {
     let (mut off, mut allowed, mut forces) = (Vec::new(), Vec::new(), Vec::new());
     for (k, level) in seen {
-        let mut others: Vec<f64> =
-            at.get(k).into_iter().flatten().filter(|(i, _)| *i != own).map(|(_, force)| *force).collect();
+        let others = at.get(k).into_iter().flatten().filter(|(i, _)| *i != own && is_alike(*i));
+        let mut others: Vec<f64> = others.map(|(_, force)| *force).collect();
         if others.len() < FEWEST {
             continue;
         }
@@ -124,6 +144,7 @@ mod tests {
     use super::super::force_levels::in_the_middle;
     use super::*;
     use crate::fixtures::sine_record;
+    use crate::quantities::setting_value::Setting;
 
     /// Sines of (amplitude, peak velocity) on a damper with gas, and a rebound stop from 45 mm on.
     fn campaign(tests: &[(f64, f64)], gas: f64) -> Vec<Record> {
@@ -164,6 +185,22 @@ mod tests {
             assert_eq!(said(&campaign(&PLAN, gas)), "");
         }
         assert_eq!(said(&campaign(&PLAN[..3], 200.0)), "", "too few to tell");
+    }
+
+    #[test]
+    fn two_settings_of_a_damper_are_no_zero_that_moved() {
+        let at = |current: f64, gas: f64| {
+            let setting = Setting { name: "current".into(), unit: "A".into(), value: current };
+            let mut records = campaign(&PLAN, gas);
+            records.iter_mut().for_each(|record| record.setting = Some(setting.clone()));
+            records
+        };
+        // The harder setting has another mean of both directions, as where rebound and compression differ.
+        let mut both = at(0.0, 50.0);
+        both.extend(at(0.8, -150.0).into_iter().skip(4).take(3));
+        assert_eq!(said(&both), "");
+        both.iter_mut().for_each(|record| record.setting = None);
+        assert_ne!(said(&both), "");
     }
 
     #[test]

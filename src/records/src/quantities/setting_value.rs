@@ -23,6 +23,8 @@ pub struct Setting {
 ///
 /// As a share of its value, and in A, for noise of the sensor and the ripple of the current supply.
 const STEADY: (f64, f64) = (0.1, 0.05);
+/// Width that holds all but [`SPIKES`] of white noise, in standard deviations, and a quarter more: the noise is estimated from few samples.
+const NOISE: f64 = 4.1;
 /// Share of samples on either side that may be spikes or the switching on.
 const SPIKES: f64 = 0.05;
 /// Values that differ by less than this are one setting, A or clicks: supplies are set to hundredths.
@@ -48,6 +50,22 @@ pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static s
     Some((name, unit, *factor))
 }
 
+/// A value as a supply is set, not with the noise of the sensor.
+pub(crate) fn as_set(value: f64) -> f64 {
+    ((value / SAME).round() * SAME * 1e4).round() / 1e4 + 0.0
+}
+
+/// Standard deviation of white noise of a channel, by the differences of neighbors. A step is one difference of many, and a slow change is none.
+fn noise(channel: &[f64]) -> f64 {
+    let mut differences: Vec<f64> =
+        channel.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|difference| difference.is_finite()).collect();
+    if differences.is_empty() {
+        return 0.0;
+    }
+    // The median magnitude of a normal difference is 0.6745 of its deviation, which is √2 that of a sample.
+    quantile(&mut differences, 0.5) / (0.6745 * std::f64::consts::SQRT_2)
+}
+
 impl Setting {
     /// The setting that a channel shows; the lowest and highest value where it is not steady.
     pub(crate) fn of_channel(channel: &[f64], name: &str, unit: &str) -> Result<Option<Setting>, (f64, f64)> {
@@ -57,12 +75,10 @@ impl Setting {
         }
         let (low, high) = (quantile(&mut values, SPIKES), quantile(&mut values, 1.0 - SPIKES));
         let middle = quantile(&mut values, 0.5);
-        if high - low > STEADY.1.max(STEADY.0 * middle.abs()) {
+        if high - low > STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * noise(channel) {
             return Err((low, high));
         }
-        // Written as a supply is set, not with the noise of the sensor.
-        let value = (middle / SAME).round() * SAME;
-        Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: (value * 1e4).round() / 1e4 }))
+        Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: as_set(middle) }))
     }
 
     /// The setting that a part of a test's name states, as in `1.6A`, `800mA`, `12clicks`, `c12`, `150psi`. With it, whether the part cannot
@@ -187,6 +203,20 @@ mod tests {
 
     #[test]
     fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
+        // White noise of 30 mA, three fifths of the range that a setting may have: uniform, of the same deviation as normal noise.
+        let mut seed = 1u32;
+        let mut white = || {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(seed >> 8) / f64::from(1u32 << 24) - 0.5
+        };
+        let rippled: Vec<f64> = (0..4000).map(|_| 0.4 + 0.03 * 3.46 * white()).collect();
+        let steady = Setting::of_channel(&rippled, "current", "A");
+        assert_eq!(steady.ok().flatten().map(|of| of.value), Some(0.4));
+        let stepped: Vec<f64> =
+            rippled.iter().enumerate().map(|(k, i)| i + if k % 1000 < 500 { 0.0 } else { 0.3 }).collect();
+        assert!(Setting::of_channel(&stepped, "current", "A").is_err());
+        let slow: Vec<f64> = (0..4000).map(|k| 0.8 + 0.4 * libm::sin(f64::from(k) / 300.0)).collect();
+        assert!(Setting::of_channel(&slow, "current", "A").is_err());
         let noisy: Vec<f64> = (0..1000).map(|k| 0.8 + 0.01 * libm::sin(f64::from(k))).collect();
         let of = |values: &[f64]| Setting::of_channel(values, "current", "A");
         assert_eq!(of(&noisy).unwrap().map(|s| s.value), Some(0.8));

@@ -12,6 +12,7 @@ use crate::quantities::setting_value::{NAMES, SAME, Setting, SettingRules, setti
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
 /// of more than a letter.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
+    merge_settings(records);
     let is_given = |record: &Record| rules.setting_of(&record.name).is_some();
     notes.extend(contradicted_names(records.iter().filter(|record| !is_given(record))));
     for record in records.iter_mut() {
@@ -24,6 +25,8 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     note_settings(records, notes);
 }
 
+/// Distance of two settings below which they may be one: a step of the rounding, and a half for its own error.
+const ROUNDED: f64 = 1.5 * SAME;
 /// How far a channel may be off the setting in a name, as a fraction of the larger. Supplies and measured coil currents keep a tenth.
 const NAMED: f64 = 0.1;
 
@@ -54,6 +57,32 @@ fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<N
 fn with_setting_name(text: Sentence, name: &str) -> Sentence {
     // A name that the user gave is the same in every language.
     if NAMES.contains(&name) { text.with_word("setting", name) } else { text.with("setting", name) }
+}
+
+/// Gives one value to tests whose measured settings differ by a rounding: the zero and the noise of a channel put 0.41 A on either side of it.
+fn merge_settings(records: &mut [Record]) {
+    let mut all: Vec<&mut Setting> = records.iter_mut().filter_map(|record| record.setting.as_mut()).collect();
+    all.sort_by(|a, b| (a.name.as_str(), a.unit.as_str()).cmp(&(&b.name, &b.unit)).then(a.value.total_cmp(&b.value)));
+    let is_next = |a: &&mut Setting, b: &&mut Setting| {
+        a.name == b.name && a.unit == b.unit && b.value - a.value < ROUNDED && b.value > a.value
+    };
+    let mut place = 0;
+    while place < all.len() {
+        // Tests of the first value, and of the one that is a rounding above it.
+        let alike = |from: usize| {
+            let is_alike =
+                |of: &&&mut Setting| of.name == all[from].name && (of.value - all[from].value).abs() < 0.5 * SAME;
+            all[from..].iter().take_while(is_alike).count()
+        };
+        let own = alike(place);
+        let next = place + own;
+        let above = if next < all.len() && is_next(&all[place], &all[next]) { alike(next) } else { 0 };
+        if above > 0 {
+            let value = if above > own { all[next].value } else { all[place].value };
+            all[place..next + above].iter_mut().for_each(|of| of.value = value);
+        }
+        place = next + above;
+    }
 }
 
 /// Takes the note on several settings back, and makes it of each group that still has several.
@@ -151,6 +180,13 @@ mod tests {
             assert_eq!(records[0].setting.as_ref().map(|s| s.value), expected);
             assert!(records[2].setting.is_none());
         }
+        // Values that a rounding puts on either side of the same one.
+        let values = [0.4, 0.42, 0.42, 0.0, 0.02, 0.0, 0.8, 1.2];
+        let of = |value: f64| Some(Setting { name: "current".into(), unit: "A".into(), value });
+        let mut records: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
+        assign_settings(&mut records, &SettingRules::default(), &mut Vec::new());
+        let now: Vec<f64> = records.iter().filter_map(|record| Some(record.setting.as_ref()?.value)).collect();
+        assert_eq!(now, [0.42, 0.42, 0.42, 0.0, 0.0, 0.0, 0.8, 1.2]);
         // A name against a channel of the same quantity.
         for (name, value, is_noted) in [("a_1.6A", 0.4, true), ("a_1.6A", 1.52, false), ("a_12clicks", 0.4, false)] {
             let setting = Setting { name: "current".into(), unit: "A".into(), value };

@@ -165,6 +165,12 @@ pub const ALL: &[Said] = &[
         "模型文件给出了 {names}，但元件 {element} 已关闭，因此这些值不起作用；如需使用，请将其加入 elements",
     ],
     [
+        "a fit of this setting alone misses by {ratio} times as much as the family, so its search ended at a poorer structure: the ratio to it says nothing",
+        "ein Fit dieser Einstellung allein weicht {ratio}-mal so weit ab wie die Familie, seine Suche endete also bei einer schlechteren Struktur: das Verhältnis dazu sagt nichts",
+        "un ajustement de ce réglage seul s’écarte {ratio} fois autant que la famille, sa recherche a donc fini à une structure moins bonne : le rapport à lui ne dit rien",
+        "单独拟合此设置的偏差是整族的 {ratio} 倍，即其搜索停在较差的结构：与它之比没有意义",
+    ],
+    [
         "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, or these tests are too few to show that it does",
         "die Familie weicht {ratio}-mal so weit ab wie eine Identifikation dieser Einstellung allein: Eine Zahl, die alle teilen, mag hier eine andere sein, oder diese Versuche sind zu wenige, um das zu zeigen",
         "la famille s’écarte {ratio} fois autant qu’une identification de ce seul réglage : une valeur commune à tous peut être différente ici, ou ces essais sont trop peu nombreux pour le montrer",
