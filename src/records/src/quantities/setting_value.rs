@@ -23,7 +23,7 @@ pub struct Setting {
 ///
 /// As a share of its value, and in A, for noise of the sensor and the ripple of the current supply.
 const STEADY: (f64, f64) = (0.1, 0.05);
-/// Width that holds all but [`SPIKES`] of white noise, in standard deviations, and a quarter more: the noise is estimated from few samples.
+/// Width that holds white noise but for [`SPIKES`], in standard deviations, and a quarter more. The noise is estimated from few samples.
 const NOISE: f64 = 4.1;
 /// Share of samples on either side that may be spikes or the switching on.
 const SPIKES: f64 = 0.05;

@@ -59,7 +59,9 @@ fn with_setting_name(text: Sentence, name: &str) -> Sentence {
     if NAMES.contains(&name) { text.with_word("setting", name) } else { text.with("setting", name) }
 }
 
-/// Gives one value to tests whose measured settings differ by a rounding: the zero and the noise of a channel put 0.41 A on either side of it.
+/// Gives one value to tests whose measured settings differ by a rounding.
+///
+/// The zero and the noise of a channel put 0.41 A on either side of it.
 fn merge_settings(records: &mut [Record]) {
     let mut all: Vec<&mut Setting> = records.iter_mut().filter_map(|record| record.setting.as_mut()).collect();
     all.sort_by(|a, b| (a.name.as_str(), a.unit.as_str()).cmp(&(&b.name, &b.unit)).then(a.value.total_cmp(&b.value)));
