@@ -40,19 +40,19 @@ pub enum Kind {
     Other(&'static str),
 }
 
-/// Keys that stand at the top of the JSON of some verb; a foreign JSON file has none of them.
-const OWN_KEYS: [&str; 11] = [
-    "contradictions",
-    "effects",
-    "parameters",
-    "misfit",
-    "overall",
-    "findings",
-    "suspects",
-    "left_aside",
-    "explicit_step_s",
-    "corners",
-    "rms_percent_1ms",
+/// Keys that stand together at the top of the JSON of some verb; a foreign JSON file has none of these sets.
+const OWN_KEYS: [&[&str]; 11] = [
+    &["quantities", "contradictions"],
+    &["effects", "settings"],
+    &["parameters"],
+    &["misfit"],
+    &["overall"],
+    &["findings"],
+    &["suspects"],
+    &["left_aside"],
+    &["explicit_step_s"],
+    &["corners"],
+    &["rms_percent_1ms"],
 ];
 /// Key of a model of the literature that `fit --model` identified, in its file, and under `numbers` in the JSON of that fit.
 const LITERATURE: &str = "literature_model";
@@ -145,7 +145,9 @@ impl Kind {
         if begins("{") || begins("[") {
             if let Ok(value) = serde_json::from_str::<serde_json::Value>(text) {
                 let first = value.as_array().and_then(|rows| rows.first()).unwrap_or(&value);
-                let own = first.as_object().is_some_and(|o| OWN_KEYS.iter().any(|key| o.contains_key(*key)));
+                let own = first
+                    .as_object()
+                    .is_some_and(|o| OWN_KEYS.iter().any(|keys| keys.iter().all(|key| o.contains_key(*key))));
                 return if own || first["numbers"].get(LITERATURE).is_some() {
                     Kind::Figures
                 } else {
@@ -222,6 +224,9 @@ mod tests {
         assert_eq!(of("format = \"dashpot campaign profile 1\"\n"), Kind::Profile);
         assert_eq!(of("{\"parameters\": []}"), Kind::Figures);
         assert_eq!(of("[{\"rms_percent_1ms\": 1}]"), Kind::Figures);
+        assert_eq!(of("{\"quantities\": [], \"contradictions\": []}"), Kind::Figures);
+        assert_eq!(of("{\"effects\": [], \"settings\": []}"), Kind::Figures);
+        assert_eq!(of("{\"effects\": [\"reverb\"]}"), Kind::Other("JSON of other origin"));
         assert_eq!(of("{\"tests\": [], \"numbers\": {\"literature_model\": \"dahl\"}}"), Kind::Figures);
         assert_eq!(of("# mine\nliterature_model = \"dahl\"\nfriction_n = 1.0\n"), Kind::Comparison);
         assert!(matches!(of("{\"name\": \"x\"}"), Kind::Other(_)));

@@ -38,6 +38,14 @@ pub(crate) fn quantum(values: &[f64]) -> f64 {
     if smallest.is_finite() { smallest } else { 0.0 }
 }
 
+/// Standard deviation of white noise, from differences of neighboring samples; the median makes steps harmless.
+pub(crate) fn white_noise(values: &[f64]) -> f64 {
+    let mut differences: Vec<f64> =
+        values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|difference| difference.is_finite()).collect();
+    // √2 is the gain of the difference, 0.6745 the median of |normal|.
+    if differences.is_empty() { 0.0 } else { median(&mut differences) / (0.6745 * std::f64::consts::SQRT_2) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

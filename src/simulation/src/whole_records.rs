@@ -69,7 +69,7 @@ pub struct Quality {
 /// How good a fit is, over the records that it was made of.
 ///
 /// # Errors
-/// As [`deviation`].
+/// The errors of [`deviation`].
 pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
     let (model, fv_only) = (of_fit(fit, records)?, without(&fit.measured, &fit.fv_only, records)?);
     Ok(Quality { model, fv_only, noise_n: mean_noise(records) })
@@ -85,7 +85,7 @@ fn mean_noise(records: &[&Record]) -> f64 {
 /// How good a family is over the tests of constant settings that it was made of, each at its own.
 ///
 /// # Errors
-/// As [`deviation`].
+/// The errors of [`deviation`].
 pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
     let off = to_measurement_error(&fit.measured);
     let mut all: Vec<(Record, [Vec<f64>; 2])> = Vec::new();
@@ -151,7 +151,7 @@ impl OfDiagnosis {
     /// Of the model as it came, refitted and improved; the latter without what was `measured`.
     ///
     /// # Errors
-    /// As [`deviation`].
+    /// The errors of [`deviation`].
     pub fn evaluate(
         as_it_came: &Params,
         refitted: &Params,

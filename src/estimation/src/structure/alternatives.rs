@@ -23,7 +23,8 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
 
 /// Structures with one effect more than `best`, one less or one exchanged, refitted and most probable first.
 ///
-/// Each is at least as probable beside it as an interval may leave out. `best` is the most probable structure of the search, or what is left of it: then the whole is an alternative.
+/// Each is at least as probable beside it as an interval may leave out. `best` is the most probable structure of the search, or what is left of it:
+/// then the whole is an alternative.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Structure> {
     // As exactly as the others are judged: more exact integration moves the log posterior by units.
     let judged = best.refitted(tests, Effort::JUDGE);

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
-use crate::numbers::median;
-use crate::quantities::setting_value::NAMES;
+use crate::numbers::{median, white_noise};
+use crate::quantities::setting_value::with_setting_name;
 
 /// Tolerance of a level as a fraction of the range of the signal: a step of less than three times it is none.
 const LEVEL: f64 = 0.03;
@@ -108,11 +108,7 @@ impl SettingSignal {
             SettingPattern::Steps => Sentence::from(phrases::SETTING_STEPS).with("count", self.steps().len()),
             SettingPattern::Varying => phrases::SETTING_VARIES.into(),
         };
-        let text = match NAMES.contains(&self.name.as_str()) {
-            true => text.with_word("setting", &self.name),
-            // A name that the user gave is the same in every language.
-            false => text.with("setting", &self.name),
-        };
+        let text = with_setting_name(text, "setting", &self.name);
         let [low, high] = self.range;
         let high = format!("{high:.2} {}", self.unit);
         text.with("low", format!("{low:.2}")).with("high", high.trim_end())
@@ -144,17 +140,10 @@ fn extremes(values: &[f64]) -> [f64; 2] {
     [low, high]
 }
 
-/// Standard deviation of white noise on levels, from differences of neighboring samples; the median makes steps harmless.
-fn noise(values: &[f64]) -> f64 {
-    let mut differences: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
-    // √2 is the gain of the difference, 0.6745 the median of |normal|.
-    if differences.is_empty() { 0.0 } else { median(&mut differences) / (0.6745 * std::f64::consts::SQRT_2) }
-}
-
 /// The levels of a signal that stays at levels.
 fn levels(values: &[f64]) -> Option<Vec<Level>> {
     let [low, high] = extremes(values);
-    let tolerance = (LEVEL * (high - low)).max(NOISE * noise(values));
+    let tolerance = (LEVEL * (high - low)).max(NOISE * white_noise(values));
     let mut levels: Vec<Level> = Vec::new();
     let mut from = 0;
     while from < values.len() {

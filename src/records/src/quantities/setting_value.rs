@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::glob;
-use crate::numbers::quantile;
+use crate::messages::sentence::Sentence;
+use crate::numbers::{quantile, white_noise};
 
 /// A setting of an adjustable damper.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -44,6 +45,13 @@ const UNITS: [(&[&str], &str, &str, f64); 8] = [
 /// Names that messages know in every language.
 pub(crate) const NAMES: [&str; 4] = ["current", "clicks", "voltage", "pressure"];
 
+/// A sentence with the name of a setting at a place.
+///
+/// It is a word of every language, or the user's own, which is the same in all.
+pub(crate) fn with_setting_name(text: Sentence, place: &'static str, name: &str) -> Sentence {
+    if NAMES.contains(&name) { text.with_word(place, name) } else { text.with(place, name) }
+}
+
 /// What is set in a unit, the unit that it is kept in, and the factor to that; nothing for an unknown unit.
 pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static str, f64)> {
     let (_, name, unit, factor) = UNITS.iter().find(|(words, ..)| words.contains(&written))?;
@@ -51,19 +59,8 @@ pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static s
 }
 
 /// A value as a supply is set, not with the noise of the sensor.
-pub(crate) fn as_set(value: f64) -> f64 {
+fn as_set(value: f64) -> f64 {
     ((value / SAME).round() * SAME * 1e4).round() / 1e4 + 0.0
-}
-
-/// Standard deviation of white noise of a channel, by the differences of neighbors. A step is one difference of many, and a slow change is none.
-fn noise(channel: &[f64]) -> f64 {
-    let mut differences: Vec<f64> =
-        channel.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|difference| difference.is_finite()).collect();
-    if differences.is_empty() {
-        return 0.0;
-    }
-    // The median magnitude of a normal difference is 0.6745 of its deviation, which is √2 that of a sample.
-    quantile(&mut differences, 0.5) / (0.6745 * std::f64::consts::SQRT_2)
 }
 
 impl Setting {
@@ -75,7 +72,7 @@ impl Setting {
         }
         let (low, high) = (quantile(&mut values, SPIKES), quantile(&mut values, 1.0 - SPIKES));
         let middle = quantile(&mut values, 0.5);
-        if high - low > STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * noise(channel) {
+        if high - low > STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * white_noise(channel) {
             return Err((low, high));
         }
         Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: as_set(middle) }))

@@ -6,7 +6,7 @@ use super::unstated_settings::together;
 use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
-use crate::quantities::setting_value::{NAMES, SAME, Setting, SettingRules, setting_in_words};
+use crate::quantities::setting_value::{SAME, Setting, SettingRules, setting_in_words, with_setting_name};
 
 /// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
@@ -50,13 +50,7 @@ fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<N
         .with("named", words(&named))
         .with("shown", words(shown))
         .with("count", 1 + all.count());
-    Some(Note { kind: "setting_name", text: with_setting_name(text, &shown.name) })
-}
-
-/// A sentence with the name of a setting, which is a word of the program or the user's.
-fn with_setting_name(text: Sentence, name: &str) -> Sentence {
-    // A name that the user gave is the same in every language.
-    if NAMES.contains(&name) { text.with_word("setting", name) } else { text.with("setting", name) }
+    Some(Note { kind: "setting_name", text: with_setting_name(text, "setting", &shown.name) })
 }
 
 /// Gives one value to tests whose measured settings differ by a rounding.
@@ -131,11 +125,7 @@ fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
             .with_sentence("names", together(&names, tests))
     });
     let text = Sentence::from(phrases::SEVERAL_SETTINGS).with("count", settings.len()).with("option", &first.name);
-    let text = match NAMES.contains(&first.name.as_str()) {
-        true => text.with_word("name", &first.name),
-        // A name that the user gave is the same in every language.
-        false => text.with("name", &first.name),
-    };
+    let text = with_setting_name(text, "name", &first.name);
     let text = text.with_list("settings", listed.collect(), phrases::SEMICOLON);
     notes.push(Note { kind: "settings", text });
 }
