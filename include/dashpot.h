@@ -777,7 +777,7 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 //
 // fv_curve (element, on by default): primary damper: the force-velocity (FV) curve
 //   fv_form                      FV curve from the table or from slopes and knees [0 table, 1 piecewise]
-//   fv_interpolation             how the FV table runs between its points [0 monotone_cubic, 1 linear]
+//   fv_interpolation             how the FV table runs between its points [0 monotone_cubic, 1 linear, 2 cubic_each_side]
 //   fv_velocity                  velocities of the FV table, rebound positive, increasing [m/s, -20 to 20, at most 63 numbers]
 //   fv_force                     forces of the FV table, tension positive, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
 //   fv_rebound_c1                Cr1: rebound slope below the first knee [N s/m, 0 to 1e8, default 6000]

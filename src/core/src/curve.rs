@@ -28,6 +28,10 @@ pub enum Interpolation {
     /// Piecewise cubic Hermite with Fritsch–Butland derivatives (SIAM J. Sci. Stat. Comput. 5, 1984): smooth derivative,
     /// no overshoot.
     MonotoneCubic,
+    /// Monotone cubic on each side of zero, where both meet with derivatives of their own, as valves of rebound and compression do.
+    ///
+    /// Each is that of the parabola through zero and two further points (see [`derivatives`]).
+    CubicEachSide,
     /// Straight lines.
     Linear,
 }
@@ -196,12 +200,14 @@ impl Curve {
         for (to, (u, f)) in curve.points.iter_mut().zip(u.iter().zip(f)) {
             *to = [*u, *f];
         }
-        let mut derivatives = [0.0; PIECES];
-        if interpolation == Interpolation::MonotoneCubic {
-            for (i, derivative) in derivatives.iter_mut().enumerate().take(n) {
-                *derivative = monotone_derivative(u, f, i);
+        let mut at_points = [[0.0; 2]; PIECES];
+        if interpolation != Interpolation::Linear {
+            for (i, both) in at_points.iter_mut().enumerate().take(n) {
+                *both = derivatives(u, f, i, interpolation);
             }
         }
+        let derivative =
+            |i: usize, side: usize| at_points.get(i).and_then(|both| both.get(side)).copied().unwrap_or(0.0);
         let at = |s: &[f64], i: usize| s.get(i).copied().unwrap_or(0.0);
         let pieces = curve.pieces.iter_mut().zip(&mut curve.extents);
         for (i, (piece, extent)) in pieces.enumerate().take(n + 1) {
@@ -216,8 +222,8 @@ impl Curve {
                 (extent.low, extent.high, extent.chord) = (0.0, h, chord);
                 match interpolation {
                     Interpolation::Linear => piece.c1 = chord,
-                    Interpolation::MonotoneCubic => {
-                        let (m0, m1) = (at(&derivatives, left), at(&derivatives, right));
+                    Interpolation::MonotoneCubic | Interpolation::CubicEachSide => {
+                        let (m0, m1) = (derivative(left, 1), derivative(right, 0));
                         piece.c1 = m0;
                         let (c2, c3) = ((3.0 * chord - 2.0 * m0 - m1) / h, (m0 + m1 - 2.0 * chord) / (h * h));
                         piece.c2 = [c2, 2.0 * c2];
@@ -226,7 +232,7 @@ impl Curve {
                 }
             } else {
                 piece.c1 = match interpolation {
-                    Interpolation::MonotoneCubic => at(&derivatives, anchor),
+                    Interpolation::MonotoneCubic | Interpolation::CubicEachSide => derivative(anchor, 0),
                     Interpolation::Linear => {
                         let k = if i == 0 { 0 } else { n - 2 };
                         (at(f, k + 1) - at(f, k)) / (at(u, k + 1) - at(u, k))
@@ -397,6 +403,27 @@ impl Piece {
     }
 }
 
+/// Derivatives of a cubic curve before and after its point `i`, which differ at zero alone and only with [`Interpolation::CubicEachSide`].
+///
+/// There each is that of the parabola through zero and the next two points of its side, not below zero; with one point, of the line.
+/// Fritsch and Butland limit such a derivative to three times the chord; that of a parabola through rising points is below twice.
+pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation) -> [f64; 2] {
+    let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
+    let is_inner = i > 0 && i + 1 < u.len();
+    if interpolation != Interpolation::CubicEachSide || !is_inner || at(u, i) != 0.0 {
+        return [monotone_derivative(u, f, i); 2];
+    }
+    let one_sided = |near: usize, far: Option<usize>| {
+        let h0 = at(u, near).abs();
+        let d0 = (at(f, near) - at(f, i)).abs() / h0;
+        let Some(far) = far.filter(|far| *far < u.len()) else { return d0 };
+        let h1 = (at(u, far) - at(u, near)).abs();
+        let d1 = (at(f, far) - at(f, near)).abs() / h1;
+        max(0.0, d0 + (d0 - d1) * h0 / (h0 + h1))
+    };
+    [one_sided(i - 1, i.checked_sub(2)), one_sided(i + 1, Some(i + 2))]
+}
+
 /// Slope at point `i` after Fritsch and Butland: weighted harmonic mean of the neighbouring chords, zero where they
 /// disagree in sign; one-sided at the ends.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
@@ -425,6 +452,8 @@ pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
 mod tests {
     use super::*;
 
+    const ALL: [Interpolation; 3] = [Interpolation::MonotoneCubic, Interpolation::CubicEachSide, Interpolation::Linear];
+
     fn knee() -> ([f64; 9], [f64; 9]) {
         (
             [-1.6, -0.8, -0.3, -0.05, 0.0, 0.05, 0.3, 0.8, 1.6],
@@ -435,7 +464,7 @@ mod tests {
     #[test]
     fn passes_through_its_points_and_never_falls() {
         let (u, f) = knee();
-        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+        for interpolation in ALL {
             let c = Curve::new(&u, &f, interpolation).unwrap();
             for (u, f) in u.iter().zip(&f) {
                 assert!((c.evaluate(*u).value - f).abs() < 1e-9);
@@ -447,6 +476,24 @@ mod tests {
                 last = v.value;
             }
         }
+    }
+
+    /// Valves of rebound and compression share no derivative at rest, and a side that is a parabola there stays one.
+    #[test]
+    fn each_side_has_a_derivative_of_its_own_at_zero() {
+        let u = [-1.0, -0.3, -0.1, 0.0, 0.2, 0.5, 1.0];
+        let f = u.map(|u: f64| if u > 0.0 { 900.0 * u } else { -4000.0 * u * u + 300.0 * u });
+        let c = Curve::new(&u, &f, Interpolation::CubicEachSide).unwrap();
+        assert!((c.evaluate(0.0).derivative - 900.0).abs() < 1e-9);
+        assert!((c.evaluate(-1e-9).derivative - 300.0).abs() < 1e-4);
+        assert!((c.evaluate(0.1).value - 90.0).abs() < 1e-9);
+        // Away from zero, and without a point there, it is the monotone cubic.
+        let (plain, off) = (Interpolation::MonotoneCubic, u.map(|u| u + 1e-3));
+        assert_eq!(derivatives(&u, &f, 2, Interpolation::CubicEachSide), derivatives(&u, &f, 2, plain));
+        assert_eq!(derivatives(&off, &f, 3, Interpolation::CubicEachSide), derivatives(&off, &f, 3, plain));
+        // A side that begins level goes on level; it never falls.
+        let level = Curve::new(&[-1.0, 0.0, 0.1, 0.2], &[-9.0, 0.0, 1.0, 50.0], Interpolation::CubicEachSide).unwrap();
+        assert_eq!(level.evaluate(0.0).derivative, 0.0);
     }
 
     #[test]
@@ -515,7 +562,7 @@ mod tests {
     #[test]
     fn resolvent_solves_its_equation_over_twelve_decades() {
         let (u, f) = knee();
-        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+        for interpolation in ALL {
             let c = Curve::new(&u, &f, interpolation).unwrap();
             let mut worst: f64 = 0.0;
             for decade in -6..=6 {

@@ -104,7 +104,9 @@ fn alone<'a>(
     };
     // Asked about some effects alone, or for none, the given model is the only one to compare with.
     let is_open = options.candidates.is_none() && options.max_effects > 0;
-    let plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
+    let mut plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
+    let each_side = starts::with_derivatives_of_each_side(params).filter(|_| is_open);
+    plain.extend(each_side.map(|params| starts::from_params(&params, &heating)));
     let search = StructureSearch::run(&context, Some(starts::from_params(params, &heating)), plain);
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);

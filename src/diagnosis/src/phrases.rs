@@ -29,8 +29,8 @@ dashpot_records::phrases! {
     HAS_EFFECT: "this damper shows {names}; the residual falls from {before} to {after} times noise and curve error{also}";
     NEW_EFFECT: "new on this damper: {names}; the residual falls from {before} to {after} times noise and curve error{also}";
     ALSO_CHANGED: "; also changed: {changes}";
-    AT_ALL_SETTINGS: "at every setting this damper shows {effect} ({sure} sure)";
-    AT_SOME_SETTINGS: "{effect} ({sure} sure) is missing in the model at {names}; at the other settings it is not named";
+    AT_ALL_SETTINGS: "at every setting this damper shows {effect} ({sure} sure{instead})";
+    AT_SOME_SETTINGS: "{effect} ({sure} sure{instead}) is missing in the model at {names}; at the other settings it is not named";
     AT_NO_SETTING: "no effect is missing in the model that these records can name, at any setting";
     CHANGED_AT_ALL_SETTINGS: "{name} changed at every setting ({sure} sure)";
     CHANGED_AT_SOME_SETTINGS: "{name} changed at {names} ({sure} sure); at the other settings no change of it shows";

@@ -88,6 +88,7 @@ impl Prepared {
         };
         let start = |params: &Params| no_heat(starts::from_params(params, &own.heating));
         let mut all = vec![start(params)];
+        all.extend(starts::with_derivatives_of_each_side(params).as_ref().map(start));
         if !has_friction(params) {
             all.extend(starts::plain(&own.fitted, &own.heating, &|_| true).into_iter().map(no_heat));
         }

@@ -131,6 +131,9 @@ pub struct EffectAtSetting {
     pub force_n_rms: f64,
     /// What became of it there.
     pub status: Status,
+    /// The effect of the model that it stands instead of there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub replaces: Option<&'static str>,
 }
 
 /// An effect over all settings.
@@ -254,6 +257,7 @@ fn at_setting(setting: f64, item: &InventoryItem, finding: Option<&Finding>) -> 
         probability: finding.map_or(item.probability, |finding| finding.confidence),
         force_n_rms: item.force_n_rms,
         status: item.status,
+        replaces: item.replaces,
     }
 }
 
@@ -263,6 +267,7 @@ fn of_finding(setting: f64, finding: &Finding) -> EffectAtSetting {
         probability: finding.confidence,
         force_n_rms: finding.force_n_rms,
         status: Status::Added,
+        replaces: None,
     }
 }
 
@@ -295,10 +300,15 @@ fn summarize(
             continue;
         }
         let at = added.iter().map(|at| at.setting).collect();
+        // An exchange is no effect that was missing beside the others.
+        let mut replaced = added.iter().filter_map(|at| at.replaces);
+        let first = replaced.next().filter(|first| replaced.all(|other| other == *first));
+        let instead = first.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));
         said.push(
             over(at, phrases::AT_ALL_SETTINGS, phrases::AT_SOME_SETTINGS)
                 .with("effect", of.effect)
-                .with("sure", percents(added.iter().map(|at| at.probability))),
+                .with("sure", percents(added.iter().map(|at| at.probability)))
+                .with_any("instead", instead),
         );
     }
     for of in changes {
@@ -328,6 +338,7 @@ mod tests {
             probability: 0.9 + 0.02 * setting,
             force_n_rms: 10.0,
             status: *status,
+            replaces: None,
         };
         EffectOverSettings { effect, at_all_settings: false, is_found: true, settings: status.iter().map(at).collect() }
     }
@@ -347,6 +358,11 @@ mod tests {
         assert_eq!(said.len(), 2, "{said:?}");
         assert!(said[0].contains("every setting") && said[0].contains("free_play (90–94 % sure)"), "{said:?}");
         assert!(said[1].contains("cavitation") && said[1].contains("at 1 A"), "{said:?}");
+        // An exchange is said as one.
+        let mut exchanged = effect("series_compliance", &[(0.0, Status::Added), (1.0, Status::Added)]);
+        exchanged.settings.iter_mut().for_each(|at| at.replaces = Some("oil_compressibility"));
+        let said = summary(&[exchanged], &[], &[], false);
+        assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
         // What has no name is no "nothing".

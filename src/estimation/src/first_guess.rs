@@ -4,6 +4,8 @@ use crate::scale::Scale;
 use crate::segment::Segment;
 use crate::unknowns::anchor;
 use dashpot_core::Params;
+use dashpot_core::curve::Interpolation;
+use dashpot_core::elements::fv_curve::choice_of_interpolation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use serde::{Deserialize, Serialize};
@@ -187,6 +189,8 @@ pub fn guess(segments: &[Segment]) -> Params {
     for number in dashpot_core::parameter::table().filter_map(|row| Number::try_from(row).ok()) {
         set(&mut p, number, scale.of_number(number) * number.default());
     }
+    // Valves of rebound and compression share no derivative at rest; a curve that has one there moves gas force and friction.
+    set(&mut p, number!("fv_interpolation"), choice_of_interpolation(Interpolation::CubicEachSide));
     let _ = p.set_list(list!("fv_velocity"), &v);
     let _ = p.set_list(list!("fv_force"), &f);
     p.enable(element!("fv_curve"), true);

@@ -18,6 +18,7 @@
 //! | [`solve`] | bounded, robust least squares for any residuals |
 //! | [`family`] | a damper at several settings as one problem |
 //! | [`deviations`] | how far the records leave numbers open |
+//! | [`curve_form`] | how far the curve between its points misses the records |
 //! | [`spring_end`] | what the end of a lookup spring has beyond its middle: a stop that it has taken up |
 //! | [`campaign_clock`] | whether the records were measured on one clock |
 //! | [`warmth`] | between which temperatures they were measured |
@@ -27,6 +28,7 @@
 mod bleed;
 pub mod campaign_clock;
 pub mod cancel;
+pub mod curve_form;
 pub mod curve_part;
 pub mod curve_weights;
 pub mod deviations;

@@ -17,7 +17,7 @@ use dashpot_core::{
     element::Motion,
     parameter::{Acts, Element, acts},
 };
-use dashpot_core::{element, list, number};
+use dashpot_core::{element, number};
 use nalgebra::DMatrix;
 
 /// Parameters whose change moves the internal mass, and their direct share in the stage equation.
@@ -252,8 +252,8 @@ impl Run {
             columns: Vec::new(),
             first_fv: NOWHERE,
             first_spring: NOWHERE,
-            fv: CurveWeights::new(params.list(list!("fv_velocity")), params.list(list!("fv_force"))),
-            spring: CurveWeights::new(params.list(list!("spring_displacement")), params.list(list!("spring_force"))),
+            fv: CurveWeights::of_params(&params, CurveName::Fv),
+            spring: CurveWeights::of_params(&params, CurveName::Spring),
             beside: Vec::new(),
             alone: Vec::new(),
             rises: Vec::new(),
@@ -503,6 +503,7 @@ pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
 mod tests {
     use super::*;
     use dashpot_core::Input;
+    use dashpot_core::list;
     use dashpot_core::parameter::GROUPS;
     use dashpot_core::parameter::Shape;
 

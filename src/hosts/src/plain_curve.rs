@@ -6,9 +6,9 @@
 use crate::adams::akima::{self, Difference};
 use crate::adams::property::Curve;
 use anyhow::Context as _;
-use dashpot_core::curve::Interpolation;
+use dashpot_core::elements::fv_curve::fv_interpolation;
 use dashpot_core::parameter::Element;
-use dashpot_core::{Params, element, number};
+use dashpot_core::{Params, element};
 use dashpot_identification::model_file::{FvOnly, ModelFile, prepared};
 
 /// Whose curve it is.
@@ -77,9 +77,7 @@ impl PlainCurve {
     pub fn for_akima(&self) -> anyhow::Result<(Curve, usize, Difference)> {
         let model = prepared(&self.params)?;
         let own = Curve::from_model(&self.params, &model);
-        let is = |choice, number| self.params.number(number) == choice;
-        let straight = is(1.0, number!("fv_form")) || is(1.0, number!("fv_interpolation"));
-        let reading = if straight { Interpolation::Linear } else { Interpolation::MonotoneCubic };
+        let reading = fv_interpolation(&self.params);
         let count = own.velocities.len();
         let (curve, left) = akima::written(own, reading, &|v| model.elements().paths.fv_curve.evaluate(v).value);
         Ok((curve, count, left))
@@ -111,6 +109,7 @@ impl PlainCurve {
 mod tests {
     use super::*;
     use dashpot_core::list;
+    use dashpot_core::number;
     use dashpot_identification::model_file::of_text;
     use std::path::Path;
 

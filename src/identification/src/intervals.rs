@@ -1,15 +1,16 @@
 //! 95 % intervals, where each parameter was identified from, and which were not.
 
 use super::phrases;
-use dashpot_core::number;
 use dashpot_core::parameter::Number;
+use dashpot_core::{list, number};
+use dashpot_estimation::curve_form;
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::first_guess::SLOW;
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::scale::Scale;
-use dashpot_estimation::unknowns::{Unknown, anchor};
+use dashpot_estimation::unknowns::{CurveName, Unknown, anchor};
 use dashpot_records::Sentence;
 use nalgebra::DMatrix;
 use serde::Serialize;
@@ -62,7 +63,7 @@ pub enum Standing {
 pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Estimate> {
     let Some((covariance, determined)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
     let known = Known { covariance, determined, sources: sources(hypothesis, refit, tests) };
-    known.estimates(hypothesis, &refit.theta, tests)
+    known.estimates(hypothesis, &refit.theta, tests, refit.residual.as_slice())
 }
 
 /// What the records say of free numbers.
@@ -87,10 +88,11 @@ impl Known {
         }
     }
 
-    /// Estimates of all numbers of a hypothesis at `theta`.
-    pub fn estimates(&self, hypothesis: &Hypothesis, theta: &[f64], tests: &[Test]) -> Vec<Estimate> {
+    /// Estimates of all numbers of a hypothesis at `theta`, where the fit leaves this residual of the tests.
+    pub fn estimates(&self, hypothesis: &Hypothesis, theta: &[f64], tests: &[Test], residual: &[f64]) -> Vec<Estimate> {
         let Known { covariance: cov, determined, sources } = self;
         let params = hypothesis.params(theta);
+        let misses = curve_form::misses(params.list(list!("fv_velocity")), tests, residual);
         let top = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.top));
         let stroke = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.amplitude));
         let speed = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.peak_velocity));
@@ -162,7 +164,9 @@ impl Known {
                         .map(|(k, _)| k)
                         .collect();
                     let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
-                    let half = Z * variance.max(0.0).sqrt();
+                    // No point is surer than the curve beside it is near the records.
+                    let miss = if *curve == CurveName::Fv { misses.get(*point).copied().unwrap_or(0.0) } else { 0.0 };
+                    let half = (Z * Z * variance.max(0.0) + miss * miss).sqrt();
                     let value = params.list(curve.forces())[*point];
                     let identified = half <= RELATIVE * value.abs() || half <= SHARE * top;
                     list.push(Estimate {

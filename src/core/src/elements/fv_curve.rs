@@ -3,6 +3,8 @@
 use crate::curve::{Above, Curve, Interpolation, MAX_POINTS, Value};
 use crate::element::Prepare;
 use crate::fault::{Fault, Reason};
+use crate::number;
+use crate::parameter::Params;
 use crate::schema::kind::{Many, One};
 use crate::schema::own::own;
 use crate::schema::{Describe, Own, Parameter, View};
@@ -24,7 +26,7 @@ impl Describe for FvCurve {
         Parameter::choice("fv_form", &["table", "piecewise"], "FV curve from the table or from slopes and knees"),
         Parameter::choice(
             "fv_interpolation",
-            &["monotone_cubic", "linear"],
+            &["monotone_cubic", "linear", "cubic_each_side"],
             "how the FV table runs between its points",
         )
         .in_form("fv_form", &["table"]),
@@ -78,11 +80,7 @@ impl Prepare for FvCurve {
         if p.number(own!("fv_form")) == 1.0 {
             return self.set_piecewise(p);
         }
-        let interpolation = if p.number(own!("fv_interpolation")) == 1.0 {
-            Interpolation::Linear
-        } else {
-            Interpolation::MonotoneCubic
-        };
+        let interpolation = interpolation_of_choice(p.number(own!("fv_interpolation")));
         self.0.set(p.list(VELOCITY), p.list(FORCE), interpolation).map_err(|reason| of_table(p, reason))
     }
 
@@ -106,6 +104,35 @@ impl FvCurve {
         check_order(p)?;
         let (v, f) = knees(p);
         self.0.set(&v, &f, Interpolation::Linear).map_err(|reason| of_knees(p, reason))
+    }
+}
+
+/// How the FV curve of a parameter set runs between its points.
+pub fn fv_interpolation(params: &Params) -> Interpolation {
+    if params.number(number!("fv_form")) == 1.0 {
+        Interpolation::Linear
+    } else {
+        interpolation_of_choice(params.number(number!("fv_interpolation")))
+    }
+}
+
+/// The value of `fv_interpolation` that stands for a way to run between points.
+pub fn choice_of_interpolation(interpolation: Interpolation) -> f64 {
+    match interpolation {
+        Interpolation::MonotoneCubic => 0.0,
+        Interpolation::Linear => 1.0,
+        Interpolation::CubicEachSide => 2.0,
+    }
+}
+
+/// The interpolation that a value of `fv_interpolation` stands for.
+fn interpolation_of_choice(choice: f64) -> Interpolation {
+    if choice == 1.0 {
+        Interpolation::Linear
+    } else if choice == 2.0 {
+        Interpolation::CubicEachSide
+    } else {
+        Interpolation::MonotoneCubic
     }
 }
 

@@ -8,7 +8,7 @@ pub(crate) mod coulomb_friction;
 pub(crate) mod end_stop;
 pub(crate) mod free_play;
 pub(crate) mod frequency_selective_damping;
-pub(crate) mod fv_curve;
+pub mod fv_curve;
 pub(crate) mod gas_preload;
 pub(crate) mod gas_spring;
 pub(crate) mod gas_warming;

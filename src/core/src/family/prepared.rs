@@ -7,6 +7,7 @@ use super::interpolation::{MAX_GRID, Place, derivatives};
 use super::lending::Numbers;
 use super::section::{Lent, Points, ROOM, Section};
 use crate::assembly::Renewed;
+use crate::curve::Interpolation;
 use crate::evaluate::{evaluate_of, partials_of};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::input::Input;
@@ -81,10 +82,10 @@ pub struct Family {
     /// Whether a mass inside the damper is added to an internal mass that is made ready anew.
     has_mass_inside: bool,
     fv: Fv,
-    /// Points of the FV curve at the start, and whether it bends smoothly.
+    /// Points of the FV curve at the start, and how it runs between them.
     points: Points,
     point_count: u64,
-    is_cubic: bool,
+    interpolation: Interpolation,
     /// Forces of the points at each grid value, and their derivatives over the setting.
     forces: [[f64; ROOM]; MAX_GRID],
     derivatives: [[f64; ROOM]; MAX_GRID],
@@ -187,7 +188,7 @@ impl Family {
         fv: Fv::Same,
         points: Points { u: [0.0; ROOM], per: [0.0; ROOM], f: [0.0; ROOM] },
         point_count: 0,
-        is_cubic: false,
+        interpolation: Interpolation::Linear,
         forces: [[0.0; ROOM]; MAX_GRID],
         derivatives: [[0.0; ROOM]; MAX_GRID],
         layout: 0.0,
@@ -304,7 +305,7 @@ impl Family {
     }
 
     fn set_curve(&mut self, axis: &Axis) {
-        (self.fv, self.point_count, self.is_cubic) = (Fv::Same, 0, false);
+        (self.fv, self.point_count, self.interpolation) = (Fv::Same, 0, Interpolation::Linear);
         self.points = Points::NONE;
         let curve = element!("fv_curve");
         if !self.params.is_on(curve) {
@@ -322,7 +323,7 @@ impl Family {
             let u = self.params.list(list!("fv_velocity"));
             self.points.set(u, self.params.list(list!("fv_force")));
             self.point_count = u.len() as u64;
-            self.is_cubic = self.params.number(number!("fv_interpolation")) == 0.0;
+            self.interpolation = crate::elements::fv_curve::fv_interpolation(&self.params);
             if axis.has_forces() {
                 self.fv = Fv::Forces;
                 for (index, (forces, derivatives)) in self.forces.iter_mut().zip(&mut self.derivatives).enumerate() {
@@ -439,7 +440,7 @@ impl Family {
                 (&knees.u, &knees.per, &knees.f)
             }
         };
-        let fv = Section::new(u, per, f, count, self.is_cubic);
+        let fv = Section::new(u, per, f, count, self.interpolation);
         let mut renewed = Renewed::none();
         let mut model = Model {
             elements: self.model.elements.lent(fv, &at, &mut renewed),

@@ -1,6 +1,6 @@
 //! The tables of a damper at one setting, borrowed from the family.
 
-use crate::curve::{Above, Curve, MAX_POINTS, Value};
+use crate::curve::{Above, Curve, Interpolation, MAX_POINTS, Value};
 use crate::elements::valve_hysteresis::{Conductance, tabulated};
 use crate::math::{max, min};
 use core::fmt::Debug;
@@ -52,8 +52,7 @@ pub struct Section<'a> {
     per: &'a [f64; ROOM],
     f: &'a [f64; ROOM],
     count: usize,
-    /// Fritsch–Butland derivatives; else straight lines.
-    is_cubic: bool,
+    interpolation: Interpolation,
 }
 
 /// A piece, as in [`Curve`].
@@ -76,9 +75,9 @@ impl<'a> Section<'a> {
         per: &'a [f64; ROOM],
         f: &'a [f64; ROOM],
         count: usize,
-        is_cubic: bool,
+        interpolation: Interpolation,
     ) -> Section<'a> {
-        Section { u, per, f, count, is_cubic }
+        Section { u, per, f, count, interpolation }
     }
 
     /// Number of points at which `key` is at most `r`: the index of the piece.
@@ -123,6 +122,22 @@ impl<'a> Section<'a> {
         if product > 0.0 { (w0 + w1) * product / (w0 * after + w1 * before) } else { 0.0 }
     }
 
+    /// Whether both sides of the curve meet at a point with derivatives of their own.
+    #[inline(always)]
+    fn has_kink_at(&self, point: usize) -> bool {
+        self.interpolation == Interpolation::CubicEachSide && self.u[point & MASK] == 0.0
+    }
+
+    /// Derivative at zero of the side that has the pieces behind the points `near` and, if any, `far`, as in [`crate::curve::derivatives`].
+    #[inline(always)]
+    fn derivative_of_side(&self, near: usize, far: Option<usize>) -> f64 {
+        let d0 = self.chord(near);
+        let Some(far) = far else { return d0 };
+        // h0 / (h0 + h1) with the reciprocals of both.
+        let (r0, r1) = (self.per[near & MASK], self.per[far & MASK]);
+        max(0.0, d0 + (d0 - self.chord(far)) * (r1 / (r0 + r1)))
+    }
+
     /// The piece left of point `index`.
     #[inline(always)]
     fn piece(&self, index: usize) -> Piece {
@@ -132,11 +147,20 @@ impl<'a> Section<'a> {
             let (per, chord) = (self.per[left & MASK], self.chord(left));
             let (u0, f0) = (self.u[left & MASK], self.f[left & MASK]);
             let high = self.u[index & MASK] - u0;
-            if !self.is_cubic {
+            if self.interpolation == Interpolation::Linear {
                 return Piece { u0, f0, c1: chord, c2: 0.0, c3: 0.0, low: 0.0, high, chord };
             }
-            let m0 = self.derivative(left, if left > 0 { self.chord(left - 1) } else { 0.0 }, chord);
-            let m1 = self.derivative(index, chord, if index < last { self.chord(index) } else { 0.0 });
+            let m0 = if left > 0 && self.has_kink_at(left) {
+                let after = if index < last { Some(index) } else { None };
+                self.derivative_of_side(left, after)
+            } else {
+                self.derivative(left, if left > 0 { self.chord(left - 1) } else { 0.0 }, chord)
+            };
+            let m1 = if index < last && self.has_kink_at(index) {
+                self.derivative_of_side(left, left.checked_sub(1))
+            } else {
+                self.derivative(index, chord, if index < last { self.chord(index) } else { 0.0 })
+            };
             let c2 = (3.0 * chord - 2.0 * m0 - m1) * per;
             let c3 = (m0 + m1 - 2.0 * chord) * (per * per);
             return Piece { u0, f0, c1: m0, c2, c3, low: 0.0, high, chord };

@@ -46,6 +46,13 @@ def root_of(rises, guess):
             low = middle
 
 
+def one_sided(h, delta):
+    """Derivative at zero of the side whose pieces have these widths and chords, outwards."""
+    if len(h) == 1:
+        return delta[0]
+    return max(0.0, delta[0] + (delta[0] - delta[1]) * h[0] / (h[0] + h[1]))
+
+
 class Curve:
     """A curve through points."""
 
@@ -60,17 +67,22 @@ class Curve:
             self.pieces = [(d, 0.0, 0.0) for d in delta]
             return
         m = [delta[0]]
+        kink = {}
         for i in range(1, n):
-            if delta[i - 1] * delta[i] <= 0:
+            if interpolation == "cubic_each_side" and u[i] == 0.0:
+                kink[i] = (one_sided(h[:i][::-1], delta[:i][::-1]), one_sided(h[i:], delta[i:]))
+                m.append(None)
+            elif delta[i - 1] * delta[i] <= 0:
                 m.append(0.0)
             else:
                 a, b = 2 * h[i] + h[i - 1], h[i] + 2 * h[i - 1]
                 m.append((a + b) / (a / delta[i - 1] + b / delta[i]))
         m.append(delta[-1])
         for i in range(n):
-            second = (3 * delta[i] - 2 * m[i] - m[i + 1]) / h[i]
-            third = (m[i] + m[i + 1] - 2 * delta[i]) / h[i] ** 2
-            self.pieces.append((m[i], second, third))
+            left, right = kink[i][1] if i in kink else m[i], kink[i + 1][0] if i + 1 in kink else m[i + 1]
+            second = (3 * delta[i] - 2 * left - right) / h[i]
+            third = (left + right - 2 * delta[i]) / h[i] ** 2
+            self.pieces.append((left, second, third))
 
     def piece(self, u):
         i = bisect_right(self.u, u) - 1

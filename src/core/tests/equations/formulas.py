@@ -53,6 +53,15 @@ def curves(page):
         known = {"u": at, "u_i": u[i], "f_i": f[i], "δ_i": delta[i], "h_i": h[i], "m_i": m[i], "m_(i+1)": m[i + 1]}
         yield damper.Curve(u, f, "linear")(at), book.value(section, "f(u)", 0, **known)
         yield damper.Curve(u, f, "monotone_cubic")(at), book.value(section, "f(u)", 1, **known)
+    u, f = [-1.1, -0.4, 0.0, 0.3, 1.2], [-3.0, -2.0, 0.0, 4.0, 5.0]
+    h, delta = [b - a for a, b in zip(u, u[1:])], []
+    for i in range(4):
+        delta.append((f[i + 1] - f[i]) / h[i])
+    around = {"δ_i": delta[2], "δ_(i+1)": delta[3], "h_i": h[2], "h_(i+1)": h[3]}
+    around |= {"δ_(i-1)": delta[1], "δ_(i-2)": delta[0], "h_(i-1)": h[1], "h_(i-2)": h[0]}
+    each = damper.Curve(u, f, "cubic_each_side")
+    yield each.slope(0.0), book.value(section, "m_right", **around)
+    yield each.slope(-1e-12), book.value(section, "m_left", **around)
 
 
 def knees(page):

@@ -4,7 +4,7 @@
 //! the chords on the other side differ. At the ends two chords are prolonged so that they go on changing as the last ones do.
 
 use super::property::Curve;
-use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST};
+use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST, derivatives};
 
 /// Share of the larger force of a side by which two curves may differ. Rigs repeat a force within a percent or two; half a percent is lost in that.
 const SHARE: f64 = 0.005;
@@ -27,15 +27,13 @@ pub enum Reading {
 }
 
 impl Reading {
-    /// Slopes at the points; none for straight lines.
-    fn slopes(self, curve: &Curve) -> Option<Vec<f64>> {
+    /// Slopes before and after the points; none for straight lines.
+    fn slopes(self, curve: &Curve) -> Option<Vec<[f64; 2]>> {
         let (v, f) = (&curve.velocities, &curve.forces);
         match self {
-            Reading::Akima => Some(slopes(v, f)),
+            Reading::Akima => Some(slopes(v, f).into_iter().map(|slope| [slope; 2]).collect()),
             Reading::Model(Interpolation::Linear) => None,
-            Reading::Model(Interpolation::MonotoneCubic) => {
-                Some((0..v.len()).map(|i| dashpot_core::curve::monotone_derivative(v, f, i)).collect())
-            }
+            Reading::Model(interpolation) => Some((0..v.len()).map(|i| derivatives(v, f, i, interpolation)).collect()),
         }
     }
 }
@@ -68,7 +66,7 @@ fn piece(v: &[f64], at: f64) -> usize {
 /// A table read in one way.
 struct Read<'a> {
     curve: &'a Curve,
-    slopes: Option<Vec<f64>>,
+    slopes: Option<Vec<[f64; 2]>>,
 }
 
 impl<'a> Read<'a> {
@@ -83,8 +81,9 @@ impl<'a> Read<'a> {
         let (h, t) = (v[i + 1] - v[i], at - v[i]);
         let chord = (f[i + 1] - f[i]) / h;
         let Some(m) = &self.slopes else { return f[i] + t * chord };
-        let (c2, c3) = ((3.0 * chord - 2.0 * m[i] - m[i + 1]) / h, (m[i] + m[i + 1] - 2.0 * chord) / (h * h));
-        f[i] + t * (m[i] + t * (c2 + t * c3))
+        let (from, to) = (m[i][1], m[i + 1][0]);
+        let (c2, c3) = ((3.0 * chord - 2.0 * from - to) / h, (from + to - 2.0 * chord) / (h * h));
+        f[i] + t * (from + t * (c2 + t * c3))
     }
 }
 
@@ -196,7 +195,7 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
         |curve: &Curve, interpolation| worst(curve, &[Reading::Model(interpolation)], allowed, &|v| akima.at(v));
     let fits = points.velocities.len() <= MAX_POINTS;
     if fits {
-        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear] {
+        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear, Interpolation::CubicEachSide] {
             let as_it_is = against(&points, interpolation);
             if as_it_is.is_small() || points.velocities.len() == MAX_POINTS {
                 return (points.clone(), interpolation, as_it_is);
@@ -276,7 +275,7 @@ mod tests {
         let smooth =
             table(&[[-1.5, -1800.0], [-0.5, -850.0], [-0.13, -450.0], [0.0, 0.0], [0.13, 780.0], [1.5, 3300.0]]);
         for curve in [steep(), knees, smooth] {
-            for interpolation in [Interpolation::Linear, Interpolation::MonotoneCubic] {
+            for interpolation in [Interpolation::Linear, Interpolation::MonotoneCubic, Interpolation::CubicEachSide] {
                 let kernel = Kernel::new(&curve.velocities, &curve.forces, interpolation).unwrap();
                 let model = |v: f64| kernel.evaluate(v).value;
                 let before = worst(&curve, &[Reading::Akima], tolerance(&curve), &model);

@@ -5,6 +5,7 @@ use super::property;
 use anyhow::{Context as _, anyhow};
 use dashpot_core::Params;
 use dashpot_core::curve::{Interpolation, MAX_POINTS};
+use dashpot_core::elements::fv_curve::choice_of_interpolation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use dashpot_identification::model_file;
@@ -52,8 +53,9 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let set = |params: &mut Params, number: Number, value: f64| {
         params.set(number, value).map_err(|fault| anyhow!("{}: {number} {}", named(), fault.reason.text()))
     };
-    if interpolation == Interpolation::Linear {
-        set(&mut params, number!("fv_interpolation"), 1.0)?;
+    let choice = choice_of_interpolation(interpolation);
+    if choice != number!("fv_interpolation").default() {
+        set(&mut params, number!("fv_interpolation"), choice)?;
     }
     if read.gas_force != 0.0 {
         params.enable(element!("gas_preload"), true);

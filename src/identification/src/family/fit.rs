@@ -231,14 +231,15 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
         })
     };
     // What a number does to the force is judged by the tests that show it: all for a shared one.
-    let at = |place: usize, tests: &[Test]| {
+    let at = |place: usize, tests: &[Test], residual: &[f64]| {
         let theta = hypothesis.theta_at(&refit.theta, place);
-        known.select(&columns[place]).estimates(&hypothesis.template, &theta, tests)
+        known.select(&columns[place]).estimates(&hypothesis.template, &theta, tests, residual)
     };
-    let shared = at(0, &tests).into_iter().filter(|estimate| !varies(estimate));
+    let shared = at(0, &tests, joint_refit.residual.as_slice()).into_iter().filter(|estimate| !varies(estimate));
     let mut all: Vec<FamilyEstimate> = shared.map(|estimate| FamilyEstimate { setting: None, estimate }).collect();
     for (place, of) in settings.iter().enumerate() {
-        let own = at(place, &of.tests).into_iter().filter(|estimate| varies(estimate));
+        let own =
+            at(place, &of.tests, refit.residuals[place].as_slice()).into_iter().filter(|estimate| varies(estimate));
         all.extend(own.map(|estimate| FamilyEstimate { setting: Some(of.value), estimate }));
     }
     all

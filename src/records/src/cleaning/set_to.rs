@@ -1,6 +1,6 @@
 //! What a damper was set to in a test, by a channel of it.
 
-use crate::columns::heading::{without_unit, written_unit};
+use crate::columns::heading::{CLICKS, without_unit, written_unit};
 use crate::data::samples::Samples;
 use crate::data::setting_signal::SettingSignal;
 use crate::messages::phrases;
@@ -24,7 +24,11 @@ impl SettingColumn {
     fn new(heading: &str, rules: &SettingRules) -> SettingColumn {
         let written = written_unit(heading).unwrap_or_default();
         let own = without_unit(heading);
-        let named = if own.is_empty() { "setting" } else { own.as_str() };
+        let named = match own.as_str() {
+            "" => "setting",
+            word if CLICKS.contains(&word.to_lowercase().as_str()) => "clicks",
+            own => own,
+        };
         let (name, unit, factor) = setting_in_unit(written).unwrap_or((named, written, 1.0));
         // What the user says the unit is, the figures are in.
         let is_other = rules.name.is_some() && !rules.unit.is_empty() && rules.unit != unit;
@@ -83,7 +87,9 @@ mod tests {
         assert_eq!(of("valve command [mV]", &none), owned("voltage", "V", 1e-3));
         assert_eq!(of("p pilot [bar]", &none), owned("pressure", "bar", 1.0));
         assert_eq!(of("Duty Cycle [%]", &none), owned("duty cycle", "%", 1.0));
-        assert_eq!(of("clicks", &none), owned("clicks", "", 1.0));
+        for word in ["clicks", "Klicks", "CLK"] {
+            assert_eq!(of(word, &none), owned("clicks", "", 1.0));
+        }
         let rules = SettingRules { name: Some("pilot".into()), unit: "MPa".into(), ..SettingRules::default() };
         assert_eq!(of("p [bar]", &rules), owned("pilot", "MPa", 1.0));
         let named = SettingRules { name: Some("pilot".into()), ..SettingRules::default() };

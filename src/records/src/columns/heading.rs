@@ -179,9 +179,12 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "電流",
         ],
         // A pressure or a voltage may be that of anything.
-        Channel::Setting => &[],
+        Channel::Setting => &CLICKS,
     }
 }
+/// What clicks of an adjuster are called.
+pub(crate) const CLICKS: [&str; 9] = ["clk", "clks", "click", "clicks", "klick", "klicks", "cran", "crans", "档"];
+
 /// What a column heading says.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Heading {

@@ -260,9 +260,6 @@ impl Layout {
             if options.ignore.contains(&channel) {
                 continue;
             }
-            if channel == Channel::Setting && !options.columns.contains_key(&channel) {
-                continue;
-            }
             let index = if let Some(wanted) = options.columns.get(&channel) {
                 match wanted_column(wanted, &header)[..] {
                     [index] => Some(index),

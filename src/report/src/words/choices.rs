@@ -27,6 +27,7 @@ const CHOICES: &[Choice] = &[
     ["bypass", "bypass", "Umgehung", "dérivation", "旁通"],
     ["cap", "limited force", "begrenzte Kraft", "effort limité", "力限幅"],
     ["compression", "compression", "Druckstufe", "compression", "压缩"],
+    ["cubic_each_side", "cubic each side", "kubisch je Seite", "cubique par côté", "分侧三次"],
     ["driven end", "driven end", "bewegtes Ende", "extrémité menée", "驱动端"],
     ["elastic", "elastic return", "elastisch zurück", "retour élastique", "弹性回复"],
     ["euler", "Euler", "Euler", "Euler", "欧拉法"],

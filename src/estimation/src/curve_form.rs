@@ -1,0 +1,107 @@
+//! How far the form of the FV curve between its points is off, as the records show it.
+//!
+//! A cubic through a dozen points on each stroke rounds the knee of a valve. The points beside it move so that the curve between them is
+//! nearest to the records; their intervals hold the damper's own force only if they are as wide as the curve misses there.
+
+use crate::samples::Test;
+
+/// Parts of each interval between two points, so that a miss that changes its sign within an interval does not cancel.
+const PARTS: usize = 2;
+/// Standard errors of a mean within which it counts as noise.
+const NOISE: f64 = 2.0;
+
+/// A weighted mean of what a fit leaves, N, and its variance.
+#[derive(Debug, Clone, Copy, Default)]
+struct Mean {
+    sum: f64,
+    weight: f64,
+    /// Sum of the variances of the tests' sums.
+    variance: f64,
+}
+
+impl Mean {
+    /// The part of the mean that noise does not explain, N.
+    fn beyond_noise(&self) -> f64 {
+        if self.weight <= 0.0 {
+            return 0.0;
+        }
+        let (mean, noise) = (self.sum / self.weight, NOISE * self.variance.sqrt() / self.weight);
+        (mean * mean - noise * noise).max(0.0).sqrt()
+    }
+}
+
+/// Miss of a curve with points at these velocities in the intervals beside each of them, N: the largest of their parts.
+///
+/// `residual` is what a fit leaves of the scored samples of all tests, in units of their allowed errors. Samples count as they did in the
+/// fit. Loading and unloading cancel in the mean, so hysteresis is no miss of the curve.
+pub fn misses(velocities: &[f64], tests: &[Test], residual: &[f64]) -> Vec<f64> {
+    let mut parts = vec![Mean::default(); velocities.len().saturating_sub(1) * PARTS];
+    let mut first = 0;
+    for test in tests {
+        // Sums of this test alone: how many of its samples tell something of their own is known for each test.
+        let mut own = vec![(0.0, 0.0, 0.0); parts.len()];
+        for (place, (input, allowed)) in test.inputs().iter().zip(&test.allowed).enumerate() {
+            let Some(part) = part_of(velocities, input.velocity).filter(|_| allowed.is_finite()) else { continue };
+            let weight = 1.0 / (allowed * allowed);
+            let (sum, total, squares) = &mut own[part];
+            *sum += weight * residual.get(first + place).copied().unwrap_or(0.0) * allowed;
+            *total += weight;
+            *squares += weight * weight;
+        }
+        let noise = test.mean_noise.powi(2) / test.independence.max(1e-9);
+        for (part, (sum, total, squares)) in parts.iter_mut().zip(own) {
+            part.sum += sum;
+            part.weight += total;
+            part.variance += squares * noise;
+        }
+        first += test.count();
+    }
+    (0..velocities.len())
+        .map(|point| {
+            let (from, to) = (point.saturating_sub(1) * PARTS, ((point + 1) * PARTS).min(parts.len()));
+            parts.get(from..to).unwrap_or(&[]).iter().map(Mean::beyond_noise).fold(0.0, f64::max)
+        })
+        .collect()
+}
+
+/// The part of the intervals between points that holds a velocity.
+fn part_of(velocities: &[f64], at: f64) -> Option<usize> {
+    let right = velocities.partition_point(|v| *v <= at);
+    let (from, to) = (*velocities.get(right.checked_sub(1)?)?, *velocities.get(right)?);
+    let part = (PARTS as f64 * (at - from) / (to - from)) as usize;
+    Some((right - 1) * PARTS + part.min(PARTS - 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hypothesis::Hypothesis;
+    use crate::prior_set::PriorSet;
+    use crate::sines::measured;
+    use crate::vocabulary::base_numbers;
+    use dashpot_core::Params;
+
+    #[test]
+    fn a_miss_shows_beside_its_points_and_noise_nowhere() {
+        let base = Params::new();
+        let of = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
+        let tests = measured(&of, &[(0.01, 4.0), (0.02, 2.0)]);
+        let velocities = [-0.3, -0.15, 0.0, 0.1, 0.2, 0.3];
+        let samples: Vec<(f64, f64)> = tests
+            .iter()
+            .flat_map(|test| test.inputs().iter().zip(&test.allowed).map(|(input, allowed)| (input.velocity, *allowed)))
+            .collect();
+        // As large as the noise, of either sign in turn.
+        let noise: Vec<f64> = (0..samples.len()).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        assert_eq!(misses(&velocities, &tests, &noise), [0.0; 6]);
+        // 20 N between 0.15 and 0.2 m/s, on the way up and on the way down.
+        let is_missed = |v: f64| (0.15..0.2).contains(&v);
+        let missed: Vec<f64> =
+            samples.iter().map(|(v, allowed)| if is_missed(*v) { 20.0 / allowed } else { 0.0 }).collect();
+        let found = misses(&velocities, &tests, &missed);
+        for (point, miss) in found.iter().enumerate() {
+            let bounds_the_miss = point == 3 || point == 4;
+            assert!(if bounds_the_miss { (18.0..=20.0).contains(miss) } else { *miss == 0.0 }, "{found:?}");
+        }
+    }
+}
