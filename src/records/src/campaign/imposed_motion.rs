@@ -127,6 +127,9 @@ mod tests {
         let found = setting("t_ms,x_mm,current [mA]\n0,1,200\n1,1,1400\n", &Options::default()).unwrap().unwrap();
         assert_eq!((found.name.as_str(), found.unit.as_str(), &found.values[..]), ("current", "A", &[0.2, 1.4][..]));
         assert_eq!(found.source, SettingSource::Column("current [mA]".into(), Channel::Current));
+        // Nothing but an adjuster has clicks.
+        let found = setting("t_ms,x_mm,Clicks\n0,1,4\n1,1,4\n", &Options::default()).unwrap().unwrap();
+        assert_eq!((found.name.as_str(), found.unit.as_str(), &found.values[..]), ("clicks", "", &[4.0, 4.0][..]));
         let text = "t_ms,x_mm,p pilot [bar]\n0,1,5\n1,1,6\n";
         assert_eq!(setting(text, &Options::default()).unwrap(), None);
         let named =
