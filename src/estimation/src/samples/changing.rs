@@ -2,9 +2,11 @@
 
 use super::Test;
 use super::road::ROAD;
-use super::sampling::Sampling;
+use super::sampling::{Sampling, input_at};
+use crate::segment::Segment;
+use dashpot_core::Input;
 use dashpot_records::smoothing::Motion;
-use dashpot_records::{Record, SettingSignal};
+use dashpot_records::{Record, SettingPattern, SettingSignal};
 
 /// Largest step of the model where nothing changes, s: between two steps the internal state advances.
 const STEP: f64 = 2e-3;
@@ -66,7 +68,63 @@ pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSign
     let clock = record.clock_s + 0.5 * (record.time[0] + record.time[n - 1]);
     let sampling = Sampling { picks: &samples, lead, apart: stride * SCORED, clock, weight: ROAD };
     let setting = Some(commands(signal, &picks));
-    sampling.test(place, record, motion, setting, |k| k % SCORED == 0 || answers(k))
+    let test = sampling.test(place, record, motion, setting, |k| k % SCORED == 0 || answers(k));
+    match signal.pattern {
+        SettingPattern::Steps => with_steps_until_changes(test, record, motion, signal, &samples),
+        SettingPattern::Varying => test,
+    }
+}
+
+/// The test with a step of the model that ends where the command changes from level to level.
+///
+/// A change lies anywhere between two samples and is counted in their middle. The mean command over that step spreads it over a sample, behind
+/// a dead time over two: a valve that answers at once would not fit, and its lag would come out shorter by a sixteenth of a sample.
+fn with_steps_until_changes(
+    mut test: Test,
+    record: &Record,
+    motion: &Motion,
+    signal: &SettingSignal,
+    samples: &[usize],
+) -> Test {
+    let Segment { dt, input, force, from, .. } = test.segment.clone();
+    let (old_input, old_force, old_allowed) = (input, force, std::mem::take(&mut test.allowed));
+    let (mut steps, mut first) = (vec![(dt[0], old_input[0], old_force[0], signal.values[samples[0]])], from);
+    test.allowed.extend(old_allowed.first().filter(|_| from == 0));
+    for (k, pair) in samples.windows(2).enumerate() {
+        let mut at = record.time[pair[0]];
+        for change in (pair[0] + 1..=pair[1]).filter(|sample| signal.values[*sample] != signal.values[sample - 1]) {
+            let (before, after) = (record.time[change - 1], record.time[change]);
+            let ends = [change - 1, change].map(|sample| input_at(record, motion, sample));
+            let force = 0.5 * (record.force[change - 1] + record.force[change]);
+            let middle = 0.5 * (before + after);
+            steps.push((middle - at, between(ends, after - before), force, signal.values[change - 1]));
+            at = middle;
+            // It counts nothing: nothing was measured there.
+            if k < from { first += 1 } else { test.allowed.push(f64::INFINITY) }
+        }
+        steps.push((record.time[pair[1]] - at, old_input[k + 1], old_force[k + 1], signal.values[pair[1]]));
+        test.allowed.extend((k + 1).checked_sub(from).map(|scored| old_allowed[scored]));
+    }
+    test.segment.dt = steps.iter().map(|step| step.0).collect();
+    test.segment.input = steps.iter().map(|step| step.1).collect();
+    test.segment.force = steps.iter().map(|step| step.2).collect();
+    test.segment.setting = Some(steps.iter().map(|step| step.3).collect());
+    test.segment.from = first;
+    test
+}
+
+/// What the damper sees in the middle between two samples `dt` apart.
+fn between([a, b]: [Input; 2], dt: f64) -> Input {
+    let middle = |a: f64, b: f64| 0.5 * (a + b);
+    // The cubic through both ends with their velocities.
+    let displacement =
+        a.displacement.zip(b.displacement).map(|(x, y)| middle(x, y) + dt / 8.0 * (a.velocity - b.velocity));
+    Input {
+        displacement,
+        velocity: middle(a.velocity, b.velocity),
+        side_force: middle(a.side_force, b.side_force),
+        temperature: middle(a.temperature, b.temperature),
+    }
 }
 
 #[cfg(test)]
@@ -95,6 +153,16 @@ mod tests {
         let mean: f64 = dt.iter().zip(setting).map(|(dt, s)| dt * s).sum::<f64>() / record.time[n - 1];
         let true_mean = (1..n).map(|k| signal.command(k)).sum::<f64>() / (n - 1) as f64;
         assert!((mean - true_mean).abs() < 1e-9, "{mean} {true_mean}");
+        // The command changes within no step, and every other step is as it was.
+        assert!(setting.iter().all(|s| *s == 0.2 || *s == 1.4), "a command between the levels");
+        let switched = setting.iter().position(|s| *s == 1.4).unwrap();
+        let time: f64 = dt[..switched].iter().sum();
+        assert!((time - 3999.5 * 2.5e-4).abs() < 1e-12, "{time}");
+        let unscored = test.allowed[switched - 1 - test.segment.from];
+        assert!(unscored.is_infinite() && test.allowed.len() == test.count());
+        let at = |x: f64| 0.02 * libm::sin(5.0 * x);
+        let there = test.segment.input[switched - 1];
+        assert!((there.displacement.unwrap() - at(time)).abs() < 1e-7, "{there:?}");
         let shortest = dt.iter().skip(1).fold(1.0, |m: f64, dt| m.min(*dt));
         let longest = dt.iter().fold(0.0, |m: f64, dt| m.max(*dt));
         assert!(shortest < 0.6e-3 && longest > 1.9e-3, "{shortest} {longest}");

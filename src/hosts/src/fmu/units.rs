@@ -24,14 +24,29 @@ impl From<&'static str> for Unit {
     }
 }
 
-/// Units that a setting may have and that are known by their dimensions.
-const OF_A_SETTING: [&str; 7] = ["A", "s", "m", "m/s", "N", "kg", "degC"];
+/// Units that a setting may have, as what one of them is in SI. The pound-force per square inch follows from pound-force and inch.
+const OF_A_SETTING: [(&str, f64, &str); 14] = [
+    ("A", 1.0, "A"),
+    ("mA", 1e-3, "A"),
+    ("V", 1.0, "V"),
+    ("mV", 1e-3, "V"),
+    ("Pa", 1.0, "Pa"),
+    ("kPa", 1e3, "Pa"),
+    ("MPa", 1e6, "Pa"),
+    ("bar", 1e5, "Pa"),
+    ("psi", 4.4482216152605 / (0.0254 * 0.0254), "Pa"),
+    ("s", 1.0, "s"),
+    ("m", 1.0, "m"),
+    ("N", 1.0, "N"),
+    ("kg", 1.0, "kg"),
+    ("degC", 1.0, "degC"),
+];
 
 impl Unit {
     /// The unit of a setting, as a model file calls it; "-" where it has none.
     pub fn of_setting(name: &str) -> Unit {
-        match OF_A_SETTING.iter().find(|known| **known == name) {
-            Some(known) => (*known).into(),
+        match OF_A_SETTING.iter().find(|(known, ..)| *known == name) {
+            Some((_, factor, si)) => Unit { name: name.to_owned(), factor: *factor, si },
             None if name.is_empty() => "-".into(),
             None => Unit { name: name.to_owned(), factor: 1.0, si: "" },
         }
@@ -47,6 +62,8 @@ impl Unit {
         Some(match self.si {
             "s" => "s=\"1\"",
             "A" => "A=\"1\"",
+            "V" => "kg=\"1\" m=\"2\" s=\"-3\" A=\"-1\"",
+            "Pa" => "kg=\"1\" m=\"-1\" s=\"-2\"",
             "m" => "m=\"1\"",
             "m/s" => "m=\"1\" s=\"-1\"",
             "m/s^2" => "m=\"1\" s=\"-2\"",
@@ -172,6 +189,21 @@ mod tests {
             assert_eq!(all.clone().map(|u| u.factor), factors, "{names:?}");
             assert!(all.iter().all(|u| u.is_declared() && u.dimensions().is_some()));
         }
+    }
+
+    /// An importer that takes mA for A commands a thousandth of the current.
+    #[test]
+    fn units_of_settings_have_their_dimensions() {
+        for (name, factor, dimensions) in [
+            ("mA", 1e-3, "A=\"1\""),
+            ("V", 1.0, "kg=\"1\" m=\"2\" s=\"-3\" A=\"-1\""),
+            ("bar", 1e5, "kg=\"1\" m=\"-1\" s=\"-2\""),
+        ] {
+            let unit = Unit::of_setting(name);
+            assert_eq!((unit.name.as_str(), unit.factor, unit.dimensions()), (name, factor, Some(dimensions)));
+        }
+        assert!((Unit::of_setting("psi").factor - 6894.757293168).abs() < 1e-6);
+        assert!(!Unit::of_setting("").is_declared() && Unit::of_setting("%").dimensions().is_none());
     }
 
     #[test]

@@ -117,8 +117,11 @@ impl DiagnosisReport<'_> {
     }
 }
 
-/// A text that begins a sentence.
+/// A text that begins a sentence. A parameter stays as the model file writes it.
 fn capital(text: &str) -> String {
+    if text.split_whitespace().next().is_some_and(|first| first.contains('_')) {
+        return text.to_owned();
+    }
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
