@@ -8,6 +8,10 @@ use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::{Setting, SettingRules, setting_in_unit};
 
+/// Largest current of a test, A, that no valve answers to: its coil takes a tenth of an ampere or more. A column of A under a heading in mA stays
+/// below it.
+const LEAST_CURRENT: f64 = 0.02;
+
 /// A column that holds what a damper is set to.
 #[derive(Debug, Clone, PartialEq)]
 struct SettingColumn {
@@ -55,7 +59,17 @@ pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Op
 
 /// What the damper was set to: a value, or a signal where it changes.
 pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
+    let is_current = samples.setting.is_none();
+    let in_milliamperes = samples.heading(Channel::Current).trim_end_matches([']', ')', '}', ' ']).ends_with("mA");
     let Some((channel, name, unit)) = setting_channel(samples, rules) else { return (None, None) };
+    if channel.iter().all(|value| !value.is_finite()) {
+        samples.note("empty_setting", Sentence::from(phrases::SETTING_EMPTY).with("setting", &name));
+    }
+    let largest = channel.iter().copied().filter(|value| value.is_finite()).fold(0.0, |most: f64, i| most.max(i.abs()));
+    if is_current && in_milliamperes && largest > 0.0 && largest < LEAST_CURRENT {
+        let current = format!("{:.1}", 1e3 * largest);
+        samples.note("small_current", Sentence::from(phrases::SMALL_CURRENT).with("current", current));
+    }
     let missing = channel.iter().filter(|value| !value.is_finite()).count();
     if missing > 0 && missing < channel.len() {
         let held = Sentence::from(phrases::SETTING_HELD).with("count", missing).with("rows", channel.len());
@@ -94,5 +108,27 @@ mod tests {
         assert_eq!(of("p [bar]", &rules), owned("pilot", "MPa", 1.0));
         let named = SettingRules { name: Some("pilot".into()), ..SettingRules::default() };
         assert_eq!(of("p [bar]", &named), owned("pilot", "bar", 1.0));
+    }
+
+    /// What counts as nothing, or is nothing, is said.
+    #[test]
+    fn currents_that_no_valve_answers_to_and_empty_columns_are_noted() {
+        let noted = |heading: &str, current: f64| {
+            let mut samples = crate::fixtures::moving(1000.0, vec![0.0; 50]);
+            samples.current = Some(vec![current; 50]);
+            samples.headings.push((Channel::Current, heading.to_owned()));
+            let (setting, _) = take(&mut samples, &SettingRules::default());
+            let notes: Vec<String> = samples.notes.iter().map(|note| note.text.to_string()).collect();
+            (setting.map(|setting| setting.value), notes.concat())
+        };
+        // 1.6 under a heading in mA.
+        let (value, said) = noted("I_mA", 1.6e-3);
+        assert!(value == Some(0.0) && said.contains("at most 1.6 mA") && said.contains("--unit current=A"), "{said}");
+        // An offset of a sensor, a valve that is on or off.
+        for (heading, current) in [("current [A]", 1.6e-3), ("current [mA]", 0.4), ("current [mA]", 0.0)] {
+            assert_eq!(noted(heading, current).1, "", "{heading} {current}");
+        }
+        let (value, said) = noted("current [A]", f64::NAN);
+        assert!(value.is_none() && said.contains("'current' is empty"), "{said}");
     }
 }

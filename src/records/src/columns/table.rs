@@ -328,6 +328,10 @@ impl Layout {
                 if channel == Channel::Current && !(candidates.len() == 1 && candidates.iter().all(is_known)) {
                     continue;
                 }
+                // Several columns of clicks are those of a table of peaks, or of two adjusters.
+                if channel == Channel::Setting && candidates.len() > 1 {
+                    continue;
+                }
                 if candidates.len() > 1 {
                     return Err(several_columns(at, line, channel, &header, &possible));
                 }

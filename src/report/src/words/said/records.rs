@@ -184,6 +184,18 @@ pub const ALL: &[Said] = &[
         "设定“{setting}”的 {rows} 个值中缺少 {count} 个；均取其前一个值",
     ],
     [
+        "the column of the setting '{setting}' is empty: the test counts as one without it, or as its name says",
+        "die Spalte der Einstellung ‚{setting}‘ ist leer: der Versuch gilt als einer ohne sie, oder wie sein Name sagt",
+        "la colonne du réglage « {setting} » est vide : l’essai compte comme un essai sans lui, ou comme son nom le dit",
+        "设定“{setting}”的列为空：该试验视为没有该设定，或以其名称为准",
+    ],
+    [
+        "the current is at most {current} mA, which counts as 0 A, for no valve answers to it; where the column holds A, give --unit current=A",
+        "der Strom beträgt höchstens {current} mA und gilt als 0 A, denn darauf antwortet kein Ventil; stehen in der Spalte A, so geben Sie --unit current=A an",
+        "le courant est d’au plus {current} mA et compte comme 0 A, car aucune valve n’y répond ; si la colonne est en A, donner --unit current=A",
+        "电流最大为 {current} mA，按 0 A 计，因为没有阀对此有响应；若该列单位为 A，请给出 --unit current=A",
+    ],
+    [
         "{count} missing values of {channel} filled by straight lines",
         "{count} fehlende Werte im Kanal {channel} durch Geraden ergänzt",
         "{count} valeurs manquantes de la voie {channel} complétées par des droites",
