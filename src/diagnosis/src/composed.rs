@@ -149,7 +149,7 @@ impl Composed<'_> {
             .filter(|c| changed_items.iter().any(|i| i.effect == c.name) && c.force_n_rms > MATERIAL * measured_rms)
             .collect();
         let (names, immaterial) = self.named(&inventory, &probability);
-        let judged = self.judge(&names, &material, &inventory, &probability);
+        let judged = self.judge(&names, &material, &inventory, &probability, changed.len() > material.len());
         let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
         let noise = noise_of(&self.fitted);
         let left_noise = (!self.left.is_empty()).then(|| noise_of(&self.left));
@@ -271,6 +271,7 @@ impl Composed<'_> {
         changed: &[&Change],
         items: &[InventoryItem],
         probability: &dyn Fn(&str) -> f64,
+        has_small_changes: bool,
     ) -> Judged {
         let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
         let times =
@@ -310,7 +311,7 @@ impl Composed<'_> {
             let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
             // With a form error beyond the noise, the set of changes is not known to be whole.
             let rest = if after.sqrt() <= QUIET {
-                phrases::NOTHING_ELSE.into()
+                if has_small_changes { phrases::NOTHING_ELSE_LARGE } else { phrases::NOTHING_ELSE }.into()
             } else {
                 Sentence::from(phrases::MORE_MAY_HAVE_CHANGED).with_sentence("times", times(after))
             };
@@ -342,7 +343,7 @@ impl Composed<'_> {
                 let tests = loud.iter().take(LISTED).map(told).collect();
                 notes.push(Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA));
             }
-            let none = 1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>().min(0.99);
+            let none = (1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>()).clamp(0.01, 0.99);
             let nothing = if self.against.is_some() { phrases::UNCHANGED } else { phrases::NOTHING_MISSING };
             let summary = Sentence::from(nothing).with("percent", percent(none)).with_sentence("times", times(after));
             return Judged { verdict: Verdict::NothingMissing, summary, suspects: Vec::new(), notes };

@@ -8,6 +8,11 @@ pub const NAMED: f64 = 0.5;
 /// Beyond it the form error is larger than the noise.
 pub const QUIET: f64 = 1.5;
 
+/// Log likelihood that a structure with other effects must have above the given model's: with e to one the records speak for it at all.
+///
+/// With less, an effect was named in the place of one that fits as well.
+pub const NEEDED: f64 = 1.0;
+
 /// Fraction of the disagreement left from which that is reported beside the names.
 pub const UNEXPLAINED: f64 = 0.25;
 

@@ -1,6 +1,7 @@
 //! A diagnosis from end to end.
 
 use super::composed::Composed;
+use super::decisions::NEEDED;
 use super::effects::{self, EFFECTS};
 use super::options::{DiagnosisError, Options};
 use super::outcome::Diagnosis;
@@ -82,6 +83,15 @@ fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Stru
     Some((given, search.best.refitted(tests, Effort::FINE)?))
 }
 
+/// Whether a structure has effects that the given model lacks, and explains the records no better.
+///
+/// Its odds alone are higher then: effects that dampers have more often, or fewer numbers. Nothing is missing in the given model.
+fn adds_without_need(given: &Structure, best: &Structure) -> bool {
+    let is_new = |effect: &str| given.components.iter().all(|own| own.effect != effect);
+    let adds = best.components.iter().any(|component| is_new(component.effect));
+    adds && best.evidence.log_likelihood() < given.evidence.log_likelihood() + NEEDED
+}
+
 /// The most probable structure of these records, beside the given model.
 fn alone<'a>(
     records: &'a [&'a Record],
@@ -104,14 +114,12 @@ fn alone<'a>(
     };
     // Asked about some effects alone, or for none, the given model is the only one to compare with.
     let is_open = options.candidates.is_none() && options.max_effects > 0;
-    let mut plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
-    let each_side = starts::with_derivatives_of_each_side(params).filter(|_| is_open);
-    plain.extend(each_side.map(|params| starts::from_params(&params, &heating)));
+    let plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
     let search = StructureSearch::run(&context, Some(starts::from_params(params, &heating)), plain);
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);
     let (given, mut best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
-    if given.log_posterior >= best.log_posterior {
+    if given.log_posterior >= best.log_posterior || adds_without_need(&given, &best) {
         best = given.clone();
     }
     Ok(Composed {
@@ -143,12 +151,13 @@ fn against_reference<'a>(
     let may = |candidate: &Candidate, situation: &Situation| {
         candidate.form == "changed" || is_allowed(candidate, situation, options)
     };
+    let priors = options.priors.clone().beside_reference();
     let context = SearchContext {
         records,
         tests: &fitted,
         is_allowed: &may,
         changes: &candidates,
-        priors: &options.priors,
+        priors: &priors,
         most: options.max_effects,
         progress: &|done| progress(0.2 + 0.7 * done, phrases::EACH_EFFECT),
     };
@@ -156,6 +165,7 @@ fn against_reference<'a>(
     same.base = reference.hypothesis.params(&reference.refit.theta);
     same.numbers.clear();
     same.heating = Some(prepared.heating.clone());
+    same.priors = priors.clone();
     let search = StructureSearch::run(&context, Some((same, Vec::new())), Vec::new());
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;

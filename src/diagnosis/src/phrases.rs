@@ -49,6 +49,7 @@ dashpot_records::phrases! {
     COLDER_SENSE: "colder";
     CHANGED: "{numbers}{more}";
     NOTHING_ELSE: "; nothing else changed";
+    NOTHING_ELSE_LARGE: "; nothing else changed by more than 0.5 % of the force";
     MORE_MAY_HAVE_CHANGED: "; more may have changed, for the model is still off by {times}";
     CHANGED_BOTH: "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} mm/s)";
     CHANGED_REBOUND: "rebound force {percent} % at all speeds ({reference} -> {value} N at {velocity} mm/s)";

@@ -12,6 +12,7 @@ use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::step_at_rest::read_step;
 use dashpot_estimation::structure::context::Structure;
+use dashpot_estimation::structure::curve_at_rest::with_other_form_at_rest;
 use dashpot_estimation::structure::starts::{self, StartModel};
 use dashpot_records::Record;
 use std::sync::Arc;
@@ -88,7 +89,7 @@ impl Prepared {
         };
         let start = |params: &Params| no_heat(starts::from_params(params, &own.heating));
         let mut all = vec![start(params)];
-        all.extend(starts::with_derivatives_of_each_side(params).as_ref().map(start));
+        all.extend(with_other_form_at_rest(params).as_ref().map(start));
         if !has_friction(params) {
             all.extend(starts::plain(&own.fitted, &own.heating, &|_| true).into_iter().map(no_heat));
         }

@@ -48,22 +48,35 @@ const Z: f64 = 1.96;
 
 /// The priors of one damper; empty where nothing is known of it.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct PriorSet(Arc<[DamperPrior]>);
+pub struct PriorSet {
+    rows: Arc<[DamperPrior]>,
+    is_beside_reference: bool,
+}
 
 impl PriorSet {
     /// From its rows.
     pub fn new(rows: Vec<DamperPrior>) -> PriorSet {
-        PriorSet(rows.into())
+        PriorSet { rows: rows.into(), is_beside_reference: false }
+    }
+
+    /// The same priors for a damper that is compared with a reference, whose effects it has: any other one is new on it.
+    pub fn beside_reference(self) -> PriorSet {
+        PriorSet { is_beside_reference: true, ..self }
+    }
+
+    /// Whether an effect of the damper would be one that its reference lacks.
+    pub fn is_beside_reference(&self) -> bool {
+        self.is_beside_reference
     }
 
     /// Its rows.
     pub fn rows(&self) -> &[DamperPrior] {
-        &self.0
+        &self.rows
     }
 
     /// The row of a parameter.
     pub fn find(&self, number: Number) -> Option<&DamperPrior> {
-        self.0.iter().find(|row| row.number == number)
+        self.rows.iter().find(|row| row.number == number)
     }
 
     /// What is expected of a parameter: of this damper, or else of all dampers of its size.

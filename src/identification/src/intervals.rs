@@ -139,7 +139,8 @@ impl Known {
                         from: sources[i].clone(),
                         standing: match (identified, at_bound) {
                             (false, _) => Standing::NotIdentified,
-                            (true, true) if value != 0.0 => Standing::AtBound,
+                            // Where the bound is the plain law, as Dahl's power of one is, nothing more is asked for.
+                            (true, true) if value != 0.0 && value != number.default() => Standing::AtBound,
                             _ => Standing::Identified,
                         },
                     });

@@ -6,12 +6,13 @@
 
 use super::pattern::{Site, sites};
 use super::prediction::Linearization;
-use super::problem::SettingTests;
+use super::problem::{FamilyHypothesis, SettingTests};
 use super::structure::FamilyStructure;
 use super::template::{varying_family, with_effect};
 use crate::cancel;
-use crate::refit::Effort;
+use crate::refit::{self, Effort};
 use crate::structure::context::{Form, Structure};
+use crate::structure::curve_at_rest::with_other_form;
 use crate::structure::search::StructureSearch;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,7 +62,21 @@ pub fn search_family(
     let asked_for = asked_for(found);
     let ends: Vec<FamilyStructure> = starts.into_par_iter().map(|start| climb(start, settings, &asked_for)).collect();
     progress(1.0);
-    ends.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
+    let best = ends.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
+    Some(likelier_at_rest(best, settings))
+}
+
+/// The likelier of both forms of the FV curve at rest, which have the same numbers.
+fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
+    let other = with_other_form(&now.hypothesis.template).and_then(|template| {
+        let hypothesis = FamilyHypothesis { template, ..now.hypothesis.clone() };
+        FamilyStructure::fit(hypothesis, now.components.clone(), settings, Effort::JUDGE)
+    });
+    let chi2 = |of: &FamilyStructure| of.refit.residuals.iter().map(refit::chi2).sum::<f64>();
+    match other {
+        Some(other) if chi2(&other) < chi2(&now) => other,
+        _ => now,
+    }
 }
 
 /// Moves as long as the posterior rises.

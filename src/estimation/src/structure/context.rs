@@ -1,6 +1,7 @@
 //! What a search works on, and what it compares: structures, refitted.
 
 use super::component::Component;
+use super::curve_at_rest::with_other_form;
 use super::curve_points::with_enough_points;
 use super::evidence::{Evidence, noise_chi2};
 use super::prior_odds::log_prior;
@@ -131,13 +132,25 @@ impl Structure {
         if has_implausible_series(&self.hypothesis, tests, &fine.theta) {
             fine = restart_series(&self.hypothesis, tests, fine);
         }
-        let now = (self.hypothesis.clone().starting_at(&fine.theta), fine);
+        let now = likelier_at_rest((self.hypothesis.clone().starting_at(&fine.theta), fine), tests, effort);
         let finer = with_enough_points(now.clone(), tests, noise_chi2(tests));
         let of = |(hypothesis, refit): (Hypothesis, Refit)| {
             Structure::new(hypothesis, refit, self.components.clone(), tests)
         };
         let (plain, finer) = (of(now), of(finer));
         if finer.log_posterior > plain.log_posterior { finer } else { plain }
+    }
+}
+
+/// The likelier of both forms of the FV curve at rest.
+fn likelier_at_rest(now: (Hypothesis, Refit), tests: &[Test], effort: Effort) -> (Hypothesis, Refit) {
+    let other = with_other_form(&now.0).and_then(|other| {
+        let refitted = refit(&other, tests, &now.1.theta, None, effort)?;
+        Some((other.starting_at(&refitted.theta), refitted))
+    });
+    match other {
+        Some(other) if other.1.chi2 < now.1.chi2 => other,
+        _ => now,
     }
 }
 

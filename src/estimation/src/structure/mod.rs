@@ -12,13 +12,14 @@
 //! | [`expansion`] | all structures with one more effect than a given one |
 //! | [`search`] | add, remove, swap and change of form, from several starts; the table of visited structures |
 //! | [`alternatives`] | structures that the records do not rule out, and how far they leave numbers open |
-//! | [`curve_points`], [`series_restart`], [`coordinate_search`], [`nearby`] | what refits need |
+//! | [`curve_points`], [`curve_at_rest`], [`series_restart`], [`coordinate_search`], [`nearby`] | what refits need |
 
 pub mod alternatives;
 pub mod budget;
 pub mod component;
 pub mod context;
 pub mod coordinate_search;
+pub mod curve_at_rest;
 pub mod curve_points;
 pub mod evidence;
 pub mod expansion;

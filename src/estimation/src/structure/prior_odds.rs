@@ -55,11 +55,15 @@ fn log_prior_odds_of_change(name: &str) -> f64 {
 }
 
 /// Prior log odds of an effect of the damper, or of a change.
-fn log_prior_odds(effect: &str, form: &str) -> f64 {
+///
+/// What every second damper has was in the reference already, or too weak for its records: it comes new to a damper as rarely as a fault.
+/// Such an effect at its usual odds would be named where a number of the reference changed.
+fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
     }
-    FREQUENT.iter().find(|(name, _)| *name == effect).map_or(RARE, |(_, odds)| *odds)
+    let usual = FREQUENT.iter().find(|(name, _)| *name == effect).map_or(RARE, |(_, odds)| *odds);
+    if priors.is_beside_reference() && usual >= EVEN { RARE } else { usual }
 }
 
 /// Prior log odds of so many faults of the measurement (Pólya's urn).
@@ -75,13 +79,13 @@ const CERTAIN: [(&str, Number); 2] =
 /// What becomes more probable of an effect since the damper is known: the log odds that it gains.
 fn gain_of_knowledge(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     let is_known = |(name, number): &(&str, Number)| *name == effect && priors.find(*number).is_some();
-    let is_certain = form != "changed" && CERTAIN.iter().any(is_known);
-    if is_certain { COMMON - log_prior_odds(effect, form) } else { 0.0 }
+    let is_certain = form != "changed" && !priors.is_beside_reference() && CERTAIN.iter().any(is_known);
+    if is_certain { COMMON - log_prior_odds(effect, form, priors) } else { 0.0 }
 }
 
 /// Whether an effect is a fault or a design of few.
 pub fn is_rare(effect: &str, form: &str, priors: &PriorSet) -> bool {
-    form != "changed" && log_prior_odds(effect, form) + gain_of_knowledge(effect, form, priors) <= RARE
+    form != "changed" && log_prior_odds(effect, form, priors) + gain_of_knowledge(effect, form, priors) <= RARE
 }
 
 /// Effects of which one is enough: a second of a group is as rare as a fault.
@@ -96,19 +100,20 @@ pub fn are_alternatives(effect: &str, other: &str) -> bool {
 /// Log prior odds of a damper's effects: each with its name, its form and whether it is an error of the measurement.
 pub fn log_prior(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let known: f64 = effects.iter().map(|(effect, form, _)| gain_of_knowledge(effect, form, priors)).sum();
-    known + log_prior_of_all(effects)
+    known + log_prior_of_all(effects, priors)
 }
 
-/// Log prior odds of a set of effects of a damper of which nothing is known.
-fn log_prior_of_all(effects: &[(&'static str, &'static str, bool)]) -> f64 {
+/// Log prior odds of a set of effects of a damper, apart from what is known of their numbers.
+fn log_prior_of_all(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let is_fault = |(_, form, fault): &&(&str, &str, bool)| *fault && *form != "changed";
     let faults = log_prior_odds_of_faults(effects.iter().filter(is_fault).count());
-    let each: f64 = effects.iter().filter(|e| !is_fault(e)).map(|(effect, form, _)| log_prior_odds(effect, form)).sum();
+    let each: f64 =
+        effects.iter().filter(|e| !is_fault(e)).map(|(effect, form, _)| log_prior_odds(effect, form, priors)).sum();
     let further = |group: &&[&str]| {
         let own: Vec<f64> = effects
             .iter()
             .filter(|(effect, form, _)| group.contains(effect) && *form != "changed")
-            .map(|(effect, form, _)| log_prior_odds(effect, form))
+            .map(|(effect, form, _)| log_prior_odds(effect, form, priors))
             .collect();
         let best = own.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if own.len() < 2 { 0.0 } else { RARE * (own.len() - 1) as f64 - (own.iter().sum::<f64>() - best) }
@@ -120,12 +125,25 @@ fn log_prior_of_all(effects: &[(&'static str, &'static str, bool)]) -> f64 {
 mod tests {
     use super::*;
 
+    fn alone(effects: &[(&'static str, &'static str, bool)]) -> f64 {
+        log_prior_of_all(effects, &PriorSet::default())
+    }
+
+    #[test]
+    fn what_every_damper_has_comes_new_to_none() {
+        let beside = PriorSet::default().beside_reference();
+        for (effect, _) in FREQUENT {
+            let of = |priors: &PriorSet| log_prior(&[(effect, "", false)], priors);
+            let is_common = of(&PriorSet::default()) >= EVEN;
+            assert_eq!(of(&beside), if is_common { RARE } else { of(&PriorSet::default()) }, "{effect}");
+        }
+        assert!(is_rare("oil_compressibility", "", &beside) && !is_rare("series_stiffness", "changed", &beside));
+    }
+
     #[test]
     fn a_fault_of_the_rig_is_rarer_than_one_of_the_damper_and_the_next_less_so() {
         let of = |count: usize| {
-            log_prior_of_all(
-                &[("channel_delay", "", true), ("force_drift", "", true), ("gain_drift", "", true)][..count],
-            )
+            alone(&[("channel_delay", "", true), ("force_drift", "", true), ("gain_drift", "", true)][..count])
         };
         assert!(of(1) < RARE && of(1) > RARE - 1.0);
         assert!(of(2) < of(1) - 1.0 && of(3) < of(2) - 0.5 && of(2) - of(1) > of(1));
@@ -133,10 +151,10 @@ mod tests {
 
     #[test]
     fn a_second_friction_is_rare_and_a_first_one_common() {
-        let one = log_prior_of_all(&[("presliding_friction", "", false)]);
-        let two = log_prior_of_all(&[("presliding_friction", "", false), ("coulomb_friction", "", false)]);
+        let one = alone(&[("presliding_friction", "", false)]);
+        let two = alone(&[("presliding_friction", "", false), ("coulomb_friction", "", false)]);
         assert!(one > 0.0 && (two - one - RARE).abs() < 1e-12);
-        let apart = log_prior_of_all(&[("presliding_friction", "", false), ("bump_stop", "", false)]);
+        let apart = alone(&[("presliding_friction", "", false), ("bump_stop", "", false)]);
         assert!((apart - one - RARE).abs() < 1e-12);
     }
 

@@ -8,8 +8,6 @@ use crate::prior_set::PriorSet;
 use crate::samples::Test;
 use crate::segment::Segment;
 use crate::vocabulary::base_numbers;
-use dashpot_core::curve::Interpolation;
-use dashpot_core::elements::fv_curve::{choice_of_interpolation, fv_interpolation};
 use dashpot_core::parameter::Element;
 use dashpot_core::{Params, element, number};
 use std::sync::Arc;
@@ -30,17 +28,6 @@ pub fn from_params(params: &Params, heating: &Arc<Heating>) -> StartModel {
     };
     let components = Component::of_model(&hypothesis);
     (hypothesis, components)
-}
-
-/// A model whose FV curve, smooth at rest, has a derivative on each side of it instead; `None` where it is not smooth there.
-///
-/// Curves of both forms have the same points, and the records decide between them: valves of rebound and compression share no
-/// derivative, but a model from elsewhere may be made so.
-pub fn with_derivatives_of_each_side(params: &Params) -> Option<Params> {
-    let mut other = *params;
-    let choice = choice_of_interpolation(Interpolation::CubicEachSide);
-    let is_smooth = fv_interpolation(params) == Interpolation::MonotoneCubic;
-    (is_smooth && other.set(number!("fv_interpolation"), choice).is_ok()).then_some(other)
 }
 
 /// Models made from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and without one.

@@ -67,7 +67,31 @@ pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>
         })
         .filter(|seen| !seen.levels.is_empty())
         .collect();
-    let agreeing = largest_agreeing(&seen);
+    by_setting(seen).into_iter().try_for_each(|of_one| refuse_alike(&of_one, records.len()))
+}
+
+/// Tests of each setting of an adjustable damper; those whose setting changes go with no other.
+///
+/// From soft to hard the force of one damper grows by as much as a wrong unit makes.
+fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
+    let mut groups: Vec<Vec<Seen<'_>>> = Vec::new();
+    for test in seen.into_iter().filter(|test| test.record.setting_signal.is_none()) {
+        let is_own = |group: &&mut Vec<Seen<'_>>| match (&group[0].record.setting, &test.record.setting) {
+            (Some(a), Some(b)) => a.is_same(b),
+            (None, None) => true,
+            _ => false,
+        };
+        match groups.iter_mut().find(is_own) {
+            Some(group) => group.push(test),
+            None => groups.push(vec![test]),
+        }
+    }
+    groups
+}
+
+/// Refuses tests of one damper at one setting, of which some were likely written in another unit; `all` tests were read.
+fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
+    let agreeing = largest_agreeing(seen);
     if agreeing.len() < 2 {
         return Ok(());
     }
@@ -90,7 +114,7 @@ pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>
     Err(RecordError::FilesUnit(Box::new(FilesUnit {
         tests: tests.iter().map(|t| t.record.source.clone()).collect(),
         others: others.tests.iter().map(|t| t.record.source.clone()).collect(),
-        all: records.len(),
+        all,
         shown: shown.record.name.clone(),
         at: (velocity(level), shown.levels[&level].against),
         expected: (velocity(beside), libm::exp(others.curve[&beside])),
@@ -333,6 +357,24 @@ mod tests {
             });
         }
         assert_eq!(said(&records, &Options::default()), "");
+    }
+
+    /// A semi-active damper without gas, whose force at the firmest setting is that of another unit; a file in kN is one at its own setting.
+    #[test]
+    fn settings_are_told_by_their_own_tests() {
+        let at = |value: f64| {
+            let setting = crate::quantities::setting_value::Setting { name: "current".into(), unit: "A".into(), value };
+            campaign(450.0 * libm::pow(4.45, value), &PLAN[..6]).into_iter().map(move |mut record| {
+                record.force.iter_mut().for_each(|f| *f += 180.0);
+                let name = format!("{value} {}", record.name);
+                Record { source: name.clone(), name, setting: Some(setting.clone()), ..record }
+            })
+        };
+        let mut records: Vec<Record> = [0.0, 0.5, 1.0].into_iter().flat_map(at).collect();
+        assert_eq!(said(&records, &Options::default()), "");
+        times(&mut records[8], Channel::Force, 1e-3);
+        let found = said(&records, &Options::default());
+        assert!(found.contains("0.5 t2") && found.contains("speaks for kN written as N"), "{found}");
     }
 
     #[test]

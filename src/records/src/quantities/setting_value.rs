@@ -32,7 +32,7 @@ const SPIKES: f64 = 0.05;
 pub(crate) const SAME: f64 = 0.02;
 
 /// Units in names of tests: how they are written, the setting, its unit, and the factor to that.
-const UNITS: [(&[&str], &str, &str, f64); 8] = [
+const UNITS: [(&[&str], &str, &str, f64); 9] = [
     (&["A", "Amp", "amp", "amps"], "current", "A", 1.0),
     (&["mA"], "current", "A", 1e-3),
     (&["V", "Volt", "volt", "volts"], "voltage", "V", 1.0),
@@ -41,7 +41,10 @@ const UNITS: [(&[&str], &str, &str, f64); 8] = [
     (&["psi", "PSI"], "pressure", "psi", 1.0),
     (&["bar", "Bar"], "pressure", "bar", 1.0),
     (&["kPa"], "pressure", "kPa", 1.0),
+    (&["MPa"], "pressure", "MPa", 1.0),
 ];
+/// Units of pressure, in Pa. A pressure stays in the unit that it was given in, so two of them are compared by these.
+const PRESSURES: [(&str, f64); 4] = [("psi", 6_894.757_293_168), ("bar", 1e5), ("kPa", 1e3), ("MPa", 1e6)];
 /// Names that messages know in every language.
 pub(crate) const NAMES: [&str; 4] = ["current", "clicks", "voltage", "pressure"];
 
@@ -115,7 +118,11 @@ pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
         return Some(1.0);
     }
     let ((_, base, factor), (_, other, of_other)) = (setting_in_unit(from)?, setting_in_unit(to)?);
-    (base == other).then_some(factor / of_other)
+    let pascals = |unit: &str| PRESSURES.iter().find(|(known, _)| *known == unit).map(|(_, pascals)| *pascals);
+    match (pascals(base), pascals(other)) {
+        (Some(from), Some(to)) => Some(from / to),
+        _ => (base == other).then_some(factor / of_other),
+    }
 }
 
 /// Whether two values of a setting are one: supplies are set to hundredths.

@@ -6,13 +6,16 @@ use super::unstated_settings::together;
 use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
-use crate::quantities::setting_value::{SAME, Setting, SettingRules, setting_in_words, with_setting_name};
+use crate::quantities::setting_value::{
+    SAME, Setting, SettingRules, setting_factor, setting_in_words, with_setting_name,
+};
 
 /// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
 /// of more than a letter.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     merge_settings(records);
+    merge_scattered(records);
     let is_given = |record: &Record| rules.setting_of(&record.name).is_some();
     notes.extend(contradicted_names(records.iter().filter(|record| !is_given(record))));
     for record in records.iter_mut() {
@@ -22,7 +25,53 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
         }
     }
     name_settings(records);
+    unite_units(records);
     note_settings(records, notes);
+}
+
+/// Restates settings of one name in one unit, that of most tests: 75 psi and 15 bar are pressures of one damper.
+fn unite_units(records: &mut [Record]) {
+    let mut units: BTreeMap<(String, String), usize> = BTreeMap::new();
+    for setting in records.iter().filter_map(|record| record.setting.as_ref()) {
+        *units.entry((setting.name.clone(), setting.unit.clone())).or_default() += 1;
+    }
+    for setting in records.iter_mut().filter_map(|record| record.setting.as_mut()) {
+        let own = units.iter().filter(|((name, _), _)| *name == setting.name);
+        let Some(((_, most), _)) = own.max_by_key(|(_, count)| **count) else { continue };
+        if *most != setting.unit
+            && let Some(factor) = setting_factor(&setting.unit, most)
+        {
+            setting.value *= factor;
+            setting.unit.clone_from(most);
+        }
+    }
+}
+
+/// How far measured settings of one value may lie apart, as a fraction of the largest: a regulator of pressure, a drifting supply.
+const SCATTER: f64 = 0.02;
+
+/// Gives their mean to tests whose measured settings of any kind but a current scatter about one value. Currents are set to hundredths.
+fn merge_scattered(records: &mut [Record]) {
+    let mut all: Vec<&mut Setting> =
+        records.iter_mut().filter_map(|record| record.setting.as_mut()).filter(|of| of.name != "current").collect();
+    all.sort_by(|a, b| (a.name.as_str(), a.unit.as_str()).cmp(&(&b.name, &b.unit)).then(a.value.total_cmp(&b.value)));
+    for of_name in all.chunk_by_mut(|a, b| a.name == b.name && a.unit == b.unit) {
+        let largest = of_name.iter().map(|of| of.value.abs()).fold(0.0, f64::max);
+        // Clicks are whole.
+        let width = if of_name[0].unit.is_empty() { (SCATTER * largest).min(0.5) } else { SCATTER * largest };
+        let mut place = 0;
+        while place < of_name.len() {
+            let first = of_name[place].value;
+            let count = of_name[place..].iter().take_while(|of| of.value - first < width).count().max(1);
+            let alike = &mut of_name[place..place + count];
+            if alike.iter().any(|of| of.value != first) {
+                let mean = alike.iter().map(|of| of.value).sum::<f64>() / count as f64;
+                let value = (mean / SAME).round() * SAME;
+                alike.iter_mut().for_each(|of| of.value = (value * 1e4).round() / 1e4);
+            }
+            place += count;
+        }
+    }
 }
 
 /// Distance of two settings below which they may be one: a step of the rounding, and a half for its own error.
@@ -191,5 +240,26 @@ mod tests {
         for names in [&["t_1A", "t_2A", "t_3A"][..], &["a_0.4A", "b_0.4A"], &["a_0.4A", "b"]] {
             assert!(settled(names).1.is_empty(), "{names:?}");
         }
+    }
+
+    #[test]
+    fn pressures_are_one_setting_in_one_unit_and_within_their_scatter() {
+        let mut named: Vec<Record> = ["a_75psi", "b_15bar", "a_15bar", "b_5.17bar"].map(record).into();
+        assign_settings(&mut named, &SettingRules::default(), &mut Vec::new());
+        let found: Vec<(f64, &str)> =
+            named.iter().filter_map(|r| r.setting.as_ref()).map(|s| (s.value, s.unit.as_str())).collect();
+        assert!(found.iter().all(|(_, unit)| *unit == "bar"), "{found:?}");
+        assert!((found[0].0 - 5.171).abs() < 1e-3 && found[1].0 == 15.0, "{found:?}");
+        let measured = |values: &[f64], name: &str, unit: &str| {
+            let setting = |value: &f64| Some(Setting { name: name.into(), unit: unit.into(), value: *value });
+            let mut records: Vec<Record> =
+                values.iter().map(|value| Record { setting: setting(value), ..record("a") }).collect();
+            assign_settings(&mut records, &SettingRules::default(), &mut Vec::new());
+            records.iter().filter_map(|r| r.setting.as_ref()).map(|s| s.value).collect::<Vec<f64>>()
+        };
+        assert_eq!(measured(&[4.9, 35.1, 5.1, 34.9, 20.0], "pressure", "bar"), [5.0, 35.0, 5.0, 35.0, 20.0]);
+        // Settings beside each other stay two.
+        assert_eq!(measured(&[0.0, 1.0, 60.0], "clicks", ""), [0.0, 1.0, 60.0]);
+        assert_eq!(measured(&[0.5, 0.54, 3.0], "current", "A"), [0.5, 0.54, 3.0]);
     }
 }

@@ -203,6 +203,12 @@ pub const ALL: &[Said] = &[
         " ; davantage a pu changer, car le modèle s’écarte encore de {times}",
         "；可能还有其他变化，因为模型偏差仍为{times}",
     ],
+    [
+        "; nothing else changed by more than 0.5 % of the force",
+        "; sonst hat sich nichts um mehr als 0,5 % der Kraft geändert",
+        " ; rien d’autre n’a changé de plus de 0,5 % de l’effort",
+        "；其余变化均不超过力的 0.5 %",
+    ],
     ["; nothing else changed", "; sonst hat sich nichts geändert", " ; rien d’autre n’a changé", "；其余没有变化"],
     [
         "damping force {percent} % in rebound and compression ({reference} -> {value} N at {velocity} mm/s)",

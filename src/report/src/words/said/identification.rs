@@ -276,10 +276,10 @@ pub const ALL: &[Said] = &[
         "{count} 个试验没有说明 {name}：{tests}。请用 --exclude 排除，或在 campaign.toml 的 settings 中给出",
     ],
     [
-        "all tests have the same {name}, {value}: fit them without --setting",
-        "alle Versuche haben {name} = {value}: ohne --setting anpassen",
-        "tous les essais ont {name} = {value} : les ajuster sans --setting",
-        "所有试验的 {name} 都是 {value}：请不带 --setting 拟合",
+        "all tests at a constant {name} have the same, {value}: a model over it needs at least two. Fit them without --setting, or check the unit of its column",
+        "alle Versuche bei konstantem Wert von {name} haben denselben, {value}: ein Modell darüber braucht mindestens zwei. Ohne --setting anpassen, oder die Einheit der Spalte prüfen",
+        "tous les essais à {name} constant ont la même valeur, {value} : un modèle en fonction de ce réglage en demande au moins deux. Les ajuster sans --setting, ou vérifier l’unité de la colonne",
+        "所有恒定 {name} 的试验都是 {value}：随其变化的模型至少需要两个值。请不带 --setting 拟合，或检查该列的单位",
     ],
     [
         "the {name} of all {count} tests changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve",
@@ -288,10 +288,10 @@ pub const ALL: &[Said] = &[
         "全部 {count} 个试验中 {name} 都在变化：随其变化的减振器须用两个或更多恒定设置下的试验拟合，变化的试验用于辨识其阀",
     ],
     [
-        "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out",
-        "die Versuche haben {count} Werte von {name}, und ein Modell fasst {most}: einige mit --exclude oder --hold-out weglassen",
-        "les essais ont {count} valeurs de {name}, et un modèle en contient {most} : en écarter avec --exclude ou --hold-out",
-        "试验有 {count} 个 {name} 值，而模型最多容纳 {most} 个：请用 --exclude 或 --hold-out 排除一些",
+        "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out, or state what was set in campaign.toml under [settings]",
+        "die Versuche haben {count} Werte von {name}, und ein Modell fasst {most}: einige mit --exclude oder --hold-out weglassen, oder in campaign.toml unter [settings] angeben, was eingestellt war",
+        "les essais ont {count} valeurs de {name}, et un modèle en contient {most} : en écarter avec --exclude ou --hold-out, ou indiquer le réglage dans campaign.toml sous [settings]",
+        "试验有 {count} 个 {name} 值，而模型最多容纳 {most} 个：请用 --exclude 或 --hold-out 排除一些，或在 campaign.toml 的 [settings] 中写明设定值",
     ],
     [
         "at {name} = {value}: {why}",
