@@ -193,7 +193,7 @@ mod tests {
         assert!(refused(&two, "clicks").contains("current"));
         assert!(refused(&[record("a", None)], "current").contains("campaign.toml"));
         assert!(refused(&[record("a", Some(1.0)), record("lost", None)], "current").contains("lost"));
-        assert!(refused(&[record("a", Some(1.0)), record("b", Some(1.0))], "current").contains("current, 1"));
+        assert!(refused(&[record("a", Some(1.0)), record("b", Some(1.0))], "current").contains("have the same, 1"));
         let many: Vec<Record> = (0..9).map(|k| record("a", Some(f64::from(k)))).collect();
         let text = refused(&many, "current");
         assert!(text.contains('9') && text.contains('8'), "{text}");
