@@ -151,7 +151,7 @@ fn against_reference<'a>(
     let may = |candidate: &Candidate, situation: &Situation| {
         candidate.form == "changed" || is_allowed(candidate, situation, options)
     };
-    let priors = options.priors.clone().beside_reference();
+    let priors = options.priors.clone().against_reference();
     let context = SearchContext {
         records,
         tests: &fitted,

@@ -76,7 +76,7 @@ impl CurveWeights {
     }
 
     /// How the curve of a parameter set moves.
-    pub fn of_params(params: &Params, curve: CurveName) -> CurveWeights {
+    pub fn from_params(params: &Params, curve: CurveName) -> CurveWeights {
         let interpolation = match curve {
             CurveName::Fv => fv_interpolation(params),
             CurveName::Spring => Interpolation::MonotoneCubic,

@@ -50,23 +50,23 @@ const Z: f64 = 1.96;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PriorSet {
     rows: Arc<[DamperPrior]>,
-    is_beside_reference: bool,
+    is_against_reference: bool,
 }
 
 impl PriorSet {
     /// From its rows.
     pub fn new(rows: Vec<DamperPrior>) -> PriorSet {
-        PriorSet { rows: rows.into(), is_beside_reference: false }
+        PriorSet { rows: rows.into(), is_against_reference: false }
     }
 
-    /// The same priors for a damper that is compared with a reference, whose effects it has: any other one is new on it.
-    pub fn beside_reference(self) -> PriorSet {
-        PriorSet { is_beside_reference: true, ..self }
+    /// Priors of a damper that is compared with a reference: it has the effects of that one, and any other is new on it.
+    pub fn against_reference(self) -> PriorSet {
+        PriorSet { is_against_reference: true, ..self }
     }
 
     /// Whether an effect of the damper would be one that its reference lacks.
-    pub fn is_beside_reference(&self) -> bool {
-        self.is_beside_reference
+    pub fn is_against_reference(&self) -> bool {
+        self.is_against_reference
     }
 
     /// Its rows.

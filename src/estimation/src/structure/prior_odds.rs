@@ -63,7 +63,7 @@ fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
         return log_prior_odds_of_change(effect);
     }
     let usual = FREQUENT.iter().find(|(name, _)| *name == effect).map_or(RARE, |(_, odds)| *odds);
-    if priors.is_beside_reference() && usual >= EVEN { RARE } else { usual }
+    if priors.is_against_reference() && usual >= EVEN { RARE } else { usual }
 }
 
 /// Prior log odds of so many faults of the measurement (Pólya's urn).
@@ -79,7 +79,7 @@ const CERTAIN: [(&str, Number); 2] =
 /// What becomes more probable of an effect since the damper is known: the log odds that it gains.
 fn gain_of_knowledge(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     let is_known = |(name, number): &(&str, Number)| *name == effect && priors.find(*number).is_some();
-    let is_certain = form != "changed" && !priors.is_beside_reference() && CERTAIN.iter().any(is_known);
+    let is_certain = form != "changed" && !priors.is_against_reference() && CERTAIN.iter().any(is_known);
     if is_certain { COMMON - log_prior_odds(effect, form, priors) } else { 0.0 }
 }
 
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn what_every_damper_has_comes_new_to_none() {
-        let beside = PriorSet::default().beside_reference();
+        let beside = PriorSet::default().against_reference();
         for (effect, _) in FREQUENT {
             let of = |priors: &PriorSet| log_prior(&[(effect, "", false)], priors);
             let is_common = of(&PriorSet::default()) >= EVEN;
