@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::columns::heading::CLICKS;
 use crate::glob;
 use crate::messages::sentence::Sentence;
 use crate::numbers::{quantile, white_noise};
@@ -61,6 +62,23 @@ pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static s
     Some((name, unit, *factor))
 }
 
+/// The clicks that a part of a name states, as in `12clicks`, `out-2clicks` or `click4`: an adjuster has no negative ones.
+fn clicks_in(part: &str) -> Option<f64> {
+    let part = part.to_lowercase();
+    let longest = |matches: &dyn Fn(&str) -> Option<usize>| CLICKS.iter().filter_map(|word| matches(word)).max();
+    let before = longest(&|word| part.ends_with(word).then_some(word.len()));
+    let after = longest(&|word| part.starts_with(word).then_some(word.len()));
+    let count = match (before, after) {
+        (Some(word), _) => {
+            let rest = &part[..part.len() - word];
+            &rest[rest.rfind(|c: char| !c.is_ascii_digit()).map_or(0, |end| end + 1)..]
+        }
+        (None, Some(word)) => part[word..].trim_start_matches(['=', '-']),
+        (None, None) => return None,
+    };
+    if count.is_empty() || !count.chars().all(|c| c.is_ascii_digit()) { None } else { count.parse().ok() }
+}
+
 /// A value as a supply is set, not with the noise of the sensor.
 fn as_set(value: f64) -> f64 {
     ((value / SAME).round() * SAME * 1e4).round() / 1e4 + 0.0
@@ -89,6 +107,9 @@ impl Setting {
             let value: f64 = count.parse().ok()?;
             return Some((Setting { name: "clicks".into(), unit: String::new(), value }, false));
         }
+        if let Some(value) = clicks_in(&part) {
+            return Some((Setting { name: "clicks".into(), unit: String::new(), value }, true));
+        }
         let digits = part.find(|c: char| !c.is_ascii_digit() && c != '.' && c != '-')?;
         let (number, unit) = part.split_at(digits);
         let value: f64 = number.parse().ok()?;
@@ -100,8 +121,15 @@ impl Setting {
 
     /// The setting in a name, and whether it cannot number the tests; nothing where its parts state several.
     pub(crate) fn of_name(name: &str) -> Option<(Setting, bool)> {
-        let parts = name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}');
-        let mut found = parts.filter_map(Setting::of_part);
+        let parts: Vec<&str> =
+            name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}').filter(|part| !part.is_empty()).collect();
+        // A word of clicks may stand apart from its count.
+        let is_word = |part: &str| CLICKS.contains(&part.to_lowercase().as_str());
+        let whole = |(k, part): (usize, &&str)| match parts.get(k + 1).filter(|next| is_word(next)) {
+            Some(word) if part.chars().all(|c| c.is_ascii_digit()) => Setting::of_part(&format!("{part}{word}")),
+            _ => Setting::of_part(part),
+        };
+        let mut found = parts.iter().enumerate().filter_map(whole);
         let first = found.next()?;
         // A folder and the files in it may say the same.
         found.all(|(other, _)| first.0.is_same(&other)).then_some(first)
@@ -188,6 +216,10 @@ mod tests {
         assert_eq!(of("sine 800mA 2Hz"), current(0.8));
         assert_eq!(of("a25_12clicks"), Some(("clicks".to_owned(), String::new(), 12.0)));
         assert_eq!(of("a25_c12"), Some(("clicks".to_owned(), String::new(), 12.0)));
+        for name in ["sine-2clicks", "a25 2 clicks", "2_Clicks_out", "a25_click2", "a25_-2clicks", "clk=2_a25"] {
+            assert_eq!(of(name), Some(("clicks".to_owned(), String::new(), 2.0)), "{name}");
+        }
+        assert!(of("clicks_a").is_none() && of("2.5clicksx").is_none());
         assert_eq!(of("0.871V_ensaio3"), Some(("voltage".to_owned(), "V".to_owned(), 0.871)));
         assert_eq!(of("gas 150psi 2Hz"), Some(("pressure".to_owned(), "psi".to_owned(), 150.0)));
         assert_eq!(of("0.5A/10mm2Hz_0.5A"), current(0.5));
