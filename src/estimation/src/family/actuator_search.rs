@@ -137,8 +137,9 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     let mut known: BTreeMap<ActuatorForm, Option<(f64, ActuatorRefit)>> = BTreeMap::new();
     let fit = |form: ActuatorForm, from: Option<&ActuatorRefit>| {
         let problem = ActuatorProblem::new(context, form);
+        let is_far = from.is_some_and(|from| from.form.lag == Ways::Neither && form.lag != Ways::Neither);
         let starts: Vec<Option<Vec<f64>>> = match from {
-            Some(from) if from.form.lag == Ways::Neither && form.lag != Ways::Neither => {
+            Some(from) if is_far => {
                 let base = from.start_of(form, range);
                 STARTS
                     .iter()
@@ -154,7 +155,10 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         };
         let found: Vec<ActuatorRefit> = starts
             .into_par_iter()
-            .filter_map(|start| problem.refit(form, start.as_deref(), COMPARE.0, COMPARE.1))
+            .filter_map(|start| match start {
+                Some(start) if is_far => problem.refit_from_far(form, &start, COMPARE.0, COMPARE.1),
+                start => problem.refit(form, start.as_deref(), COMPARE.0, COMPARE.1),
+            })
             .collect();
         let scored = found.into_iter().map(|refit| (log_posterior(&refit, context, &places), refit));
         scored.reduce(|best, next| if next.0 > best.0 { next } else { best })
