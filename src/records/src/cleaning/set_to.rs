@@ -1,12 +1,12 @@
 //! What a damper was set to in a test, by a channel of it.
 
-use crate::columns::heading::{CLICKS, without_unit, written_unit};
+use crate::columns::heading::{without_unit, written_unit};
 use crate::data::samples::Samples;
 use crate::data::setting_signal::SettingSignal;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::{Setting, SettingRules, setting_in_unit};
+use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, setting_in_unit};
 
 /// Largest current of a test, A, that no valve answers to: its coil takes a tenth of an ampere or more. A column of A under a heading in mA stays
 /// below it.

@@ -1,6 +1,7 @@
 //! How a column heading names a channel and its unit, in the languages and manners of test rigs.
 
 use crate::quantities::channel::Channel;
+use crate::quantities::setting_value::CLICKS;
 use crate::quantities::unit::{Dimension, Unit, plain};
 use std::str::FromStr;
 
@@ -182,9 +183,6 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
         Channel::Setting => &CLICKS,
     }
 }
-/// What clicks of an adjuster are called.
-pub(crate) const CLICKS: [&str; 9] = ["clk", "clks", "click", "clicks", "klick", "klicks", "cran", "crans", "档"];
-
 /// What a column heading says.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Heading {

@@ -1,7 +1,7 @@
 //! Tables of peaks of an adjustable damper, with a column for every click (`C 10 clk`), or a column of clicks: one curve a click.
 
-use crate::columns::heading::CLICKS;
 use crate::columns::table::{HEADER_WITHIN, number};
+use crate::quantities::setting_value::CLICKS;
 
 /// Rows of a table with their numbers.
 pub(crate) type TableRows = Vec<(usize, Vec<String>)>;

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::columns::heading::CLICKS;
 use crate::glob;
 use crate::messages::sentence::Sentence;
 use crate::numbers::{quantile, white_noise};
@@ -32,6 +31,8 @@ const SPIKES: f64 = 0.05;
 /// Values that differ by less than this are one setting, A or clicks: supplies are set to hundredths.
 pub(crate) const SAME: f64 = 0.02;
 
+/// What clicks of an adjuster are called.
+pub(crate) const CLICKS: [&str; 9] = ["clk", "clks", "click", "clicks", "klick", "klicks", "cran", "crans", "档"];
 /// Units in names of tests: how they are written, the setting, its unit, and the factor to that.
 const UNITS: [(&[&str], &str, &str, f64); 9] = [
     (&["A", "Amp", "amp", "amps"], "current", "A", 1.0),
