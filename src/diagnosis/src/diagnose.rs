@@ -87,9 +87,13 @@ fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Stru
 ///
 /// Its odds alone are higher then: effects that dampers have more often, or fewer numbers. Nothing is missing in the given model.
 fn adds_without_need(given: &Structure, best: &Structure) -> bool {
-    let is_new = |effect: &str| given.components.iter().all(|own| own.effect != effect);
-    let adds = best.components.iter().any(|component| is_new(component.effect));
-    adds && best.evidence.log_likelihood() < given.evidence.log_likelihood() + NEEDED
+    let effects = |of: &Structure| of.components.iter().map(|component| component.effect).collect::<Vec<_>>();
+    is_without_need(&effects(given), &effects(best), best.evidence.log_likelihood() - given.evidence.log_likelihood())
+}
+
+/// Whether effects beside the given ones are there without need, where the log likelihood rises by `gain` with them.
+fn is_without_need(given: &[&str], best: &[&str], gain: f64) -> bool {
+    best.iter().any(|effect| !given.contains(effect)) && gain < NEEDED
 }
 
 /// The most probable structure of these records, beside the given model.
@@ -181,4 +185,20 @@ fn against_reference<'a>(
         situation,
         against,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_effect_that_fits_as_well_as_one_of_the_model_is_not_missing() {
+        let given = ["gas_preload", "series_compliance"];
+        let exchanged = ["gas_preload", "oil_compressibility"];
+        // At a residual that rises, at the same, and where the records speak for it.
+        assert!(is_without_need(&given, &exchanged, -3.0) && is_without_need(&given, &exchanged, 0.0));
+        assert!(!is_without_need(&given, &exchanged, 2.0));
+        // What the records do not need goes at any residual.
+        assert!(!is_without_need(&given, &given[..1], -0.5));
+    }
 }
