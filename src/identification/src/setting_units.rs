@@ -1,7 +1,7 @@
 //! Settings of records in the unit of the damper that they are compared with.
 
 use dashpot_core::family::Axis;
-use dashpot_records::{Record, setting_factor};
+use dashpot_records::{Record, restate_in_unit};
 
 /// Settings that cannot be compared.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -29,12 +29,7 @@ pub fn restate<'v>(axis: &Axis, name: &str, unit: &mut String, values: impl Into
     if !axis.is_some() || !is_of_axis(axis, name) {
         return true;
     }
-    let Some(factor) = setting_factor(unit, axis.unit()) else { return false };
-    values.into_iter().for_each(|value| *value *= factor);
-    if !axis.unit().is_empty() {
-        axis.unit().clone_into(unit);
-    }
-    true
+    restate_in_unit(unit, axis.unit(), values)
 }
 
 /// Restates the settings of records in the unit of the damper's setting, where they are the same quantity.

@@ -67,11 +67,13 @@ pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSign
     let samples: Vec<usize> = picks.iter().map(|(sample, _)| *sample).collect();
     let clock = record.clock_s + 0.5 * (record.time[0] + record.time[n - 1]);
     let sampling = Sampling { picks: &samples, lead, apart: stride * SCORED, clock, weight: ROAD };
-    let setting = Some(commands(signal, &picks));
-    let test = sampling.test(place, record, motion, setting, |k| k % SCORED == 0 || answers(k));
+    let is_scored = |k: usize| k % SCORED == 0 || answers(k);
     match signal.pattern {
-        SettingPattern::Steps => with_steps_until_changes(test, record, motion, signal, &samples),
-        SettingPattern::Varying => test,
+        SettingPattern::Steps => {
+            let test = sampling.test(place, record, motion, None, is_scored);
+            with_steps_until_changes(test, record, motion, signal, &samples)
+        }
+        SettingPattern::Varying => sampling.test(place, record, motion, Some(commands(signal, &picks)), is_scored),
     }
 }
 

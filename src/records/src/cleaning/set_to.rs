@@ -6,11 +6,7 @@ use crate::data::setting_signal::SettingSignal;
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, setting_in_unit};
-
-/// Largest current of a test, A, that no valve answers to: its coil takes a tenth of an ampere or more. A column of A under a heading in mA stays
-/// below it.
-const LEAST_CURRENT: f64 = 0.02;
+use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, as_set, setting_in_unit};
 
 /// A column that holds what a damper is set to.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +62,8 @@ pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setti
         samples.note("empty_setting", Sentence::from(phrases::SETTING_EMPTY).with("setting", &name));
     }
     let largest = channel.iter().copied().filter(|value| value.is_finite()).fold(0.0, |most: f64, i| most.max(i.abs()));
-    if is_current && in_milliamperes && largest > 0.0 && largest < LEAST_CURRENT {
+    // So a column of A under a heading in mA looks.
+    if is_current && in_milliamperes && largest > 0.0 && as_set(largest) == 0.0 {
         let current = format!("{:.1}", 1e3 * largest);
         samples.note("small_current", Sentence::from(phrases::SMALL_CURRENT).with("current", current));
     }

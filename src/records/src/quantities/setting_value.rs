@@ -66,22 +66,23 @@ pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static s
 /// The clicks that a part of a name states, as in `12clicks`, `out-2clicks` or `click4`: an adjuster has no negative ones.
 fn clicks_in(part: &str) -> Option<f64> {
     let part = part.to_lowercase();
+    let is_of_number = |c: char| c.is_ascii_digit() || c == '.';
     let longest = |matches: &dyn Fn(&str) -> Option<usize>| CLICKS.iter().filter_map(|word| matches(word)).max();
     let before = longest(&|word| part.ends_with(word).then_some(word.len()));
     let after = longest(&|word| part.starts_with(word).then_some(word.len()));
     let count = match (before, after) {
         (Some(word), _) => {
             let rest = &part[..part.len() - word];
-            &rest[rest.rfind(|c: char| !c.is_ascii_digit()).map_or(0, |end| end + 1)..]
+            rest[rest.rfind(|c: char| !is_of_number(c)).map_or(0, |end| end + 1)..].trim_start_matches('.')
         }
         (None, Some(word)) => part[word..].trim_start_matches(['=', '-']),
         (None, None) => return None,
     };
-    if count.is_empty() || !count.chars().all(|c| c.is_ascii_digit()) { None } else { count.parse().ok() }
+    if count.chars().all(is_of_number) { count.parse().ok() } else { None }
 }
 
 /// A value as a supply is set, not with the noise of the sensor.
-fn as_set(value: f64) -> f64 {
+pub(crate) fn as_set(value: f64) -> f64 {
     ((value / SAME).round() * SAME * 1e4).round() / 1e4 + 0.0
 }
 
@@ -154,6 +155,16 @@ pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
     }
 }
 
+/// Restates values of a setting in another unit. Returns whether the units are of one kind; nothing is changed where they are not.
+pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterator<Item = &'v mut f64>) -> bool {
+    let Some(factor) = setting_factor(unit, to) else { return false };
+    values.into_iter().for_each(|value| *value *= factor);
+    if !to.is_empty() {
+        to.clone_into(unit);
+    }
+    true
+}
+
 /// Whether two values of a setting are one: supplies are set to hundredths.
 pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME
@@ -221,6 +232,7 @@ mod tests {
             assert_eq!(of(name), Some(("clicks".to_owned(), String::new(), 2.0)), "{name}");
         }
         assert!(of("clicks_a").is_none() && of("2.5clicksx").is_none());
+        assert_eq!(of("a25_1.5clicks"), Some(("clicks".to_owned(), String::new(), 1.5)));
         assert_eq!(of("0.871V_ensaio3"), Some(("voltage".to_owned(), "V".to_owned(), 0.871)));
         assert_eq!(of("gas 150psi 2Hz"), Some(("pressure".to_owned(), "psi".to_owned(), 150.0)));
         assert_eq!(of("0.5A/10mm2Hz_0.5A"), current(0.5));

@@ -7,7 +7,7 @@ use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::quantities::setting_value::{
-    SAME, Setting, SettingRules, setting_factor, setting_in_words, with_setting_name,
+    SAME, Setting, SettingRules, as_set, restate_in_unit, setting_in_words, with_setting_name,
 };
 
 /// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
@@ -29,20 +29,26 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     note_settings(records, notes);
 }
 
-/// Restates settings of one name in one unit, that of most tests: 75 psi and 15 bar are pressures of one damper.
+/// Restates settings of one name, constant or changing, in one unit, that of most tests: 75 psi and 15 bar are pressures of one damper.
 fn unite_units(records: &mut [Record]) {
     let mut units: BTreeMap<(String, String), usize> = BTreeMap::new();
     for setting in records.iter().filter_map(|record| record.setting.as_ref()) {
         *units.entry((setting.name.clone(), setting.unit.clone())).or_default() += 1;
     }
-    for setting in records.iter_mut().filter_map(|record| record.setting.as_mut()) {
-        let own = units.iter().filter(|((name, _), _)| *name == setting.name);
-        let Some(((_, most), _)) = own.max_by_key(|(_, count)| **count) else { continue };
-        if *most != setting.unit
-            && let Some(factor) = setting_factor(&setting.unit, most)
+    let most = |name: &str| {
+        let own = units.iter().filter(|((known, _), _)| known == name);
+        own.max_by_key(|(_, count)| **count).map(|((_, unit), _)| unit)
+    };
+    for record in records {
+        if let Some(setting) = &mut record.setting
+            && let Some(unit) = most(&setting.name).filter(|unit| **unit != setting.unit)
         {
-            setting.value *= factor;
-            setting.unit.clone_from(most);
+            restate_in_unit(&mut setting.unit, unit, [&mut setting.value]);
+        }
+        if let Some(signal) = &mut record.setting_signal
+            && let Some(unit) = most(&signal.name).filter(|unit| **unit != signal.unit)
+        {
+            restate_in_unit(&mut signal.unit, unit, signal.values.iter_mut().chain(&mut signal.range));
         }
     }
 }
@@ -66,8 +72,7 @@ fn merge_scattered(records: &mut [Record]) {
             let alike = &mut of_name[place..place + count];
             if alike.iter().any(|of| of.value != first) {
                 let mean = alike.iter().map(|of| of.value).sum::<f64>() / count as f64;
-                let value = (mean / SAME).round() * SAME;
-                alike.iter_mut().for_each(|of| of.value = (value * 1e4).round() / 1e4);
+                alike.iter_mut().for_each(|of| of.value = as_set(mean));
             }
             place += count;
         }
@@ -250,6 +255,13 @@ mod tests {
             named.iter().filter_map(|r| r.setting.as_ref()).map(|s| (s.value, s.unit.as_str())).collect();
         assert!(found.iter().all(|(_, unit)| *unit == "bar"), "{found:?}");
         assert!((found[0].0 - 5.171).abs() < 1e-3 && found[1].0 == 15.0, "{found:?}");
+        // Beside constant pressures in bar, steps of it in psi.
+        let mut stepped = vec![record("a_15bar"), record("b_5bar"), record("steps")];
+        stepped[2].setting_signal = Some(SettingSignal::new("pressure", "psi", &[75.0, 75.0, 150.0]));
+        assign_settings(&mut stepped, &SettingRules::default(), &mut Vec::new());
+        let signal = stepped[2].setting_signal.as_ref().unwrap();
+        assert!(signal.unit == "bar" && (signal.range[1] - 10.342).abs() < 1e-3, "{signal:?}");
+        assert!((signal.values[0] - 5.171).abs() < 1e-3, "{signal:?}");
         let measured = |values: &[f64], name: &str, unit: &str| {
             let setting = |value: &f64| Some(Setting { name: name.into(), unit: unit.into(), value: *value });
             let mut records: Vec<Record> =
