@@ -85,7 +85,7 @@ impl Problem {
             Problem::Format => "the file must say format = 1; it was written for another version of dashpot",
             Problem::NoElements => "the file must name its elements, such as elements = [\"fv_curve\"]",
             Problem::UnknownElement => "elements names something that is no element of this version of dashpot",
-            Problem::TooLong => "the list has more numbers than any parameter takes",
+            Problem::TooLong => "the list has more than 64 numbers, which is more than any parameter takes",
             Problem::CutOff => {
                 "the file was cut off: it ends before the [...] that its first comment announces; copy it again, or delete that comment"
             }

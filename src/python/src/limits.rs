@@ -24,6 +24,7 @@ pub fn of_rows(rows: Vec<Row>) -> PyResult<Vec<Limit>> {
                 low: low.filter(|low| *low != f64::NEG_INFINITY),
                 high: high.filter(|high| *high != f64::INFINITY),
                 setting,
+                setting_unit: String::new(),
                 line: k as u64 + 1,
             };
             limit.check().map(|()| limit)
@@ -43,14 +44,19 @@ fn quantity_name(of: Quantity) -> &'static str {
 pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
     let found = limits::read(&path).map_err(raise::<ValidationError>)?;
     let row = |limit: Limit| {
-        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, .. } = limit;
+        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, setting_unit, line } = limit;
+        if !setting_unit.is_empty() {
+            return Err(say::<ValidationError>(format!(
+                "line {line} gives a setting in {setting_unit}; write it as a number in the unit of the damper"
+            )));
+        }
         let quantity = quantity_name(quantity);
         // A limit without a name is called by its quantity, as the file writes it.
         let name =
             if Quantity::named(&name).is_ok_and(|q| quantity_name(q) == quantity) { String::new() } else { name };
-        (name, quantity.to_owned(), velocity_m_s, low, high, amplitude_m, setting)
+        Ok((name, quantity.to_owned(), velocity_m_s, low, high, amplitude_m, setting))
     };
-    Ok(found.into_iter().map(row).collect())
+    found.into_iter().map(row).collect()
 }
 
 /// Whether these can be limits.

@@ -5,7 +5,7 @@ use crate::quantity::{SettingText, seconds};
 use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_identification::setting_units::is_of_axis;
-use dashpot_records::{Channel, MotionSetting, SettingSource};
+use dashpot_records::{Channel, MotionSetting, SettingSource, is_same_setting, restrict};
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use std::path::Path;
 
@@ -178,9 +178,22 @@ fn range(of: &MotionSetting) -> (f64, f64) {
     of.values.iter().fold(ends, |(low, high), value| (low.min(*value), high.max(*value)))
 }
 
+/// A value to three digits of a size, and never coarser than whole numbers. A logged current is never 0 exactly, and all its digits hide the values that it has.
+fn rounded(value: f64, size: f64) -> f64 {
+    if size <= 0.0 {
+        return value;
+    }
+    let unit = libm::pow(10.0, libm::floor(libm::log10(size)) - 2.0).min(1.0);
+    let text = format!("{:.*}", (-libm::log10(unit)).round().max(0.0) as usize, (value / unit).round() * unit);
+    // 0 has no sign.
+    text.parse().unwrap_or(value) + 0.0
+}
+
 /// Says where the setting comes from, and between which values it is.
 fn describe(of: &MotionSetting, motion: &Path) -> String {
     let (low, high) = range(of);
+    let size = low.abs().max(high.abs());
+    let [low, high] = [low, high].map(|value| rounded(value, size));
     let values = if low < high { format!("{low} to {high} {}", of.unit) } else { format!("{low} {}", of.unit) };
     let source = match &of.source {
         SettingSource::Column(heading, _) => format!("from the column '{heading}' of {}", name_of(motion)),
@@ -193,7 +206,9 @@ fn describe(of: &MotionSetting, motion: &Path) -> String {
 /// A note where samples lie outside the grid.
 fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
     let (low, high) = axis.range();
-    let count = of.values.iter().filter(|value| **value < low || **value > high).count();
+    // The noise of a logged current at the end of the grid is no other setting.
+    let is_outside = |value: f64| !is_same_setting(value, restrict(value, low, high));
+    let count = of.values.iter().filter(|value| is_outside(**value)).count();
     (count > 0).then(|| {
         format!(
             "at {count} of {} samples the {} lies outside the settings of the model file, {low} to {high}, and is clamped to them",
@@ -217,6 +232,23 @@ mod tests {
         assert_eq!(values("0:400mA, 500ms:1.2A,1.5:0").unwrap(), [(0.0, 0.4), (0.5, 1.2), (1.5, 0.0)]);
         assert!(values("3bar").unwrap_err().to_string().contains("counted in A"));
         assert!(Schedule::parse("1:0,0:1").is_err() && Schedule::parse("0:0.4,1.2").is_err());
+    }
+
+    #[test]
+    fn a_logged_current_is_said_in_few_digits_and_its_noise_is_not_outside() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 1.6]).unwrap();
+        let motion = |values: Vec<f64>| MotionSetting {
+            name: "current".to_owned(),
+            unit: "A".to_owned(),
+            values,
+            source: SettingSource::Name { is_sure: true },
+        };
+        let noisy = motion(vec![-0.0003, 0.8, 1.6004]);
+        assert!(describe(&noisy, Path::new("x.csv")).ends_with(": 0 to 1.6 A"));
+        assert!(describe(&motion(vec![1234.2; 2]), Path::new("x.csv")).ends_with(": 1234 A"));
+        assert_eq!(outside(&noisy, &axis), None);
+        assert!(outside(&motion(vec![-0.1, 1.0]), &axis).unwrap().contains("at 1 of 2"));
     }
 
     #[test]

@@ -83,7 +83,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         (args.certificate.as_deref(), Kind::Report),
         (args.excel.as_deref(), Kind::Workbook),
     ])?;
-    let windows = args.limits.as_deref().map(limits::read).transpose()?;
+    let mut windows = args.limits.as_deref().map(limits::read).transpose()?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     against::named(&args.against)?;
     let model = model::read_family(&args.model)?;
@@ -98,8 +98,10 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         );
     }
     let setting = args.setting.as_ref().map(|setting| setting.in_unit_of(&model.axis)).transpose()?;
-    if let (false, Some(windows)) = (is_family, &windows) {
-        limits::check_without_setting(windows)?;
+    match &mut windows {
+        Some(windows) if is_family => limits::restate_settings_of_limits(windows, model.axis.unit())?,
+        Some(windows) => limits::check_without_setting(windows)?,
+        None => {}
     }
     let campaign = args.data.load_for(&model)?;
     let is_stated = |record: &Record| record.setting.is_some() || record.setting_signal.is_some();

@@ -22,7 +22,7 @@ impl Serialize for Figure<'_> {
 
 impl Serialize for Checked {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, line } = &self.limit;
+        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, line, .. } = &self.limit;
         let [low_key, high_key, key] = quantity.keys();
         let figure = |of| Figure { key, of };
         let mut map = to.serialize_map(None)?;

@@ -10,7 +10,9 @@ mod over_settings;
 mod table;
 
 pub use measured::{BETWEEN, Figures, NEAR};
-pub use over_settings::{SettingLimitError, check_over_settings, check_without_setting, judge_over_settings};
+pub use over_settings::{
+    SettingLimitError, check_over_settings, check_without_setting, judge_over_settings, restate_settings_of_limits,
+};
 pub use table::{Limit, LimitError, Quantity, parse, read};
 
 use dashpot_records::Record;

@@ -4,7 +4,7 @@ use super::measured::Figures;
 use super::table::{Limit, Quantity};
 use super::{Certificate, Checked, Overall, Value, Verdict};
 use crate::validation::{ResponseTimes, StepGroup, StepResponse};
-use dashpot_records::{Record, is_same_setting};
+use dashpot_records::{Record, is_same_setting, setting_factor};
 
 /// Why limits do not belong to what is judged.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -31,6 +31,39 @@ pub enum SettingLimitError {
         /// Its setting.
         setting: f64,
     },
+    /// A window at a setting in a unit that is not of one kind with the damper's.
+    #[error("the limit {name} in line {line} has its setting in {unit}, the damper in {own}: write it in {own}")]
+    OtherUnit {
+        /// Name of the limit.
+        name: String,
+        /// Its line.
+        line: u64,
+        /// Unit of the limit.
+        unit: String,
+        /// Unit of the damper, or "no unit".
+        own: String,
+    },
+}
+
+/// Restates the settings of limits in the unit of the damper's setting.
+///
+/// # Errors
+/// The first unit that is not of one kind with it.
+pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(), SettingLimitError> {
+    for limit in limits.iter_mut().filter(|limit| !limit.setting_unit.is_empty()) {
+        let factor = (!own.is_empty()).then(|| setting_factor(&limit.setting_unit, own)).flatten();
+        let Some(factor) = factor else {
+            return Err(SettingLimitError::OtherUnit {
+                name: limit.name.clone(),
+                line: limit.line,
+                unit: limit.setting_unit.clone(),
+                own: if own.is_empty() { "no unit".to_owned() } else { own.to_owned() },
+            });
+        };
+        limit.setting = limit.setting.map(|setting| setting * factor);
+        limit.setting_unit.clear();
+    }
+    Ok(())
 }
 
 /// Checks that no limit belongs to a setting.
@@ -224,6 +257,19 @@ mod tests {
         assert_eq!(found.overall, Overall::Incomplete);
         assert_eq!(found.limits[1].measured.as_ref().unwrap().tests, ["hard"]);
         assert_eq!(found.peaks.len(), 4);
+    }
+
+    #[test]
+    fn settings_of_windows_are_restated_in_the_unit_of_the_damper() {
+        let read = || parse("l.csv".as_ref(), "quantity,setting,high\nfriction,1.6,2\nfriction,500mA,2\n").unwrap();
+        let mut limits = read();
+        restate_settings_of_limits(&mut limits, "A").unwrap();
+        assert_eq!(limits.iter().map(|l| l.setting.unwrap()).collect::<Vec<_>>(), [1.6, 0.5]);
+        assert!(limits.iter().all(|l| l.setting_unit.is_empty()));
+        for own in ["bar", ""] {
+            let wrong = restate_settings_of_limits(&mut read(), own).unwrap_err().to_string();
+            assert!(wrong.contains("line 3") && wrong.contains("mA"), "{wrong}");
+        }
     }
 
     #[test]

@@ -89,6 +89,8 @@ pub struct Limit {
     pub high: Option<f64>,
     /// Setting of the damper at which, where it depends on one.
     pub setting: Option<f64>,
+    /// Unit that the file gives the setting in, such as mA; empty where it is that of the damper.
+    pub setting_unit: String,
     /// Line of the file.
     pub line: u64,
 }
@@ -266,6 +268,15 @@ fn number(name: &str, text: &str, decimal_comma: bool) -> Result<f64, String> {
     value.ok_or_else(|| format!("{name} is {text:?}, which is no number"))
 }
 
+/// A number and the unit that stands behind it, as in `500mA`; text that begins with no digit is left whole, for the error that names it.
+fn split_unit(text: &str) -> (&str, &str) {
+    let ends_number = |c: char| c.is_alphabetic() && c != 'e' && c != 'E';
+    match text.find(ends_number) {
+        Some(at) if at > 0 => (text[..at].trim_end(), &text[at..]),
+        _ => (text, ""),
+    }
+}
+
 fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line: u64) -> Result<Limit, String> {
     let said = cell("quantity").unwrap_or_default();
     let quantity = Quantity::named(said)?;
@@ -301,6 +312,13 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
         (Some(_), Some(_)) => return Err("give either low and high or nominal and tolerance, not both".into()),
         _ => return Err("nominal and tolerance belong together (tolerance in the unit, or as 10 %)".into()),
     }
+    let (setting, setting_unit) = match cell("setting") {
+        Some(text) => {
+            let (number_part, unit) = split_unit(text);
+            (Some(number("setting", number_part, decimal_comma)?), unit.to_owned())
+        }
+        None => (None, String::new()),
+    };
     let limit = Limit {
         name: cell("name").map_or_else(|| said.to_owned(), str::to_owned),
         quantity,
@@ -308,7 +326,8 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
         amplitude_m: value("amplitude_m")?,
         low,
         high,
-        setting: value("setting")?,
+        setting,
+        setting_unit,
         line,
     };
     limit.check().map(|()| limit)
@@ -333,6 +352,10 @@ mod tests {
         assert!(limits[1].holds(-660.0) && !limits[1].holds(-661.0));
         let times = of("quantity,setting,high,unit\nresponse_time_up,1.6,15,ms\nrise time down,,0.02,\n").unwrap();
         assert_eq!((times[0].high, times[0].setting, times[1].high), (Some(0.015), Some(1.6), Some(0.02)));
+        let with_units = of("quantity,setting,high\nfriction,500mA,2\nfriction,5e2 mA,2\nfriction,0.5,2\n").unwrap();
+        let seen: Vec<_> = with_units.iter().map(|l| (l.setting, l.setting_unit.as_str())).collect();
+        assert_eq!(seen, [(Some(500.0), "mA"), (Some(500.0), "mA"), (Some(0.5), "")]);
+        assert!(of("quantity,setting,high\nfriction,hard,2\n").unwrap_err().contains("hard"));
         let german = of("quantity;velocity_m_s;low;high\nforce;0,524;900,5;1000\n").unwrap();
         let tabs = of("# from a spreadsheet\nquantity\tvelocity_m_s\tlow\thigh\nforce\t0,524\t900,5\t1000\n").unwrap();
         assert_eq!(tabs, german.iter().map(|l| Limit { line: l.line + 1, ..l.clone() }).collect::<Vec<_>>());

@@ -252,10 +252,10 @@ pub const ALL: &[Said] = &[
         "{names}：位于两个设置之间，此处无区间；拟合三个或更多设置才能显示插值误差",
     ],
     [
-        "{names} depends on {setting} and stores energy or acts at rest: a change of the setting may do work on the host",
-        "{names} hängt von {setting} ab und speichert Energie oder wirkt in Ruhe: eine Änderung der Einstellung kann am Fahrzeug Arbeit leisten",
-        "{names} dépend de {setting} et accumule de l’énergie ou agit au repos : un changement de réglage peut fournir un travail au véhicule",
-        "{names} 随 {setting} 变化，且储存能量或在静止时起作用：改变设置可能对宿主做功",
+        "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest",
+        "eine Änderung von {setting} kann am Fahrzeug Arbeit leisten, denn sie ändert {names}: gespeicherte Energie oder eine Kraft in Ruhe",
+        "un changement de {setting} peut fournir un travail au véhicule, car il modifie {names} : énergie accumulée ou force au repos",
+        "改变 {setting} 可能对宿主做功，因为它改变 {names}：储存的能量或静止时的力",
     ],
     [
         "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them",
