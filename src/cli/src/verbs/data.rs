@@ -223,6 +223,11 @@ impl DataArgs {
         Ok(self.read(paths, &self.options()?)?)
     }
 
+    /// Reads the records of the damper that these are compared with. Its files often have the names of the others, so errors say whose they are.
+    pub fn load_reference(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
+        self.load_like(paths).map_err(|error| error.context(format!("--reference {}", named(paths))))
+    }
+
     /// Reads paths with options that were made of these.
     pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
         self.read_noting(paths, options, &|_| true)

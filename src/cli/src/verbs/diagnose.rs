@@ -64,7 +64,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&campaign.files).cloned().collect();
     let mut reference = Vec::new();
     if !args.reference.is_empty() {
-        let mut good = args.data.load_like(&args.reference)?;
+        let mut good = args.data.load_reference(&args.reference)?;
         agree_on_sign(&mut [&mut campaign, &mut good]);
         print_sign(campaign.notes.iter().chain(&good.notes));
         campaign.also_without(good.unusable);
@@ -141,7 +141,7 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     let options = data.options()?;
     let mut good = None;
     if !args.reference.is_empty() {
-        good = Some(Good { name: named(&args.reference), campaign: data.load_like(&args.reference)? });
+        good = Some(Good { name: named(&args.reference), campaign: data.load_reference(&args.reference)? });
     }
     let reference = good.as_mut().map(|good| &mut good.campaign);
     let split = split(&data.data, by, &|paths| data.read(paths, &options), reference)?;

@@ -165,6 +165,9 @@ fn one_spoilt_test_is_named_and_left_out() {
         "d.html",
     ];
     assert!(run(dir, &args).err.contains("left out: data/a15"));
+    // Both campaigns have files of these names, so an error says that it is of the reference.
+    std::fs::create_dir(dir.join("none")).unwrap();
+    assert!(refused(dir, &["diagnose", "m.toml", "records", "--reference", "none"]).contains("--reference none: "));
     assert!(json(&dir.join("d.json"))["unusable"][0]["why"].as_str().unwrap().contains("data/a15"));
     assert!(std::fs::read_to_string(dir.join("d.html")).unwrap().contains("left out: data/a15"));
 }
