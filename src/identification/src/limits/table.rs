@@ -268,7 +268,9 @@ fn number(name: &str, text: &str, decimal_comma: bool) -> Result<f64, String> {
     value.ok_or_else(|| format!("{name} is {text:?}, which is no number"))
 }
 
-/// A number and the unit that stands behind it, as in `500mA`; text that begins with no digit is left whole, for the error that names it.
+/// A number and the unit that stands behind it, as in `500mA`.
+///
+/// Text that begins with no digit is left whole, for the error that names it.
 fn split_unit(text: &str) -> (&str, &str) {
     let ends_number = |c: char| c.is_alphabetic() && c != 'e' && c != 'E';
     match text.find(ends_number) {
