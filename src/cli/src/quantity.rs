@@ -2,7 +2,7 @@
 
 use anyhow::bail;
 use dashpot_core::family::Axis;
-use dashpot_records::{Dimension, Unit, setting_factor};
+use dashpot_records::{Dimension, Unit, setting_factor, split_unit};
 use std::str::FromStr;
 
 /// Seconds, from `0.005`, `5ms` or `5 ms`.
@@ -31,7 +31,7 @@ pub fn newtons(text: &str) -> Result<f64, String> {
 
 fn read(text: &str, dimension: Dimension, expected: &str) -> Result<f64, String> {
     let refusal = || format!("{text:?} is not {expected}");
-    let (value, unit) = split(text.trim()).ok_or_else(refusal)?;
+    let (value, unit) = split_unit(text.trim()).ok_or_else(refusal)?;
     if unit.is_empty() {
         return Ok(value);
     }
@@ -56,7 +56,7 @@ impl FromStr for SettingText {
             || format!("{text:?} is not a number, alone or with the unit of the setting, such as 0.6 or 0.6A");
         // A decimal comma, as records may have it.
         let point = if text.contains('.') { text.to_owned() } else { text.replacen(',', ".", 1) };
-        let (value, unit) = split(point.trim()).ok_or_else(refusal)?;
+        let (value, unit) = split_unit(point.trim()).ok_or_else(refusal)?;
         Ok(SettingText { value, unit: unit.to_owned() })
     }
 }
@@ -76,14 +76,6 @@ impl SettingText {
             _ => bail!("{} {}: the setting of this damper is counted in {own}", self.value, self.unit),
         }
     }
-}
-
-/// The number that a text begins with, and the rest.
-fn split(text: &str) -> Option<(f64, &str)> {
-    let ends = text.char_indices().map(|(at, letter)| at + letter.len_utf8());
-    // The longest beginning that is a number; so the e of 1e-3s belongs to it.
-    let longest = ends.filter_map(|end| Some((text[..end].parse::<f64>().ok()?, text[end..].trim()))).last();
-    longest.filter(|(value, _)| value.is_finite())
 }
 
 #[cfg(test)]

@@ -111,7 +111,7 @@ const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, rea
 /// How a comment announces the table that follows the damper.
 pub const ANNOUNCES: &str = "# The lines up to [";
 
-/// Most numbers in one list.
+/// Most numbers in one list. The text of [`Problem::TooLong`] says it, too.
 const LONGEST: usize = 64;
 
 /// Reads a model file into `params`, which start from the defaults. A damper over a setting is rejected: see [`read_family`].

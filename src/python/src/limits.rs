@@ -47,7 +47,8 @@ pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
         let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, setting_unit, line } = limit;
         if !setting_unit.is_empty() {
             return Err(say::<ValidationError>(format!(
-                "line {line} gives a setting in {setting_unit}; write it as a number in the unit of the damper"
+                "{}, line {line}: the setting is in {setting_unit}; write it as a number in the unit of the damper",
+                path.display()
             )));
         }
         let quantity = quantity_name(quantity);

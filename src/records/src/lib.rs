@@ -49,7 +49,7 @@ pub use file_extensions::{EXTENSIONS, is_record_name};
 pub use formats::csv::text;
 pub use messages::newtons;
 pub use messages::sentence::{self, Sentence};
-pub use numbers::restrict;
+pub use numbers::{restrict, split_unit};
 pub use options::{Options, Positive};
 pub use peaks::columns::{PeakColumn, PeakOptions, PeakPair, Stroke, Taken};
 pub use peaks::table::{PeakPoint, Peaks, StrokeSource, peak_clicks, read_peaks};

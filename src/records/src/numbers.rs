@@ -7,6 +7,14 @@ pub fn restrict<T: PartialOrd>(value: T, low: T, high: T) -> T {
     if raised > high { high } else { raised }
 }
 
+/// The number that a text begins with, and the unit behind it, as in `500mA`. Nothing where it begins with none that is finite.
+pub fn split_unit(text: &str) -> Option<(f64, &str)> {
+    let ends = text.char_indices().map(|(at, letter)| at + letter.len_utf8());
+    // The longest beginning that is a number; so the e of 1e-3s belongs to it.
+    let longest = ends.filter_map(|end| Some((text[..end].parse::<f64>().ok()?, text[end..].trim()))).last();
+    longest.filter(|(value, _)| value.is_finite())
+}
+
 /// The median; 0 of nothing. Reorders its argument.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
     quantile(values, 0.5)

@@ -225,7 +225,12 @@ impl DataArgs {
 
     /// Reads the records of the damper that these are compared with. Its files often have the names of the others, so errors say whose they are.
     pub fn load_reference(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
-        self.load_like(paths).map_err(|error| error.context(format!("--reference {}", named(paths))))
+        self.load_like(paths).map_err(|error| of_reference(error, paths))
+    }
+
+    /// Reads the records of a reference that has several settings; errors say whose they are.
+    pub fn load_reference_over_setting(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
+        self.load_over_setting_like(paths).map_err(|error| of_reference(error, paths))
     }
 
     /// Reads paths with options that were made of these.
@@ -255,6 +260,10 @@ impl DataArgs {
     pub fn named(&self) -> String {
         named(&self.data)
     }
+}
+
+fn of_reference(error: anyhow::Error, paths: &[PathBuf]) -> anyhow::Error {
+    error.context(format!("--reference {}", named(paths)))
 }
 
 /// Paths in words.

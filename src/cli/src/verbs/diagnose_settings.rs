@@ -105,7 +105,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     if args.reference.is_empty() {
         print_sign(&campaign.notes);
     } else {
-        let mut reference = data.load_over_setting_like(&args.reference)?;
+        let mut reference = data.load_reference_over_setting(&args.reference)?;
         agree_on_sign(&mut [&mut campaign, &mut reference]);
         print_sign(campaign.notes.iter().chain(&reference.notes));
         campaign.also_without(std::mem::take(&mut reference.unusable));

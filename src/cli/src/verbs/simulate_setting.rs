@@ -183,10 +183,9 @@ fn rounded(value: f64, size: f64) -> f64 {
     if size <= 0.0 {
         return value;
     }
-    let unit = libm::pow(10.0, libm::floor(libm::log10(size)) - 2.0).min(1.0);
-    let text = format!("{:.*}", (-libm::log10(unit)).round().max(0.0) as usize, (value / unit).round() * unit);
+    let decimals = (2.0 - libm::log10(size).floor()).clamp(0.0, 9.0) as usize;
     // 0 has no sign.
-    text.parse().unwrap_or(value) + 0.0
+    format!("{value:.decimals$}").parse().unwrap_or(value) + 0.0
 }
 
 /// Says where the setting comes from, and between which values it is.

@@ -4,7 +4,7 @@ use super::measured::Figures;
 use super::table::{Limit, Quantity};
 use super::{Certificate, Checked, Overall, Value, Verdict};
 use crate::validation::{ResponseTimes, StepGroup, StepResponse};
-use dashpot_records::{Record, is_same_setting, setting_factor};
+use dashpot_records::{Record, is_same_setting, restate_in_unit};
 
 /// Why limits do not belong to what is judged.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -51,16 +51,15 @@ pub enum SettingLimitError {
 /// The first unit that is not of one kind with it.
 pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(), SettingLimitError> {
     for limit in limits.iter_mut().filter(|limit| !limit.setting_unit.is_empty()) {
-        let factor = (!own.is_empty()).then(|| setting_factor(&limit.setting_unit, own)).flatten();
-        let Some(factor) = factor else {
+        // A damper whose setting has no unit takes any, but a window that gives one means another damper.
+        if own.is_empty() || !restate_in_unit(&mut limit.setting_unit, own, &mut limit.setting) {
             return Err(SettingLimitError::OtherUnit {
                 name: limit.name.clone(),
                 line: limit.line,
                 unit: limit.setting_unit.clone(),
                 own: if own.is_empty() { "no unit".to_owned() } else { own.to_owned() },
             });
-        };
-        limit.setting = limit.setting.map(|setting| setting * factor);
+        }
         limit.setting_unit.clear();
     }
     Ok(())

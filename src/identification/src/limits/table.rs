@@ -1,6 +1,6 @@
 //! The file of limits: one window a row, as a table that a spreadsheet writes.
 
-use dashpot_records::{Dimension, Unit, delimiter};
+use dashpot_records::{Dimension, Unit, delimiter, split_unit};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -263,20 +263,22 @@ fn line_of(text: &str, at: &csv::Position) -> u64 {
 }
 
 fn number(name: &str, text: &str, decimal_comma: bool) -> Result<f64, String> {
-    let plain = if decimal_comma { text.replace(',', ".") } else { text.to_owned() };
-    let value = plain.parse().ok().filter(|v: &f64| v.is_finite());
-    value.ok_or_else(|| format!("{name} is {text:?}, which is no number"))
+    match number_with_unit(name, text, decimal_comma) {
+        Ok((value, unit)) if unit.is_empty() => Ok(value),
+        _ => Err(no_number(name, text)),
+    }
 }
 
-/// A number and the unit that stands behind it, as in `500mA`.
-///
-/// Text that begins with no digit is left whole, for the error that names it.
-fn split_unit(text: &str) -> (&str, &str) {
-    let ends_number = |c: char| c.is_alphabetic() && c != 'e' && c != 'E';
-    match text.find(ends_number) {
-        Some(at) if at > 0 => (text[..at].trim_end(), &text[at..]),
-        _ => (text, ""),
-    }
+fn number_with_unit(name: &str, text: &str, decimal_comma: bool) -> Result<(f64, String), String> {
+    let plain = if decimal_comma { text.replace(',', ".") } else { text.to_owned() };
+    let is_unit = |unit: &str| unit.chars().next().is_none_or(char::is_alphabetic);
+    let found = split_unit(&plain).filter(|(_, unit)| is_unit(unit));
+    let (value, unit) = found.ok_or_else(|| no_number(name, text))?;
+    Ok((value, unit.to_owned()))
+}
+
+fn no_number(name: &str, text: &str) -> String {
+    format!("{name} is {text:?}, which is no number")
 }
 
 fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line: u64) -> Result<Limit, String> {
@@ -316,8 +318,8 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
     }
     let (setting, setting_unit) = match cell("setting") {
         Some(text) => {
-            let (number_part, unit) = split_unit(text);
-            (Some(number("setting", number_part, decimal_comma)?), unit.to_owned())
+            let (value, unit) = number_with_unit("setting", text, decimal_comma)?;
+            (Some(value), unit)
         }
         None => (None, String::new()),
     };
