@@ -792,8 +792,8 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 // series_compliance (element, on by default): series spring and damper with the internal mass (compressibility of gas, oil and mount)
 //   series_stiffness             stiffness of the series spring, k_s [N/m, 10 to 1e10, default 3e6]
 //   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e7, default 200]
-//   internal_mass                moving mass of rod, oil and gas, m [kg, 5e-5 to 2000, default 0.5]
-//   series_load                  what the series spring carries: the hydraulic force and the springs on the mass, or friction and constant gas force too, as an eye or a mount does [0 hydraulic, 1 whole]
+//   internal_mass                moving mass of rod, oil and gas, m [kg, 5e-6 to 2000, default 0.5]
+//   series_load                  what the series spring carries: the hydraulic force and the springs on the mass, or friction and gas force too, as an eye or a mount does [0 hydraulic, 1 whole]
 //
 // free_play (element, off by default): free play in an eye or mount; needs series_compliance
 //   free_play_gap                free travel from contact to contact, 2 g [m, 0 to 0.005, default 2e-4]

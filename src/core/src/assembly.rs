@@ -1,6 +1,6 @@
 //! The elements of one model put together: prepared, and summed where they act.
 
-use crate::element::{Force, Motion, Prepare, Response, StateVisitor, StatefulForce};
+use crate::element::{Force, Motion, Prepare, Response, StateResponse, StateVisitor, StatefulForce};
 use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
 use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
@@ -31,6 +31,8 @@ impl Outer {
 
 /// Beside the bits of the elements: friction and preload act on the mass.
 const CARRIES_WHOLE: u64 = 1 << 63;
+/// Beside the bits of the elements: one with a state acts on the mass.
+const STATES_ON_MASS: u64 = 1 << 62;
 
 /// Expands the list of elements into their prepared set and the sums the equations need.
 macro_rules! assembled {
@@ -149,6 +151,9 @@ macro_rules! assembled {
                 $(each!($stop);)*
                 if self.paths.carries_whole() {
                     self.on |= CARRIES_WHOLE;
+                    $(if self.has(Place::$stateful) && self.$stateful.acts_on_mass() {
+                        self.on |= STATES_ON_MASS;
+                    })*
                 }
             }
 
@@ -369,6 +374,18 @@ macro_rules! assembled {
                 debug_assert!(place <= MAX_INTERNAL);
             }
 
+            /// Whether an element with a state acts on the mass.
+            #[inline(always)]
+            pub fn has_states_on_mass(&self) -> bool {
+                self.on & STATES_ON_MASS != 0
+            }
+
+            /// Whether an element with a state acts on the mass in this set.
+            #[inline(always)]
+            pub fn has_on_mass(&self, element: &(impl StatefulForce + ?Sized)) -> bool {
+                self.carries_whole() && element.acts_on_mass()
+            }
+
             /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
             #[inline(always)]
             pub fn each_stateful(&self, visit: impl FnMut(usize, &dyn StatefulForce)) {
@@ -391,16 +408,52 @@ impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Where friction and preload act on the mass, takes them out of the force of the springs there and counts them where they
+    /// Where friction and gas act on the mass, takes them out of the force of the springs there and counts them where they
     /// belong.
     #[inline(always)]
-    pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion) {
+    pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion, internal: &[f64; MAX_INTERNAL]) {
         if self.carries_whole() {
             let Outer { friction, preload } = self.outer(mass);
             output.friction_force = friction.force;
             output.gas_force = preload.force;
             output.spring_force -= friction.force + preload.force;
+            self.each_on_mass(mass, internal, |_, element, response| {
+                output.count(element.component(), response.force);
+                output.spring_force -= response.force;
+            });
         }
+    }
+
+    /// Calls `visit` with the place of its state, the element and its response, for each element with a state on the mass.
+    #[inline(always)]
+    pub(crate) fn each_on_mass(
+        &self,
+        mass: &Motion,
+        internal: &[f64; MAX_INTERNAL],
+        mut visit: impl FnMut(usize, &dyn StatefulForce, StateResponse),
+    ) {
+        if !self.has_states_on_mass() {
+            return;
+        }
+        self.each_stateful(|place, element| {
+            if element.acts_on_mass() {
+                visit(place, element, element.evaluate(mass, internal.get(place).copied().unwrap_or(0.0)));
+            }
+        });
+    }
+
+    /// Sum of the forces of the elements with a state on the mass, at given states.
+    #[inline(always)]
+    pub(crate) fn states_on_mass(&self, mass: &Motion, internal: &[f64; MAX_INTERNAL]) -> Response {
+        let mut sum = Response::NONE;
+        self.each_on_mass(mass, internal, |_, _, response| {
+            sum.add(Response {
+                force: response.force,
+                d_force_d_x: response.d_force_d_x,
+                d_force_d_v: response.d_force_d_v,
+            });
+        });
+        sum
     }
 }
 

@@ -1,7 +1,8 @@
 //! What an element is: the motion that it sees, its force and state derivative, and how it is prepared.
 
+use crate::dual::Dual;
 use crate::fault::Fault;
-use crate::input::Path;
+use crate::input::{Path, Travel};
 use crate::schema::{Describe, View};
 
 /// The motion that an element sees, and what surrounds it.
@@ -167,6 +168,23 @@ pub enum ForceComponent {
     Gas,
 }
 
+/// A number with its derivatives over what an element on the mass depends on in a stage: see [`carrying`].
+pub type Carrying = Dual<{ carrying::ALL }>;
+
+/// The directions of [`Carrying`].
+pub mod carrying {
+    /// Displacement of the mass at the end.
+    pub const END: usize = 0;
+    /// Displacement of the mass at the start.
+    pub const START: usize = 1;
+    /// Velocity of the mass at the start.
+    pub const SPEED: usize = 2;
+    /// State at the start.
+    pub const STATE: usize = 3;
+    /// Their number.
+    pub const ALL: usize = 4;
+}
+
 /// An element with one internal state z.
 pub trait StatefulForce {
     /// The component of the output that its force adds to.
@@ -188,6 +206,19 @@ pub trait StatefulForce {
     /// Whether the state at rest depends on the displacement that led there, and not on the velocity of an instant.
     fn is_path_dependent(&self, _at: &Motion) -> bool {
         false
+    }
+
+    /// Whether it acts on the internal mass where the series compliance carries the whole. Beside the damper otherwise.
+    fn acts_on_mass(&self) -> bool {
+        false
+    }
+
+    /// State and force at the end of a travel of the mass that began at `_from`. Asked only where
+    /// [`StatefulForce::acts_on_mass`].
+    ///
+    /// The force must not fall as the end moves on: a stage then has one answer.
+    fn carried(&self, _from: Carrying, _travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
+        [z, Dual::new(0.0, [0.0; carrying::ALL])]
     }
 
     /// State and force after the motion along a path, in closed form. The derivatives are undefined unless requested.

@@ -4,11 +4,14 @@ use crate::element::Motion;
 use crate::input::Input;
 use crate::model::Model;
 use crate::paths;
-use crate::state::{Output, State};
+use crate::state::{MAX_INTERNAL, Output, State};
 use crate::tables::{ForceLaw, Tables};
 
 /// Newton steps, kept inside a bracket, to the deflection of the series spring: setting up may cost more than a step.
 const STEPS: usize = 100;
+
+/// What rounding leaves of the balance, as a part of its forces.
+const ROUNDING: f64 = 1e-13;
 
 /// Half the distance over which static derivatives are taken where no formula gives them, m and m/s.
 const NEAR: f64 = 1e-6;
@@ -46,11 +49,18 @@ impl<T: Tables> Model<T> {
     /// Equilibrium at a position: see [`Model::settled`].
     pub(crate) fn equilibrium(&self, input: &Input) -> State {
         let x = input.displacement.unwrap_or(0.0);
-        self.equilibrium_from(&State { displacement: x, layout: self.layout, ..State::ZERO }, input)
+        let fresh = State { displacement: x, layout: self.layout, ..State::ZERO };
+        // What has not moved keeps the deflection that it has: none.
+        self.equilibrium_keeping(&fresh, input, (input.velocity == 0.0).then_some(&fresh))
     }
 
     /// Equilibrium of a damper that has moved: see [`Model::steady_state_from`].
     pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
+        self.equilibrium_keeping(from, input, None)
+    }
+
+    /// [`Model::equilibrium_from`] where contacts at rest keep the deflection that they have in the state `kept`.
+    fn equilibrium_keeping(&self, from: &State, input: &Input, kept: Option<&State>) -> State {
         let laid_out;
         let from = if self.has_laid_out(from) {
             from
@@ -67,6 +77,35 @@ impl<T: Tables> Model<T> {
             side_force: input.side_force,
             temperature: input.temperature,
         };
+        let mut internal = [0.0; MAX_INTERNAL];
+        let mut settle = |on_mass: bool, from_x: f64, at: &Motion| {
+            e.each_stateful(|place, element| {
+                if let Some((z, before)) = internal.get_mut(place).zip(from.internal.get(place))
+                    && e.has_on_mass(element) == on_mass
+                {
+                    let kept = kept.filter(|_| element.is_path_dependent(&Motion { velocity: 0.0, ..*at }));
+                    *z = match kept.and_then(|kept| kept.internal.get(place)) {
+                        Some(kept) => *kept,
+                        None => element.equilibrium_from(from_x, *before, at),
+                    };
+                }
+            });
+            internal
+        };
+        settle(false, from.displacement, &motion(x));
+        // What acts on the mass at a place of it, with the steepest that its contacts are.
+        let mut on_the_mass = |x_m: f64| {
+            let at = motion(x_m);
+            let mut sum = e.on_the_mass(&at);
+            if e.has_states_on_mass() {
+                let states = settle(true, from.mass_displacement, &at);
+                e.each_on_mass(&at, &states, |_, _, response| {
+                    sum.force += response.force;
+                    sum.d_force_d_x += response.d_force_d_x + response.d_force_d_z * response.d_rate_d_v;
+                });
+            }
+            sum
+        };
         let mut x_m = x;
         let (states, primary) = if e.has_paths() {
             crate::evaluate::paths::equilibrium(&e.paths, x, v, input.temperature)
@@ -75,11 +114,12 @@ impl<T: Tables> Model<T> {
         };
         if e.has_series() {
             // The springs never fall, so that the series spring alone would go further than both together.
-            let alone = primary + e.on_the_mass(&motion(x)).force;
+            let alone = primary + on_the_mass(x).force;
             let furthest = x - paths::series::furthest(&e.paths, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
+            let mut last = f64::INFINITY;
             for _ in 0..STEPS {
-                let inner = e.on_the_mass(&motion(x_m));
+                let inner = on_the_mass(x_m);
                 let (series, k) = paths::series::static_force(&e.paths, x - x_m);
                 let left = series - primary - inner.force;
                 if left > 0.0 {
@@ -88,15 +128,15 @@ impl<T: Tables> Model<T> {
                     high = x_m;
                 }
                 let newton = x_m + left / (k + inner.d_force_d_x);
-                x_m = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+                // A contact that slips is not as steep as it was taken to be: its steps may be short.
+                let slow = e.has_states_on_mass()
+                    && left.abs() > 0.5 * last
+                    && left.abs() > ROUNDING * (series.abs() + primary.abs());
+                last = left.abs();
+                x_m = if newton >= low && newton <= high && !slow { newton } else { 0.5 * (low + high) };
             }
+            on_the_mass(x_m);
         }
-        let mut internal = [0.0; 8];
-        e.each_stateful(|place, element| {
-            if let Some((z, before)) = internal.get_mut(place).zip(from.internal.get(place)) {
-                *z = element.equilibrium_from(from.displacement, *before, &motion(x));
-            }
-        });
         let mut state = State { internal, layout: self.layout, ..State::ZERO };
         e.paths.slots().write(&states, &mut state);
         State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
@@ -116,18 +156,11 @@ impl<T: Tables> Model<T> {
         let outer = Motion { displacement: state.displacement, ..at };
         if e.has_paths() {
             // Slopes of what has settled, the elements with memory beside the damper included.
+            let input_velocity = input.velocity;
             let force = |x: f64, v: f64| {
                 let input = Input { displacement: Some(x), velocity: v, ..*input };
-                let mut settled = self.equilibrium_from(from, &input);
-                if x == state.displacement {
-                    e.each_stateful(|place, element| {
-                        if element.is_path_dependent(&outer)
-                            && let Some((z, kept)) = settled.internal.get_mut(place).zip(state.internal.get(place))
-                        {
-                            *z = *kept;
-                        }
-                    });
-                }
+                let kept = (x == state.displacement && input_velocity == 0.0).then_some(&state);
+                let settled = self.equilibrium_keeping(from, &input, kept);
                 crate::evaluate::force_of(self, &settled, &input).force
             };
             let (x, v) = (state.displacement, input.velocity);

@@ -93,7 +93,7 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: 
         let through = paths::through(e, state, input, beside);
         output.primary_force = through.primary;
         output.spring_force = through.inner;
-        e.hand_out(&mut output, &at(x_m, v_m, input));
+        e.hand_out(&mut output, &at(x_m, v_m, input), &state.internal);
         output.series_deflection = x - x_m;
         output.oil_temperature += through.heat;
         output.force += through.force;
@@ -122,7 +122,11 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: 
 
 /// Adds the elements beside the damper that have private states.
 fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &mut Output) {
-    model.elements.each_stateful(|place, element| {
+    let e = &model.elements;
+    e.each_stateful(|place, element| {
+        if e.has_on_mass(element) {
+            return;
+        }
         let z = state.internal.get(place).copied().unwrap_or(0.0);
         let response = element.evaluate(outer, z);
         output.count(element.component(), response.force);
@@ -154,8 +158,10 @@ pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Inp
         rate.mass_displacement = v_m;
         rate.mass_velocity = (series - inner.force - e.paths.fv_curve.evaluate(v_m).value) / s.mass;
     }
+    let mass = [state.mass_displacement, state.mass_velocity];
     e.each_stateful(|place, element| {
         if let (Some(rate), Some(z)) = (rate.internal.get_mut(place), state.internal.get(place)) {
+            let [x, v] = if e.has_on_mass(element) { mass } else { [x, v] };
             *rate = element.evaluate(&at(x, v, input), *z).rate;
         }
     });
@@ -191,8 +197,21 @@ pub(crate) fn partials_of(model: &Model<impl Tables>, state: &State, input: &Inp
     }
     e.each_stateful(|place, element| {
         let z = state.internal.get(place).copied().unwrap_or(0.0);
-        let response = element.evaluate(&at(x, v, input), z);
         let k = place + 2;
+        if e.has_on_mass(element) {
+            let response = element.evaluate(&at(state.mass_displacement, state.mass_velocity, input), z);
+            if let Some(slot) = p.d_rate_d_state[1].get_mut(k) {
+                *slot = -response.d_force_d_z / e.paths.series_compliance.mass;
+            }
+            if let Some(row) = p.d_rate_d_state.get_mut(k) {
+                [row[0], row[1]] = [response.d_rate_d_x, response.d_rate_d_v];
+                if let Some(slot) = row.get_mut(k) {
+                    *slot = response.d_rate_d_z;
+                }
+            }
+            return;
+        }
+        let response = element.evaluate(&at(x, v, input), z);
         if let Some(slot) = p.d_force_d_state.get_mut(k) {
             *slot = response.d_force_d_z;
         }

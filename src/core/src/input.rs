@@ -111,22 +111,10 @@ impl Path {
         (self.x0, self.v0)
     }
 
-    /// The velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the step.
-    ///
-    /// Each coefficient has its derivatives over displacement and velocity at the end.
+    /// The motion with displacement and velocity at the end as numbers that may have derivatives.
     #[inline(always)]
-    pub fn velocity<R: Real>(&self, x1: R, v1: R) -> [R; 3] {
-        let mean = x1.plus(-self.x0) * (1.0 / self.dt);
-        let v0 = R::constant(self.v0);
-        [v0, mean * 6.0 - v0 * 4.0 - v1 * 2.0, (v0 + v1) * 3.0 - mean * 6.0]
-    }
-
-    /// The displacement at fraction `theta`, which may depend on the end as well; `velocity` is that of [`Path::velocity`].
-    #[inline(always)]
-    pub fn place<R: Real>(&self, velocity: &[R; 3], theta: R) -> R {
-        let [p0, p1, p2] = *velocity;
-        let reached = (p0 + (p1 * 0.5 + p2 * (1.0 / 3.0) * theta) * theta) * theta;
-        (reached * self.dt).plus(self.x0)
+    pub fn travel<R: Real>(&self, x1: R, v1: R) -> Travel<R> {
+        Travel { x0: self.x0, moved: x1.plus(-self.x0), v0: R::constant(self.v0), v1, time: self.dt }
     }
 
     /// The point at fraction `theta` of the step.
@@ -151,5 +139,44 @@ impl Path {
     #[inline(always)]
     pub fn last(&self) -> PathPoint {
         PathPoint { x: self.x1, v: self.v1, x_by_end: [1.0, 0.0], v_by_end: [0.0, 1.0], is_end: true }
+    }
+}
+
+/// The motion of one end over a time, with ends that may have derivatives: a cubic as [`Path`] is.
+#[derive(Clone, Copy, Debug)]
+pub struct Travel<R> {
+    x0: f64,
+    /// Displacement at the end minus that at the start, m.
+    pub moved: R,
+    /// Velocity at the start, m/s.
+    pub v0: R,
+    /// Velocity at the end, m/s.
+    pub v1: R,
+    /// Its time, s.
+    pub time: f64,
+}
+
+impl<R: Real> Travel<R> {
+    /// At constant acceleration, from the displacement `x0` and the velocity `v0` to the displacement `x1`.
+    #[inline(always)]
+    pub fn accelerated(x0: R, v0: R, x1: R, time: f64) -> Travel<R> {
+        let moved = x1 - x0;
+        Travel { x0: x0.value(), moved, v0, v1: moved * (2.0 / time) - v0, time }
+    }
+
+    /// The velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the time.
+    #[inline(always)]
+    pub fn velocity(&self) -> [R; 3] {
+        let (mean, v0, v1) = (self.moved * (1.0 / self.time), self.v0, self.v1);
+        [v0, mean * 6.0 - v0 * 4.0 - v1 * 2.0, (v0 + v1) * 3.0 - mean * 6.0]
+    }
+
+    /// The displacement at fraction `theta`, but for the derivatives of where it began; `velocity` is that of
+    /// [`Travel::velocity`].
+    #[inline(always)]
+    pub fn place(&self, velocity: &[R; 3], theta: R) -> R {
+        let [p0, p1, p2] = *velocity;
+        let reached = (p0 + (p1 * 0.5 + p2 * (1.0 / 3.0) * theta) * theta) * theta;
+        (reached * self.time).plus(self.x0)
     }
 }

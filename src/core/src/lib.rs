@@ -15,7 +15,7 @@
 //!
 //! Free play and rubber in the series compliance, and oil, air, voids and valves before the FV curve make F_s and F_d
 //! more than that: [`paths`]. In an eye or a mount the whole force goes through what yields: with `series_load` friction and
-//! the constant gas force act on the mass, at x_m and v_m, and F = F_s + what has a memory of its own or acts at the ends of the stroke.
+//! gas act on the mass, at x_m and v_m, and F = F_s + what a mass at the driven end, the lagged polynomial and the ends of the stroke add.
 //!
 //! [`evaluate`] gives force, state rates and partials at one instant, [`step`] advances over one host step.
 

@@ -284,7 +284,8 @@ fn advance_paths_with(
     let Outer { friction, preload } = e.beside(&outer);
     output.friction_force = friction.force;
     output.gas_force = preload.force;
-    e.hand_out(output, &Motion { displacement: state.mass_displacement, velocity: state.mass_velocity, ..outer });
+    let mass = Motion { displacement: state.mass_displacement, velocity: state.mass_velocity, ..outer };
+    e.hand_out(output, &mass, &state.internal);
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
     if e.has_beside() {

@@ -151,6 +151,7 @@ pub(super) const FORMS: &[&str] = &[
     "friction in the rubber, and a stop",
     "opens under a load",
     "all of the force goes through it",
+    "friction and gas act behind it",
     "relaxes, and all of the force goes through it",
     "friction in the rubber, and all of the force goes through it",
     "rebound chamber",

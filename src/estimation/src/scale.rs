@@ -146,7 +146,7 @@ mod tests {
         for factor in [0.1, 1.0, 2.0] {
             let scale = Scale::from_params(&with_forces(factor));
             assert!(scale.is_car(), "{factor}: {scale:?}");
-            assert_eq!(scale.reach(number!("internal_mass")), (0.05, 20.0));
+            assert_eq!(scale.reach(number!("internal_mass")), (0.005, 20.0));
         }
     }
 

@@ -291,7 +291,11 @@ impl Run {
                 // A mass inside moves with the piston, not beside it.
                 Acts::Stateful | Acts::Stop
                     if !(row == number!("moving_mass").row()
-                        && run.params.number(number!("moving_mass_place")) == 1.0) =>
+                        && run.params.number(number!("moving_mass_place")) == 1.0)
+                        // Nor do friction and gas behind a spring that carries the whole.
+                        && !(run.model.elements().carries_whole()
+                            && [Some(element!("presliding_friction")), Some(element!("gas_spring"))]
+                                .contains(&row.element())) =>
                 {
                     let element = row.element();
                     let is_on = element.is_some_and(|element| run.params.is_on(element));
@@ -629,6 +633,8 @@ mod tests {
             (vec!["valve_hysteresis"], vec![("valve_form", 2.0)]),
             (vec!["cavitation"], vec![("cavitation_onset", 1.0)]),
             (vec!["free_play"], vec![("series_load", 1.0)]),
+            (vec!["presliding_friction"], vec![("series_load", 1.0)]),
+            (vec!["gas_spring", "presliding_friction"], vec![("series_load", 1.0), ("presliding_length", 1e-3)]),
             (vec!["free_play"], vec![("free_play_load", 40.0)]),
             (vec!["bushing", "oil_compressibility", "side_force_friction"], vec![("series_load", 1.0)]),
         ]);

@@ -1,8 +1,9 @@
 //! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
 
-use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::dual::Real;
+use crate::element::{Carrying, EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
-use crate::input::Path;
+use crate::input::{Path, Travel};
 use crate::math::{max, power_inlined, relaxation};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
@@ -26,7 +27,8 @@ pub struct GasSpring {
     per_time: f64,
 }
 
-/// The gas is not compressed further than to this share of its volume; the powers run on straight from there.
+/// The gas is not compressed further than to this share of its volume. From there the pressure runs on straight, so that it
+/// never falls, and the gas is drawn to the temperature that it has there: gas of no volume has none.
 const SMALLEST: f64 = 0.05;
 
 impl Describe for GasSpring {
@@ -112,8 +114,8 @@ impl GasSpring {
     /// What 1 + z is drawn to, ξ^(γ−1), and its derivative.
     #[inline(always)]
     fn rests(&self, at: &Gas) -> (f64, f64) {
-        let derivative = self.excess * at.value * at.per_inside;
-        (at.value + derivative * at.below, derivative * self.per_length)
+        let rises = if at.below < 0.0 { 0.0 } else { self.excess * at.value * at.per_inside * self.per_length };
+        (at.value, rises)
     }
 
     /// The pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)) as a share of p_0, and its derivative.
@@ -143,6 +145,32 @@ impl StatefulForce for GasSpring {
             d_rate_d_z: -self.per_time,
             ..StateResponse::NONE
         }
+    }
+
+    fn acts_on_mass(&self) -> bool {
+        true
+    }
+
+    /// As [`GasSpring::propagate`].
+    fn carried(&self, from: Carrying, travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
+        let (kept, takes) = relaxation(travel.time * self.per_time);
+        let end = from + travel.moved;
+        let drawn = |x: Carrying| {
+            let gas = self.gas(x.value());
+            let (value, by_x) = self.rests(&gas);
+            let bends =
+                if gas.below < 0.0 { 0.0 } else { (self.excess - 1.0) * by_x * gas.per_inside * self.per_length };
+            (x.chain(value - 1.0, by_x), x.chain(by_x, bends))
+        };
+        let ((to, to_by_x), (from, from_by_x)) = (drawn(end), drawn(from));
+        let [_, first, second, third] = takes;
+        let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
+        let of_start = first - second + of_end;
+        let rates = travel.v0 * from_by_x * of_start + travel.v1 * to_by_x * of_end;
+        let z = z * kept + from * takes[0] + (to - from) * of_change + rates * travel.time;
+        let (pressure, pressure_by_x) = self.pressure(&self.gas(end.value()));
+        let force = z.plus(1.0) * end.chain(pressure, pressure_by_x) * -self.push;
+        [z, force.plus(self.push)]
     }
 
     fn equilibrium(&self, at: &Motion) -> f64 {

@@ -76,7 +76,7 @@ impl LaggedPolynomial {
     /// y after the step.
     #[inline(always)]
     fn after<R: Real>(&self, path: &Path, x1: R, v1: R, y: f64) -> R {
-        let [p0, p1, p2] = path.velocity(x1, v1);
+        let [p0, p1, p2] = path.travel(x1, v1).velocity();
         let at = |theta: f64| {
             let v = p0 + (p1 + p2 * theta) * theta;
             let ((target, by_v), (time, time_by_v)) = (self.polynomial(v.value()), self.time_constant(v.value()));

@@ -78,7 +78,7 @@ impl MovingMass {
     /// that is as small.
     #[inline(always)]
     fn velocity<R: Real>(&self, path: &Path, z: f64, x1: R, v1: R) -> [R; 3] {
-        let [start, _, by_displacement] = path.velocity(x1, v1);
+        let [start, _, by_displacement] = path.travel(x1, v1).velocity();
         let change = v1 - start;
         // The step's own integral of the velocity tells nothing that the velocity does not.
         if path.is_integrated() {

@@ -1,9 +1,9 @@
 //! Presliding friction: contacts that bend before they slide (Dahl; effect of seal lip and guide after every reversal).
 
 use crate::dual::{Dual, Real};
-use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::element::{Carrying, EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
-use crate::input::Path;
+use crate::input::{Path, Travel};
 use crate::math::{max, min, power};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
@@ -183,25 +183,23 @@ impl PreslidingFriction {
 
     /// ζ after the step.
     #[inline(always)]
-    fn after<R: Real>(&self, path: &Path, x1: R, v1: R, bent: f64) -> R {
-        let ((x0, v0), dt) = (path.start(), path.length());
-        let moved = x1.plus(-x0);
-        let mean = moved * (1.0 / dt);
-        let (first, last) = (R::constant(v0), v1);
-        // The velocity lies between these three (Bézier): where they have one sign the driven end does not turn.
+    fn after<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
+        let Travel { moved, v0: first, v1: last, time, .. } = *travel;
+        let mean = moved * (1.0 / time);
+        // The velocity lies between these three (Bézier): where they have one sign the end does not turn.
         let between = (mean * 3.0 - first - last).value();
-        let (a, b, c) = (v0, last.value(), between);
+        let (a, b, c) = (first.value(), last.value(), between);
         if min(min(a, b), c) >= 0.0 || max(max(a, b), c) <= 0.0 {
             let middle = mean * 1.5 - (first + last) * 0.25;
-            return self.along(R::constant(bent), moved, [first, middle, last], R::constant(dt));
+            return self.along(bent, moved, [first, middle, last], R::constant(time));
         }
-        self.turns(path, x1, v1, bent)
+        self.turns(travel, bent)
     }
 
-    /// Propagates the state over a path that may reverse, stretch by stretch.
+    /// Propagates the state over a motion that may reverse, stretch by stretch.
     #[inline(never)]
-    fn turns<R: Real>(&self, path: &Path, x1: R, v1: R, bent: f64) -> R {
-        let velocity = path.velocity(x1, v1);
+    fn turns<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
+        let velocity = travel.velocity();
         let [p0, p1, p2] = velocity;
         let speed = |theta: R| p0 + (p1 + p2 * theta) * theta;
         let (none, all) = (R::constant(0.0), R::constant(1.0));
@@ -225,13 +223,13 @@ impl PreslidingFriction {
                 turns.swap(0, 1);
             }
         }
-        let mut bent = R::constant(bent);
+        let mut bent = bent;
         let mut from = none;
         for to in [turns[0], turns[1], all] {
             if to.value() > from.value() {
-                let moved = path.place(&velocity, to) - path.place(&velocity, from);
+                let moved = travel.place(&velocity, to) - travel.place(&velocity, from);
                 let speeds = [speed(from), speed((from + to) * 0.5), speed(to)];
-                bent = self.along(bent, moved, speeds, (to - from) * path.length());
+                bent = self.along(bent, moved, speeds, (to - from) * travel.time);
                 from = to;
             }
         }
@@ -275,9 +273,9 @@ impl StatefulForce for PreslidingFriction {
         let (x1, v1) = path.end();
         let bent = z * self.per_length;
         let after = if derivatives {
-            self.after(path, Dual::<2>::along(x1, 0), Dual::along(v1, 1), bent)
+            self.after(&path.travel(Dual::<2>::along(x1, 0), Dual::along(v1, 1)), Dual::constant(bent))
         } else {
-            Dual::constant(self.after(path, x1, v1, bent))
+            Dual::constant(self.after(&path.travel(x1, v1), bent))
         };
         let Dual { value, derivatives: [by_x, by_v] } = after * self.length;
         let k = self.stiffness;
@@ -285,6 +283,15 @@ impl StatefulForce for PreslidingFriction {
             z: value,
             response: Response { force: k * value, d_force_d_x: k * by_x, d_force_d_v: k * by_v },
         })
+    }
+
+    fn acts_on_mass(&self) -> bool {
+        true
+    }
+
+    fn carried(&self, _: Carrying, travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
+        let z = self.after(travel, z * self.per_length) * self.length;
+        [z, z * self.stiffness]
     }
 
     /// At rest every bend stays; before any motion there is none.
@@ -376,14 +383,14 @@ mod tests {
                         let path = Path::new(0.0, v0, &input, dt);
                         let (x1, v1) = path.end();
                         let ends = (Dual::<2>::along(x1, 0), Dual::along(v1, 1));
-                        let (quick, in_full) =
-                            (contact.after(&path, ends.0, ends.1, bent), contact.turns(&path, ends.0, ends.1, bent));
-                        assert!((quick.value - in_full.value).abs() < 1e-12, "{contact:?} {v0} {v1} {share} {bent}");
+                        let (travel, bent) = (path.travel(ends.0, ends.1), Dual::constant(bent));
+                        let (quick, in_full) = (contact.after(&travel, bent), contact.turns(&travel, bent));
+                        assert!((quick.value - in_full.value).abs() < 1e-12, "{contact:?} {v0} {v1} {share} {bent:?}");
                         for k in 0..2 {
                             let size = in_full.derivatives[k].abs().max(1.0);
                             assert!(
                                 (quick.derivatives[k] - in_full.derivatives[k]).abs() < 1e-9 * size,
-                                "{contact:?} {v0} {v1} {share} {bent}"
+                                "{contact:?} {v0} {v1} {share} {bent:?}"
                             );
                         }
                         one_way += i32::from(quick != in_full);
@@ -401,7 +408,7 @@ mod tests {
         let dt = 1e-3;
         let carried = |path: &Path, bent: f64| {
             let (x1, v1) = path.end();
-            contact.after(path, Dual::<2>::along(x1, 0), Dual::along(v1, 1), bent)
+            contact.after(&path.travel(Dual::<2>::along(x1, 0), Dual::along(v1, 1)), Dual::constant(bent))
         };
         let mut turns_seen = [0; 3];
         // From start to end in m, and the velocities there: no turn, one, and there and back again.

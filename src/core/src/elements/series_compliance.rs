@@ -27,12 +27,12 @@ impl Describe for SeriesCompliance {
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar("series_stiffness", "N/m", &[3.0e6], (1e4, 1e8), "stiffness of the series spring, k_s"),
         Parameter::scalar("series_damping", "N s/m", &[200.0], (0.0, 1e5), "damping beside the series spring, c_s"),
-        Parameter::scalar("internal_mass", "kg", &[0.5], (0.05, 20.0), "moving mass of rod, oil and gas, m"),
+        Parameter::scalar("internal_mass", "kg", &[0.5], (0.005, 20.0), "moving mass of rod, oil and gas, m"),
         Parameter::choice(
             "series_load",
             &["hydraulic", "whole"],
             "what the series spring carries: the hydraulic force and the springs \
-             on the mass, or friction and constant gas force too, as an eye or a mount does",
+             on the mass, or friction and gas force too, as an eye or a mount does",
         ),
     ];
 }

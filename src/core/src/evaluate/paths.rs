@@ -11,7 +11,7 @@ use crate::paths::hydraulic::{self, Around, Flow, column_force, column_rate};
 use crate::paths::series::{self, Frame};
 use crate::paths::solve::{ITERATIONS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, Slots, place};
-use crate::state::State;
+use crate::state::{MAX_INTERNAL, State};
 use crate::tables::{ForceLaw, Tables};
 
 /// Directions in which an instant is differentiated at once. All that is asked here is compiled for this one kind of number, whether or not its derivatives
@@ -53,6 +53,7 @@ fn past(e: &Paths<impl Tables>, force: Derivatived, x: Derivatived, states: &[De
 fn instant(
     elements: &Elements<impl Tables>,
     states: &[Derivatived; STATES],
+    internal: &[f64; MAX_INTERNAL],
     around: &Around<Derivatived>,
     w: Derivatived,
     curve: Derivatived,
@@ -98,7 +99,8 @@ fn instant(
         side_force: around.side_force,
         temperature: around.temperature,
     };
-    let inner = elements.on_the_mass(&at);
+    let mut inner = elements.on_the_mass(&at);
+    inner.add(elements.states_on_mass(&at, internal));
     let inner = x.chain(inner.force, inner.d_force_d_x) + u.chain(0.0, inner.d_force_d_v);
     let mut force = inner + primary;
     if e.has_series() {
@@ -131,7 +133,12 @@ fn sought(
 }
 
 /// The velocity of the oil at given states.
-fn oil(elements: &Elements<impl Tables>, states: &[f64; STATES], at: &Around<f64>) -> f64 {
+fn oil(
+    elements: &Elements<impl Tables>,
+    states: &[f64; STATES],
+    internal: &[f64; MAX_INTERNAL],
+    at: &Around<f64>,
+) -> f64 {
     let e = &elements.paths;
     let Around { x, v, side_force, temperature } = *at;
     let u = if e.has_series() { states[place::U] } else { v };
@@ -141,7 +148,7 @@ fn oil(elements: &Elements<impl Tables>, states: &[f64; STATES], at: &Around<f64
     let lifted = states.map(Dual::constant);
     let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
     let least = if e.has_column() { [1e-3, 1e-3] } else { [0.5, 1e-12] };
-    sought(e, u, least, &|w, f| instant(elements, &lifted, &around, w, f).residual)
+    sought(e, u, least, &|w, f| instant(elements, &lifted, internal, &around, w, f).residual)
 }
 
 /// Place of the displacement and of the velocity of the driven end among what an instant depends on, behind the states.
@@ -154,19 +161,21 @@ const W: usize = DIRECTIONS - 1;
 struct At<'a, T: Tables> {
     e: &'a Elements<T>,
     states: [f64; STATES],
+    internal: &'a [f64; MAX_INTERNAL],
     around: Around<f64>,
     w: f64,
     curve: Value,
 }
 
 impl<'a, T: Tables> At<'a, T> {
-    fn new(e: &'a Elements<T>, state: &State, input: &Input) -> At<'a, T> {
+    fn new(e: &'a Elements<T>, state: &'a State, input: &Input) -> At<'a, T> {
         let x = super::displacement(state, input);
         let Input { velocity: v, side_force, temperature, .. } = *input;
         let states = e.paths.slots().read(state);
         let around = Around { x, v, side_force, temperature };
-        let w = oil(e, &states, &around);
-        At { e, states, around, w, curve: e.paths.fv_curve.evaluate(w) }
+        let internal = &state.internal;
+        let w = oil(e, &states, internal, &around);
+        At { e, states, internal, around, w, curve: e.paths.fv_curve.evaluate(w) }
     }
 
     /// The instant with its derivatives over what stands at these places.
@@ -182,7 +191,7 @@ impl<'a, T: Tables> At<'a, T> {
         let Around { x, v, side_force, temperature } = self.around;
         let around = Around { x: lifted(x, X), v: lifted(v, V), side_force, temperature };
         let w = Dual::along(self.w, W);
-        instant(self.e, &states, &around, w, w.chain(self.curve.value, self.curve.derivative))
+        instant(self.e, &states, self.internal, &around, w, w.chain(self.curve.value, self.curve.derivative))
     }
 }
 

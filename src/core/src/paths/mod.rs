@@ -10,7 +10,7 @@
 //!
 //! φ is the elastic law and χ the share of its contacts that is closed, 1 without free play; b flows past the valves and ℓ
 //! is the length of the oil column, 1 in the middle of the stroke. Where the series path carries the whole force, friction
-//! and the constant gas force pull at the mass beside F_p.
+//! and gas pull at the mass beside F_p.
 //!
 //! With no element of either path on, φ is straight, w = u and F_h = F_d(u): the plain step of [`crate::step`] and the
 //! short formulas of [`crate::evaluate`] then do, and nothing here is called.

@@ -26,7 +26,8 @@ pub(super) fn advance_extras(
 ) -> Response {
     let sum = elements.stops(end);
     output.stop_force = sum.force;
-    let mut extras = Extras { method, substeps, path, end, internal, output, derivatives, sum };
+    let on_mass = elements.has_states_on_mass();
+    let mut extras = Extras { method, substeps, path, end, internal, output, derivatives, on_mass, sum };
     elements.visit_stateful(&mut extras);
     extras.sum
 }
@@ -40,12 +41,17 @@ struct Extras<'a> {
     internal: &'a mut [f64; MAX_INTERNAL],
     output: &'a mut Output,
     derivatives: bool,
+    /// Whether those that may act on the mass do, and have been advanced with it.
+    on_mass: bool,
     sum: Response,
 }
 
 impl StateVisitor for Extras<'_> {
     #[inline(always)]
     fn visit<M: StatefulForce>(&mut self, place: usize, element: &M) {
+        if self.on_mass && element.acts_on_mass() {
+            return;
+        }
         let Some(slot) = self.internal.get_mut(place) else {
             return;
         };

@@ -10,6 +10,7 @@
 //! with the stage's known parts X, V, S, E. It is solved to rounding (see [`crate::paths::solve`]), so its derivatives are
 //! those of the implicit function. The temperature is so slow that a stage damps with its known part.
 
+mod on_mass;
 mod stage;
 
 use super::reach::REACH;
@@ -52,6 +53,18 @@ struct Known<'a> {
     states: [f64; STATES],
     /// Those of them that were brought back into their ranges, as bits.
     kept: u32,
+    /// Where what acts on the mass with a state starts from.
+    on_mass: FromStart,
+}
+
+/// Where elements with a state on the mass start from, and the time since.
+#[derive(Clone, Copy, Debug)]
+struct FromStart {
+    /// Displacement and velocity of the mass at the start of the substep.
+    mass: [f64; 2],
+    states: on_mass::States,
+    /// Time from there to the stage, s.
+    time: f64,
 }
 
 /// Where a stage moves the driven end from, X: what it does to a column that counts stroke is s(x) − s(X).
@@ -101,6 +114,7 @@ struct Balance {
     force: f64,
     primary: f64,
     inner: f64,
+    on_mass: Option<on_mass::States>,
 }
 
 /// Follows the stages of a step through the paths; used for derivatives. The step itself does not depend on it.
@@ -166,11 +180,18 @@ pub struct Carried {
     pub force: f64,
     /// Of each stage: g × rate of the states.
     gains: [[f64; STATES]; MOST_STAGES],
+    /// Of the states of elements on the mass.
+    on_mass: on_mass::States,
 }
 
 impl Carried {
     /// Nothing depends on the direction yet.
-    pub const NONE: Carried = Carried { states: [0.0; STATES], force: 0.0, gains: [[0.0; STATES]; MOST_STAGES] };
+    pub const NONE: Carried = Carried {
+        states: [0.0; STATES],
+        force: 0.0,
+        gains: [[0.0; STATES]; MOST_STAGES],
+        on_mass: [0.0; on_mass::MOST],
+    };
 
     /// Carries a direction through the stage: see [`StageDerivatives::carry`].
     #[inline(always)]
@@ -184,8 +205,17 @@ impl Carried {
                 *known = if stage.kept & 1 << place == 0 { *known } else { 0.0 };
             }
         }
+        // Until its last stage the states are those at the start of the substep.
+        let start = [self.states[place::X], self.states[place::U]];
+        let on_mass = stage.on_mass();
+        if let Some(on_mass) = on_mass {
+            seed.drag += on_mass.force_by_start(start, &self.on_mass);
+        }
         let after = stage.along(&seed);
         if stage.last {
+            if let Some(on_mass) = on_mass {
+                self.on_mass = on_mass.states_along(after.states[place::X], start, &self.on_mass);
+            }
             self.states = after.states;
             if stage.shuts {
                 self.states[place::VOID] = 0.0;
@@ -327,6 +357,10 @@ pub(super) fn advance<T: Tables>(
     let driven = drive.path.point(0.0).v;
     let oil_velocity = if e.has_series() { states[place::U] } else { driven };
     let mut now = Now { states, oil_velocity, driven, ..Now::START };
+    let has_states_on_mass = drive.model.elements.has_states_on_mass();
+    if has_states_on_mass {
+        now.on_mass = on_mass::read(&drive.model.elements, &state.internal);
+    }
     /// Elements that are on alone.
     macro_rules! compiled {
         ($($on:expr,)*) => {
@@ -350,6 +384,9 @@ pub(super) fn advance<T: Tables>(
         SERIES | VALVE | SPOOL,
     }
     slots.write(&now.states, state);
+    if has_states_on_mass {
+        on_mass::write(&drive.model.elements, &now.on_mass, &mut state.internal);
+    }
     output.primary_force = now.primary;
     output.spring_force = now.inner;
     output.oil_temperature = drive.side.1 + now.states[place::HEAT];
@@ -374,6 +411,8 @@ fn advance_on<const ON: u32>(drive: &Drive<impl Tables>, now: &mut Now, follow: 
 #[derive(Clone, Copy)]
 struct Now {
     states: [f64; STATES],
+    /// Those of elements on the mass.
+    on_mass: on_mass::States,
     oil_velocity: f64,
     /// Velocity of the driven end.
     driven: f64,
@@ -387,6 +426,7 @@ struct Now {
 impl Now {
     const START: Now = Now {
         states: [0.0; STATES],
+        on_mass: [0.0; on_mass::MOST],
         oil_velocity: 0.0,
         driven: 0.0,
         raised: 1.0,
@@ -536,7 +576,9 @@ impl<T: Tables> Substep<'_, T> {
                     *stroke = moved_from.to(&point);
                 }
             }
-            let known = Known { index, last, row, g, moved_from, since, valve_jumps, raised, states: known, kept };
+            let on_mass = FromStart { mass: [from[place::X], from[place::U]], states: now.on_mass, time: place_of * h };
+            let known =
+                Known { index, last, row, g, moved_from, since, valve_jumps, raised, states: known, kept, on_mass };
             let mut stage = PathsStage::<T, ON>::solve(self.elements, &known, point, self.side, guess);
             let balance = stage.balance();
             if !last {
@@ -568,11 +610,12 @@ impl<T: Tables> Substep<'_, T> {
             follow.stage(&stage);
             (oil_velocity, driven, raised) = (stage.oil_velocity, point.v, stage.raised);
             if last {
-                let Balance { mut states, force, primary, inner } = balance;
+                let Balance { mut states, force, primary, inner, on_mass } = balance;
                 if stage.shuts {
                     states[place::VOID] = 0.0;
                 }
-                *now = Now { states, oil_velocity, driven, raised, force, primary, inner };
+                let on_mass = on_mass.unwrap_or(now.on_mass);
+                *now = Now { states, on_mass, oil_velocity, driven, raised, force, primary, inner };
             } else if let Some(gains) = gains.get_mut(index) {
                 *gains = gain::<ON>(&balance.states, &known.states);
             }

@@ -84,6 +84,17 @@ pub fn paths() -> Vec<(&'static str, Params)> {
             of(&["bushing", "oil_compressibility"], &[("series_load", 1.0), ("oil_stiffness", 2e6)]),
         ),
         ("the whole behind the series spring", of(&["coulomb_friction"], &[("series_load", 1.0)])),
+        (
+            "contacts and gas behind the series spring",
+            of(&["presliding_friction", "gas_spring"], &[("series_load", 1.0), ("gas_stiffness", 5e3)]),
+        ),
+        (
+            "contacts behind a mount",
+            of(
+                &["presliding_friction", "bushing"],
+                &[("series_load", 1.0), ("presliding_power", 2.0), ("presliding_return", 1.0)],
+            ),
+        ),
         ("oil", of(&["oil_compressibility"], &[])),
         ("softer oil in compression", of(&["oil_compressibility"], &[("oil_compression", 0.3)])),
         ("oil alone", without_series(of(&["oil_compressibility"], &[]))),

@@ -499,6 +499,10 @@ class Damper:
             return xi**a
         return smallest**a + a * smallest ** (a - 1) * (xi - smallest)
 
+    def gas_drawn_to(self, x):
+        xi = max(1 + x / self.p["gas_length"], self.c["gas_spring"]["SMALLEST"])
+        return xi ** (self.p["gas_adiabatic_index"] - 1) - 1
+
     def polynomial(self, v):
         return sum(a * v**k for k, a in enumerate(self.p["polynomial"]))
 
@@ -513,11 +517,17 @@ class Damper:
         return "moving_mass" in self.on and self.has_series and self.p["moving_mass_place"] == "inside"
 
     def with_state(self, x, v, states):
-        """Forces and rates of the elements beside the damper that have a state."""
+        """Forces and rates of the elements that have a state: at the driven end, or at the mass where that carries them."""
         p, forces, rates = self.p, {}, {}
+        if "moving_mass" in self.on:
+            behind = (v - states["moving_mass"]) / p["moving_mass_time"]
+            forces["moving_mass"] = 0.0 if self.mass_inside() else p["moving_mass"] * behind
+            rates["moving_mass"] = behind
         if "lagged_polynomial" in self.on:
             y = states["lagged_polynomial"]
             forces["lagged_polynomial"], rates["lagged_polynomial"] = y, (self.polynomial(v) - y) / self.lag(v)
+        if self.is_whole:
+            x, v = states["internal_mass"], states["internal_mass_velocity"]
         if "presliding_friction" in self.on:
             z = states["presliding_friction"]
             bent = z / p["presliding_length"]
@@ -529,11 +539,7 @@ class Damper:
             z, gamma = states["gas_spring"], p["gas_adiabatic_index"]
             push = p["gas_stiffness"] * p["gas_length"]
             forces["gas_spring"] = push * (1 - (1 + z) * self.gas_power(x, -gamma))
-            rates["gas_spring"] = (self.gas_power(x, gamma - 1) - 1 - z) / p["gas_thermal_time"]
-        if "moving_mass" in self.on:
-            behind = (v - states["moving_mass"]) / p["moving_mass_time"]
-            forces["moving_mass"] = 0.0 if self.mass_inside() else p["moving_mass"] * behind
-            rates["moving_mass"] = behind
+            rates["gas_spring"] = (self.gas_drawn_to(x) - z) / p["gas_thermal_time"]
         return forces, rates
 
     def stop(self, end, depth, s):
@@ -589,6 +595,10 @@ class Damper:
             rates["oil_temperature_rise"] = heat / p["heat_capacity"]
         spring = self.parallel_spring(x_m)
         friction, gas = self.friction(u if self.is_whole else v, side_force), self.gas_preload() + self.gas_warming(temperature)
+        forces, more = self.with_state(x, v, states)
+        rates.update(more)
+        contacts, gases = forces.pop("presliding_friction", 0.0), forces.pop("gas_spring", 0.0)
+        friction, gas = friction + contacts, gas + gases
         f_in = spring + friction + gas if self.is_whole else spring
         rates["internal_mass"], rates["internal_mass_velocity"] = 0.0, 0.0
         if self.has_series:
@@ -601,8 +611,6 @@ class Damper:
                 rates.update(self.bushing_rates(rate, states))
         else:
             through = f_h + f_in
-        forces, more = self.with_state(x, v, states)
-        rates.update(more)
         stop = self.stops(x, v)
         f_out = sum(forces.values()) + stop
         if not self.is_whole:
@@ -611,8 +619,8 @@ class Damper:
             "force": through + f_out,
             "primary_force": f_h,
             "spring_force": spring,
-            "friction_force": friction + forces.get("presliding_friction", 0.0),
-            "gas_force": gas + forces.get("gas_spring", 0.0),
+            "friction_force": friction,
+            "gas_force": gas,
             "stop_force": stop,
             "series_deflection": x - x_m,
             "oil_temperature": temperature + states.get("oil_temperature_rise", 0.0),
@@ -677,21 +685,39 @@ class Damper:
                 states["bushing_slow"] = 0.0
         x_m = x
         if self.has_series:
-            on_mass = self.friction(v, side_force) + self.gas_preload() + self.gas_warming(temperature) if self.is_whole else 0.0
+            friction = self.friction(v, side_force) + p["presliding_force"] * self.resting_contact(v) / p["presliding_length"]
+            on_mass = lambda x_m: 0.0
+            if self.is_whole:
+                gas = self.gas_preload() + self.gas_warming(temperature)
+                on_mass = lambda x_m: friction + gas + self.resting_gas(x_m)
             x_m = root_of(
-                lambda x_m: self.parallel_spring(x_m) + on_mass + f_h - self.hardened(self.elastic(x - x_m)[0]), x
+                lambda x_m: self.parallel_spring(x_m) + on_mass(x_m) + f_h - self.hardened(self.elastic(x - x_m)[0]), x
             )
         states["internal_mass"], states["internal_mass_velocity"] = x_m, v
         if "lagged_polynomial" in on:
             states["lagged_polynomial"] = self.polynomial(v)
         if "presliding_friction" in on:
-            share = abs(v) / math.sqrt(v * v + p["presliding_creep"] ** 2)
-            states["presliding_friction"] = sgn(v) * p["presliding_length"] * share ** (1 / p["presliding_power"])
+            states["presliding_friction"] = self.resting_contact(v)
         if "gas_spring" in on:
-            states["gas_spring"] = self.gas_power(x, p["gas_adiabatic_index"] - 1) - 1
+            place = x_m if self.is_whole else x
+            states["gas_spring"] = self.gas_drawn_to(place)
         if "moving_mass" in on:
             states["moving_mass"] = v
         return states
+
+    def resting_contact(self, v):
+        p = self.p
+        if "presliding_friction" not in self.on or v == 0:
+            return 0.0
+        share = abs(v) / math.sqrt(v * v + p["presliding_creep"] ** 2)
+        return sgn(v) * p["presliding_length"] * share ** (1 / p["presliding_power"])
+
+    def resting_gas(self, x):
+        p = self.p
+        if "gas_spring" not in self.on:
+            return 0.0
+        gamma = p["gas_adiabatic_index"]
+        return p["gas_stiffness"] * p["gas_length"] * (1 - (1 + self.gas_drawn_to(x)) * self.gas_power(x, -gamma))
 
     def resting_void(self, force):
         p = self.p

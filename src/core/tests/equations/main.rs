@@ -28,6 +28,9 @@ const RARE: usize = 10_000;
 /// Beside 1: settled states may be small. tanh and exp are the kernel's own, exact to some 1e-16 of their largest value.
 const ROUNDING: f64 = 1e-13;
 
+/// A filter can bring a settled void to the length beyond which the law has none, m: rounding then says which of the two it is.
+const LIMIT: f64 = 1e-9;
+
 /// Whether a number of some kind is the same.
 fn agree(kind: &str, one: f64, other: f64, share: f64) -> bool {
     let size = one.abs().max(other.abs());
@@ -55,8 +58,15 @@ fn the_page_and_the_kernel_answer_alike() {
         answers.into_iter().map(|a| ((a.question, a.kind, a.name), a.value)).collect();
     let (mut compared, mut near, mut apart) = (0, Vec::new(), Vec::new());
     for (number, case) in cases.iter().enumerate() {
-        for (kind, name, value) in kernel::answers(case) {
+        let answers = kernel::answers(case);
+        let void = book.get(&(number, "settled".to_owned(), "cavitation_void".to_owned())).copied();
+        let voids = answers.iter().filter(|a| (a.0, a.1) == ("settled", "cavitation_void")).map(|a| a.2).chain(void);
+        let is_at_limit = voids.into_iter().any(|void| void > 1.0 - LIMIT);
+        for (kind, name, value) in answers {
             let of_book = book.remove(&(number, kind.to_owned(), name.to_owned()));
+            if is_at_limit && kind == "settled" {
+                continue;
+            }
             compared += 1;
             if !of_book.is_some_and(|of_book| agree(kind, of_book, value, SHARE)) {
                 let told = format!("{kind} {name}: kernel {value:e}, book {of_book:?}; case {number}, {:?}", on(case));

@@ -3,7 +3,7 @@
 use crate::hypothesis::{self, Free, Hypothesis};
 use crate::priors::is_force_of_effect;
 use crate::unknowns::{CurveName, Unknown};
-use crate::vocabulary::Candidate;
+use crate::vocabulary::{CARRIES_WHOLE, Candidate};
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{element, number};
 
@@ -106,11 +106,13 @@ impl Component {
                 let own = of.numbers.iter().filter(|n| element_of(&n.free) == Some(element));
                 let frees: Vec<Free> = own.map(|n| n.free.clone()).collect();
                 let numbers = frees.iter().map(weight).sum();
+                let carries_whole =
+                    element == element!("series_compliance") && of.base.number(number!("series_load")) == 1.0;
                 Component {
                     effect: element.name(),
-                    form: "",
+                    form: if carries_whole { CARRIES_WHOLE } else { "" },
                     elements: vec![element],
-                    fixed: Vec::new(),
+                    fixed: if carries_whole { vec![(number!("series_load"), 1.0)] } else { Vec::new() },
                     frees,
                     numbers,
                 }

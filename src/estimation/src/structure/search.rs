@@ -36,7 +36,7 @@ pub struct StructureSearch {
     pub unnamed: Vec<(Unnamed, f64)>,
     /// The last expansion of the best structure.
     pub last: Vec<Trial>,
-    /// Structures with a rival in the place of an effect of the best, most probable first.
+    /// Structures with a rival in the place of an effect of the best, or with another form of it.
     pub rivals: Vec<Trial>,
     /// Effects that leave no trace, with the squared norm of their response in σ².
     pub visible: Vec<(&'static str, f64)>,
@@ -220,6 +220,8 @@ impl StructureSearch {
             let Some(Expansion { trials, .. }) = expand(context, &less, &is_tried, Budget::RIVALS) else { continue };
             self.note(&trials);
             self.rivals.extend(trials.iter().filter(|t| t.form.0 != own).take(2).cloned());
+            let form = self.best.components[place].form;
+            self.rivals.extend(trials.iter().find(|t| t.form.0 == own && t.form.1 != form).cloned());
             let Some(trial) = trials.first() else { continue };
             if trial.structure.log_posterior > self.best.log_posterior - SWAPPED
                 && trial.structure.key() != self.best.key()

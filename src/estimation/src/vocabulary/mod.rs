@@ -16,6 +16,7 @@ mod valves;
 
 pub use base::base_numbers;
 pub use changes::changes;
+pub use series::CARRIES_WHOLE;
 
 use crate::hypothesis::Free;
 use crate::measurement::Artefact;

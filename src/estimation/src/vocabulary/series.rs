@@ -18,15 +18,22 @@ fn by_friction() -> Loss {
 
 /// Adds them.
 pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
-    all.push(candidate(
-        &[element!("series_compliance")],
-        vec![
-            log(number!("series_stiffness"), (1e5, 2e7)),
-            near(number!("series_damping"), (0.0, 5e3), 200.0),
-            held(number!("internal_mass"), (0.05, 5.0), 0.6),
-        ],
-        [3e5, 1e6, 4e6].map(|k| Start::at(&[k, 200.0, 0.4])).to_vec(),
-    ));
+    let whole = carries_more(s).then_some((CARRIES_WHOLE, 1.0));
+    for (form, load) in [Some(("", 0.0)), whole].into_iter().flatten() {
+        all.push(Candidate {
+            form,
+            fixed: vec![(number!("series_load"), load)],
+            ..candidate(
+                &[element!("series_compliance")],
+                vec![
+                    log(number!("series_stiffness"), (1e5, 2e7)),
+                    near(number!("series_damping"), (0.0, 5e3), 200.0),
+                    held(number!("internal_mass"), (0.02, 5.0), 0.6),
+                ],
+                [3e5, 1e6, 4e6].map(|k| Start::at(&[k, 200.0, 0.4])).to_vec(),
+            )
+        });
+    }
     if !s.base.is_on(element!("series_compliance")) {
         return;
     }
@@ -128,6 +135,23 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     carrying_the_whole(s, all);
 }
 
+/// The series spring as an eye or a mount, which friction and gas load too. Its other form is the oil, which the valves load alone.
+pub const CARRIES_WHOLE: &str = "friction and gas act behind it";
+
+/// Whether the damper has what such a spring carries beside the hydraulic force.
+fn carries_more(s: &Situation) -> bool {
+    [
+        element!("coulomb_friction"),
+        element!("stribeck_friction"),
+        element!("side_force_friction"),
+        element!("presliding_friction"),
+        element!("gas_preload"),
+        element!("gas_spring"),
+    ]
+    .iter()
+    .any(|element| s.base.is_on(*element))
+}
+
 /// Fractions of the base's series stiffness for the oil column and for the series spring in front of it.
 ///
 /// The spring is an eye or mount that carries friction and gas too.
@@ -136,17 +160,8 @@ const BEHIND: [(f64, f64); 2] = [(1.3, 2.5), (3.0, 1.2)];
 /// Play and rubber that all of the force goes through, as in an eye or a mount. What the base's series spring stood for is
 /// then the oil behind it, which carries the hydraulic force alone.
 fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
-    let carries_more = [
-        element!("coulomb_friction"),
-        element!("stribeck_friction"),
-        element!("side_force_friction"),
-        element!("gas_preload"),
-    ];
     let carries_it = s.base.number(number!("series_load")) == 1.0;
-    if carries_it
-        || s.base.is_on(element!("oil_compressibility"))
-        || !carries_more.iter().any(|element| s.base.is_on(*element))
-    {
+    if carries_it || s.base.is_on(element!("oil_compressibility")) || !carries_more(s) {
         return;
     }
     let stiffness = s.base.number(number!("series_stiffness"));

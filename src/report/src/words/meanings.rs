@@ -239,10 +239,10 @@ const MEANINGS: &[Meaning] = &[
         "活塞杆、油液和气体的运动质量，m",
     ],
     [
-        "what the series spring carries: the hydraulic force and the springs on the mass, or friction and constant gas force too, as an eye or a mount does",
-        "was die Reihenfeder trägt: die hydraulische Kraft und die Federn an der Masse, oder auch Reibung und konstante Gaskraft, wie ein Auge oder Lager",
-        "ce que porte le ressort en série : l’effort hydraulique et les ressorts sur la masse, ou aussi frottement et effort constant du gaz, comme un œillet ou une articulation",
-        "串联弹簧承受的力：作用于质量的液压力和弹簧力，或者还包括摩擦力和恒定气体力（如吊环或支座）",
+        "what the series spring carries: the hydraulic force and the springs on the mass, or friction and gas force too, as an eye or a mount does",
+        "was die Reihenfeder trägt: die hydraulische Kraft und die Federn an der Masse, oder auch Reibung und Gaskraft, wie ein Auge oder Lager",
+        "ce que porte le ressort en série : l’effort hydraulique et les ressorts sur la masse, ou aussi frottement et effort du gaz, comme un œillet ou une articulation",
+        "串联弹簧承受的力：作用于质量的液压力和弹簧力，或者还包括摩擦力和气体力（如吊环或支座）",
     ],
     [
         "free travel from contact to contact, 2 g",

@@ -1,6 +1,7 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
-use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
+use super::on_mass::OnMass;
+use super::{Balance, Carried, FromStart, Known, MovedFrom, REACH, StageDerivatives};
 use crate::assembly::Elements;
 use crate::dual::Dual;
 use crate::element::{Motion, Response};
@@ -8,7 +9,9 @@ use crate::elements::bushing::Relaxed;
 use crate::input::PathPoint;
 use crate::math::min;
 use crate::paths::acting::acts;
-use crate::paths::bits::{BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL};
+use crate::paths::bits::{
+    BUSHING, CAVITATION, COLUMN, GROOVE, HEAT, LENGTH, PASSAGE, SERIES, SLOW_BUSHING, SPOOL, WHOLE,
+};
 use crate::paths::bypass::Past;
 use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
@@ -48,6 +51,8 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     /// By how much it raised the force.
     pub(super) raised: f64,
     known: [f64; STATES],
+    from_start: FromStart,
+    has_states_on_mass: bool,
     /// Those of them that were brought back into their ranges, as bits.
     pub(super) kept: u32,
     /// Whether the void is closed after it, whatever is left of it by a hair or beyond.
@@ -128,6 +133,7 @@ struct Look {
     relaxing_by_rate: f64,
     law: series::Derivatived,
     inner: Response,
+    on_mass: OnMass,
     /// d(force on the mass)/du, held back.
     resists: f64,
 }
@@ -153,6 +159,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             from: known.moved_from.x,
             side,
             states,
+            on_mass: &known.on_mass,
             g,
             since: known.since,
             raised: Cell::new(known.raised),
@@ -187,6 +194,8 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             valve_jumps: known.valve_jumps,
             raised: given.raised.get(),
             known: states,
+            from_start: known.on_mass,
+            has_states_on_mass: elements.has_states_on_mass(),
             kept: known.kept,
             shuts: false,
             derivative: curve.derivative,
@@ -204,7 +213,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     #[inline(always)]
     pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
-        if !acts::<ON>(e, BUSHING | CAVITATION) {
+        if !acts::<ON>(e, BUSHING | CAVITATION) && self.on_mass().is_none() {
             return;
         }
         let curve = e.fv_curve.evaluate(self.oil_velocity);
@@ -214,6 +223,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             from: self.moved_from.x,
             side,
             states: self.known,
+            on_mass: &self.from_start,
             g,
             since: self.since,
             raised: Cell::new(self.raised),
@@ -225,6 +235,12 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         self.derivative = curve.derivative;
         let by_w = self.at.residual.by_w + self.at.residual.by_curve * curve.derivative;
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
+    }
+
+    /// What acts on the mass with a state, if anything does.
+    #[inline(always)]
+    pub(super) fn on_mass(&self) -> Option<&OnMass> {
+        (acts::<ON>(self.paths, WHOLE) && self.has_states_on_mass).then_some(&self.at.on_mass)
     }
 
     /// States and forces after the stage.
@@ -260,7 +276,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             states[place::HEAT] = heated / (1.0 + g * fade.cooling);
         }
         let force = if acts::<ON>(e, SERIES) { at.law.force } else { at.inner.force + primary };
-        Balance { states, force, primary, inner: at.inner.force }
+        Balance { states, force, primary, inner: at.inner.force, on_mass: self.on_mass().map(OnMass::states) }
     }
 
     /// The derivatives of the stage in one direction.
@@ -397,6 +413,7 @@ struct Given<'a, T: Tables> {
     /// Side force and temperature.
     side: (f64, f64),
     states: [f64; STATES],
+    on_mass: &'a FromStart,
     g: f64,
     since: f64,
     raised: Cell<f64>,
@@ -446,6 +463,7 @@ impl Look {
         relaxing_by_rate: 0.0,
         law: series::Derivatived::NONE,
         inner: Response::NONE,
+        on_mass: OnMass::NONE,
         resists: 0.0,
     };
 
@@ -468,6 +486,9 @@ impl Look {
         self.u += u;
         self.x += g * u;
         self.inner.force += (self.inner.d_force_d_v + g * self.inner.d_force_d_x) * u;
+        if acts::<ON>(e, WHOLE) {
+            self.on_mass.go(g * u);
+        }
         self.law.force -= (self.law.by_deflection * g + self.law.by_rate) * u;
         if acts::<ON>(e, BUSHING) {
             for (at, by_rate) in self.relaxed.at.iter_mut().zip(self.relaxed.by_rate) {
@@ -479,7 +500,8 @@ impl Look {
 
     #[inline(always)]
     fn at<const ON: u32>(e: &Paths<impl Tables>, given: &Given<impl Tables>, w: f64, curve: f64) -> Look {
-        let Given { elements, path, from, side, states: known, g, since, raised, per_g, standing, factors } = given;
+        let Given { elements, path, from, side, states: known, on_mass, g, since, raised, per_g, standing, factors } =
+            given;
         let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
@@ -508,6 +530,7 @@ impl Look {
             u_by_force += oil_void_by[0] * per;
         }
         let (mut relaxed, mut relaxing, mut relaxing_by_rate) = (Relaxed::NONE, 0.0, 0.0);
+        let mut states_on_mass = OnMass::NONE;
         let (residual, x, law, at, resists);
         if acts::<ON>(e, SERIES) {
             x = known[place::X] + u * g;
@@ -522,7 +545,14 @@ impl Look {
                 (relaxing, relaxing_by_rate) = (e.bushing.relaxing(relaxed.at), e.bushing.relaxing(relaxed.by_rate));
             }
             law = series::with_derivatives::<ON>(e, path.x - x, rate, relaxing);
-            at = springs(elements, x, u, path.x, side);
+            let mut pulls = springs(elements, x, u, path.x, side);
+            if acts::<ON>(e, WHOLE) && elements.has_states_on_mass() {
+                states_on_mass = OnMass::stage(elements, &on_mass.states, on_mass.mass, x, on_mass.time);
+                let [force, by_x] = states_on_mass.force();
+                pulls.force += force;
+                pulls.d_force_d_x += by_x;
+            }
+            at = pulls;
             let mass_rate = e.series_compliance.mass * per_g;
             let mut held = mass_rate + at.d_force_d_v + g * at.d_force_d_x + g * law.by_deflection + law.by_rate;
             if acts::<ON>(e, BUSHING) {
@@ -559,6 +589,7 @@ impl Look {
             relaxing_by_rate,
             law,
             inner: at,
+            on_mass: states_on_mass,
             resists,
         }
     }

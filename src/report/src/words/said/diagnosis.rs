@@ -823,6 +823,12 @@ pub const ALL: &[Said] = &[
         "橡胶内摩擦，并有限位",
     ],
     ["opens under a load", "öffnet sich unter einer Last", "s’ouvre sous une charge", "在载荷下张开"],
+    [
+        "friction and gas act behind it",
+        "Reibung und Gas wirken dahinter",
+        "le frottement et le gaz agissent derrière",
+        "摩擦力和气体力作用在其后",
+    ],
     ["all of the force goes through it", "die ganze Kraft geht hindurch", "tout l’effort y passe", "全部力经过它"],
     [
         "relaxes, and all of the force goes through it",
