@@ -408,8 +408,7 @@ impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Where friction and gas act on the mass, takes them out of the force of the springs there and counts them where they
-    /// belong.
+    /// Takes friction and gas that act on the mass out of the force of the springs there, and counts them where they belong.
     #[inline(always)]
     pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion, internal: &[f64; MAX_INTERNAL]) {
         if self.carries_whole() {

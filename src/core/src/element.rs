@@ -168,22 +168,8 @@ pub enum ForceComponent {
     Gas,
 }
 
-/// A number with its derivatives over what an element on the mass depends on in a stage: see [`carrying`].
-pub type Carrying = Dual<{ carrying::ALL }>;
-
-/// The directions of [`Carrying`].
-pub mod carrying {
-    /// Displacement of the mass at the end.
-    pub const END: usize = 0;
-    /// Displacement of the mass at the start.
-    pub const START: usize = 1;
-    /// Velocity of the mass at the start.
-    pub const SPEED: usize = 2;
-    /// State at the start.
-    pub const STATE: usize = 3;
-    /// Their number.
-    pub const ALL: usize = 4;
-}
+/// A number with its derivatives over two of what an element on the mass depends on in a stage.
+pub type Carrying = Dual<2>;
 
 /// An element with one internal state z.
 pub trait StatefulForce {
@@ -218,7 +204,7 @@ pub trait StatefulForce {
     ///
     /// The force must not fall as the end moves on: a stage then has one answer.
     fn carried(&self, _from: Carrying, _travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
-        [z, Dual::new(0.0, [0.0; carrying::ALL])]
+        [z, Dual::new(0.0, [0.0; 2])]
     }
 
     /// State and force after the motion along a path, in closed form. The derivatives are undefined unless requested.

@@ -82,7 +82,7 @@ fn dampers_of_any_size_are_allowed_whole() {
 #[test]
 fn a_number_of_another_size_is_named() {
     let mut params = of_size(&Params::new(), 0.01).unwrap();
-    params.set(number!("internal_mass"), 1e-3).unwrap();
+    params.set(number!("internal_mass"), 1e-4).unwrap();
     Model::check(&params).unwrap();
     params.set(number!("series_stiffness"), 1e7).unwrap();
     let refused = Model::check(&params).unwrap_err();
@@ -91,7 +91,7 @@ fn a_number_of_another_size_is_named() {
     params.set(number!("series_stiffness"), 2e8).unwrap();
     params.set(number!("gas_force"), 2e4).unwrap();
     Model::check(&params).unwrap();
-    params.set(number!("internal_mass"), 0.05).unwrap();
+    params.set(number!("internal_mass"), 5e-3).unwrap();
     assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);
 }
 
@@ -115,7 +115,7 @@ fn what_a_car_may_have_goes_together() {
 #[test]
 fn numbers_of_other_forms_have_no_part_in_it() {
     let mut params = of_size(&Params::new(), 1.01e-3).unwrap();
-    params.set(number!("fv_rebound_c1"), 1e5).unwrap();
+    params.set(number!("fv_rebound_c1"), 1e6).unwrap();
     Model::check(&params).unwrap();
     params.set(number!("fv_form"), 1.0).unwrap();
     assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);

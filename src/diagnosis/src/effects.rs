@@ -323,6 +323,12 @@ mod tests {
                 forms.extend(all.iter().map(|c| c.form).filter(|form| !form.is_empty()));
             }
         }
+        // A mount that friction lies behind.
+        let mut base = Params::new();
+        base.enable(element!("series_compliance"), false);
+        base.enable(element!("presliding_friction"), true);
+        let all = candidates(&Situation::new(&base, &[], &[]));
+        forms.extend(all.iter().filter(|c| c.effect == "series_compliance" && !c.form.is_empty()).map(|c| c.form));
         assert_eq!(forms, crate::phrases::FORMS.iter().copied().collect());
     }
 }

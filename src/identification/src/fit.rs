@@ -24,7 +24,7 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
-use dashpot_estimation::structure::alternatives::alternatives;
+use dashpot_estimation::structure::alternatives::{Alternative, Part, alternatives, mixed_interval};
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
@@ -185,6 +185,22 @@ impl Found {
         let standing = Standing::NotIdentified;
         let from = why.into();
         self.estimates.push(Estimate { name, index: None, value: 0.0, low: None, high: None, unit, from, standing });
+    }
+}
+
+/// The intervals over other structures, each with its weight beside this one.
+fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
+    let part = |weight: f64, e: &Estimate| Some(Part { weight, value: e.value, ends: [e.low?, e.high?] });
+    for estimate in estimates {
+        let Some(own) = part(1.0, estimate) else { continue };
+        let of_others = others.iter().filter_map(|(weight, all)| {
+            let same = all.iter().find(|e| e.name == estimate.name && e.index == estimate.index)?;
+            part(*weight, same)
+        });
+        let parts: Vec<Part> = std::iter::once(own).chain(of_others).collect();
+        if let Some([low, high]) = mixed_interval(&parts) {
+            (estimate.low, estimate.high) = (Some(low), Some(high));
+        }
     }
 }
 
@@ -490,9 +506,10 @@ fn fit_thesis(
     let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
     let inventory = inventory(&best, None, tests, &probability);
     let mut found = finish(&best, tests, &about.given);
-    for other in alternatives(&search, &best, Temperatures::WITHOUT_REFERENCE, tests) {
-        hold_too(&mut found.estimates, estimates(&other.hypothesis, &other.refit, tests).iter());
-    }
+    let others = alternatives(&search, &best, Temperatures::WITHOUT_REFERENCE, tests);
+    let of =
+        |other: &Alternative| (other.weight, estimates(&other.structure.hypothesis, &other.structure.refit, tests));
+    mix(&mut found.estimates, &others.iter().map(of).collect::<Vec<_>>());
     found.inventory = inventory;
     // Without a series path too: a channel that comes early by as much would hide it.
     if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {

@@ -156,17 +156,12 @@ struct Step {
     model: StepForces,
 }
 
-/// Settings in hundredths, by which steps of one kind are found.
-fn key(setting: f64) -> i64 {
-    (setting * 50.0).round() as i64
-}
-
 /// The responses to the steps of records whose setting steps, by the settings before and after.
 ///
 /// # Errors
 /// Parameters that make no model.
 pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Vec<StepResponse>, NoModel> {
-    let mut kinds: BTreeMap<(i64, i64), Kind> = BTreeMap::new();
+    let mut kinds: Vec<Kind> = Vec::new();
     let family = prepared_family(definition)?;
     for record in records {
         let Some(signal) = record.setting_signal.as_ref().filter(|s| s.pattern == SettingPattern::Steps) else {
@@ -203,11 +198,15 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
                 after: cut(after),
                 velocity_window_s: record.velocity_window_s,
             };
-            let kind = kinds.entry((key(step.from), key(step.to))).or_insert_with(|| Kind {
-                levels: [step.from, step.to],
-                sample: BEHIND,
-                ..Kind::default()
+            let is_own = |kind: &Kind| {
+                let [from, to] = kind.levels;
+                is_same_setting(from, step.from) && is_same_setting(to, step.to)
+            };
+            let place = kinds.iter().position(is_own).unwrap_or_else(|| {
+                kinds.push(Kind { levels: [step.from, step.to], sample: BEHIND, ..Kind::default() });
+                kinds.len() - 1
             });
+            let kind = &mut kinds[place];
             kind.sample = kind.sample.min((end - record.time[from]) / (step.end - from).max(1) as f64);
             kind.steps.push(Step {
                 test: record.name.clone(),
@@ -218,7 +217,8 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
             });
         }
     }
-    Ok(kinds.into_values().map(response).collect())
+    kinds.sort_by(|a, b| a.levels[0].total_cmp(&b.levels[0]).then(a.levels[1].total_cmp(&b.levels[1])));
+    Ok(kinds.into_iter().map(response).collect())
 }
 
 /// The response to steps of one kind.

@@ -151,7 +151,7 @@ impl StatefulForce for GasSpring {
         true
     }
 
-    /// As [`GasSpring::propagate`].
+    /// Exact but for the terms beyond the cubic, as along the path of the driven end.
     fn carried(&self, from: Carrying, travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
         let (kept, takes) = relaxation(travel.time * self.per_time);
         let end = from + travel.moved;

@@ -27,6 +27,7 @@ use crate::paths::bits::{
 use crate::paths::{Paths, STATES, place};
 use crate::state::{Output, State};
 use crate::tables::Tables;
+use on_mass::FromStart;
 use stage::PathsStage;
 pub use stage::Seed;
 
@@ -55,16 +56,6 @@ struct Known<'a> {
     kept: u32,
     /// Where what acts on the mass with a state starts from.
     on_mass: FromStart,
-}
-
-/// Where elements with a state on the mass start from, and the time since.
-#[derive(Clone, Copy, Debug)]
-struct FromStart {
-    /// Displacement and velocity of the mass at the start of the substep.
-    mass: [f64; 2],
-    states: on_mass::States,
-    /// Time from there to the stage, s.
-    time: f64,
 }
 
 /// Where a stage moves the driven end from, X: what it does to a column that counts stroke is s(x) − s(X).
@@ -145,6 +136,8 @@ pub trait StageDerivatives {
 pub(super) trait EachStage {
     /// Whether the answer's derivatives are asked for.
     fn wants_derivatives(&self) -> bool;
+    /// Whether anybody follows.
+    fn follows(&self) -> bool;
     /// Called after every stage.
     fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>);
     /// Slopes of the force over displacement and velocity at the end of the step.
@@ -158,6 +151,11 @@ impl<F: FollowPaths> EachStage for Told<'_, F> {
     #[inline(always)]
     fn wants_derivatives(&self) -> bool {
         false
+    }
+
+    #[inline(always)]
+    fn follows(&self) -> bool {
+        true
     }
 
     #[inline(always)]
@@ -244,6 +242,11 @@ impl PathsByEnd {
 impl EachStage for PathsByEnd {
     #[inline(always)]
     fn wants_derivatives(&self) -> bool {
+        self.wanted
+    }
+
+    #[inline(always)]
+    fn follows(&self) -> bool {
         self.wanted
     }
 
@@ -606,6 +609,9 @@ impl<T: Tables> Substep<'_, T> {
             stage.shuts = last && balance.states[place::VOID] < SHUT;
             if follow.wants_derivatives() {
                 stage.look_at_answer(self.elements, self.side);
+            }
+            if follow.follows() {
+                stage.look_at_start(self.elements);
             }
             follow.stage(&stage);
             (oil_velocity, driven, raised) = (stage.oil_velocity, point.v, stage.raised);

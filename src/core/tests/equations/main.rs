@@ -28,7 +28,7 @@ const RARE: usize = 10_000;
 /// Beside 1: settled states may be small. tanh and exp are the kernel's own, exact to some 1e-16 of their largest value.
 const ROUNDING: f64 = 1e-13;
 
-/// A filter can bring a settled void to the length beyond which the law has none, m: rounding then says which of the two it is.
+/// A filter can bring a settled void to within this of the length beyond which the law has none, m. Rounding then says which it is.
 const LIMIT: f64 = 1e-9;
 
 /// Whether a number of some kind is the same.

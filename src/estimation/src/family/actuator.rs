@@ -1,8 +1,8 @@
 //! The actuator of a damper over a setting as an estimation problem: forces under a setting that changes within the test.
 //!
-//! The damper at constant settings is given. Free are numbers of the actuator, and how far the force at each setting of the grid is off in each
-//! direction: what the family misses at a level must not become a part of the response. [When](super::command_time) within a sample the command
-//! changes is not known, and widens the intervals.
+//! The damper at constant settings is given. Free are numbers of the actuator, how far the force at each setting of the grid is off in each
+//! direction, and how far between two of them: what the family misses there must not become a part of the response. [When](super::command_time)
+//! within a sample the command changes is not known, and widens the intervals.
 
 use super::command_time::{STEP, shifted};
 use super::response::run_commanded;
@@ -12,6 +12,7 @@ use crate::samples::Test;
 use crate::solve::{Bounds, Derivatives, Loss, Options, Prior, Residuals, Rows, solve_knowing};
 use dashpot_core::family::axis::index_of;
 use dashpot_core::family::{Axis, Definition, Family};
+use dashpot_records::restrict;
 use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::sync::OnceLock;
@@ -76,6 +77,8 @@ const CROSSES: f64 = 0.03;
 const RATE_SPREAD: f64 = 1.0;
 /// Standard deviation of the error of the force at a level, as a fraction of it.
 const LEVEL_SPREAD: f64 = 0.05;
+/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of it. A family that is further off is none.
+const MOST_BETWEEN: f64 = 0.3;
 /// Spread of a force that is held: far below what any record shows.
 const HELD_SPREAD: f64 = 1e-6;
 /// Largest hysteresis as a fraction of the range. The kernel takes a quarter.
@@ -160,6 +163,8 @@ pub struct ActuatorContext<'a> {
     pub tests: &'a [Test],
     /// Time between two samples of the record of each test, s.
     pub sample_times: &'a [f64],
+    /// Standard deviation of the error of the force midway between neighbors of the grid, as a fraction of it.
+    pub gap_spreads: &'a [f64],
 }
 
 /// An actuator with its free numbers.
@@ -175,8 +180,10 @@ pub struct ActuatorRefit {
     pub form: ActuatorForm,
     /// Its numbers.
     pub numbers: Vec<ActuatorNumber>,
-    /// Values of the free numbers, and behind them the errors of the force at each level as fractions of it.
+    /// Values of the free numbers, and behind them the errors of the force at each level and between neighbors, as fractions.
     pub theta: Vec<f64>,
+    /// Standard deviations of those errors.
+    spreads: Vec<f64>,
     /// Derivatives and weighted residuals of each test, computed less measured.
     pub blocks: Vec<(DMatrix<f64>, Vec<f64>)>,
     /// Half the squares of the distance from the priors, each over its variance.
@@ -211,9 +218,9 @@ pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<A
 
 /// Weights of the levels at a setting in one direction: a straight line between the settings of the grid.
 fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2] {
-    let right = dashpot_records::restrict(grid.partition_point(|value| *value <= setting), 1, grid.len() - 1);
+    let right = restrict(grid.partition_point(|value| *value <= setting), 1, grid.len() - 1);
     let (low, high) = (grid[right - 1], grid[right]);
-    let part = dashpot_records::restrict((setting - low) / (high - low), 0.0, 1.0);
+    let part = restrict((setting - low) / (high - low), 0.0, 1.0);
     let first = if velocity < 0.0 { grid.len() } else { 0 };
     [(first + right - 1, 1.0 - part), (first + right, part)]
 }
@@ -223,10 +230,8 @@ fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2]
 enum Wanted {
     /// None.
     Forces,
-    /// Over the errors of the force at each setting and direction.
+    /// Over the errors of the force at each setting and direction, and between neighbors.
     Levels,
-    /// Over the errors between two neighbors of the grid.
-    Gaps,
 }
 
 /// Form of an error of interpolation: nought at both neighbors and 1 midway.
@@ -255,7 +260,6 @@ impl<'a> ActuatorProblem<'a> {
         let count = match wanted {
             Wanted::Forces => 0,
             Wanted::Levels => levels.len(),
-            Wanted::Gaps => grid.len() - 1,
         };
         let found = RefCell::new((DMatrix::zeros(0, 0), 1));
         let along = |segment: &crate::segment::Segment| {
@@ -264,14 +268,13 @@ impl<'a> ActuatorProblem<'a> {
             let (mut forces, settings) = run_commanded(family, segment, commands);
             let mut columns = DMatrix::zeros(forces.len(), count);
             for (i, (force, setting)) in forces.iter_mut().zip(&settings).enumerate() {
-                let weights = level_weights(grid, *setting, segment.input[i].velocity);
+                let [left, right] = level_weights(grid, *setting, segment.input[i].velocity);
+                let gap = left.0 % grid.len() + if left.0 < grid.len() { 0 } else { grid.len() - 1 };
+                let between = (2 * grid.len() + gap, bump([left, right]));
+                let weights = [left, right, between];
                 let gain = 1.0 + weights.iter().map(|(level, weight)| weight * levels[*level]).sum::<f64>();
-                match wanted {
-                    Wanted::Forces => {}
-                    Wanted::Levels => {
-                        weights.iter().for_each(|(level, weight)| columns[(i, *level)] += weight * *force);
-                    }
-                    Wanted::Gaps => columns[(i, weights[0].0 % grid.len())] = bump(weights) * *force,
+                if wanted == Wanted::Levels {
+                    weights.iter().for_each(|(level, weight)| columns[(i, *level)] += weight * *force);
                 }
                 *force *= gain;
             }
@@ -327,7 +330,12 @@ impl<'a> ActuatorProblem<'a> {
         (steps, tolerance): (usize, f64),
         spread_of_levels: f64,
     ) -> Option<ActuatorRefit> {
-        let levels = 2 * self.grid().len();
+        let most_between = if spread_of_levels == HELD_SPREAD { HELD_SPREAD } else { MOST_BETWEEN };
+        let gaps = self.context.gap_spreads.iter().map(|spread| restrict(*spread, HELD_SPREAD, most_between));
+        // One for each direction.
+        let spreads: Vec<f64> =
+            std::iter::repeat_n(spread_of_levels, 2 * self.grid().len()).chain(gaps.clone()).chain(gaps).collect();
+        let levels = spreads.len();
         let mut from: Vec<f64> = self.numbers.iter().map(|number| number.start).collect();
         from.extend(std::iter::repeat_n(0.0, levels));
         if let Some(start) = start {
@@ -337,7 +345,7 @@ impl<'a> ActuatorProblem<'a> {
             .numbers
             .iter()
             .map(|number| Prior { mean: number.prior.0, spread: number.prior.1 })
-            .chain(std::iter::repeat_n(Prior { mean: 0.0, spread: spread_of_levels }, levels))
+            .chain(spreads.iter().map(|spread| Prior { mean: 0.0, spread: *spread }))
             .collect();
         let bounds = Bounds {
             low: self.numbers.iter().map(|n| n.bounds.0).chain(std::iter::repeat_n(-0.5, levels)).collect(),
@@ -363,6 +371,7 @@ impl<'a> ActuatorProblem<'a> {
             form,
             numbers: self.numbers.clone(),
             theta: found.x,
+            spreads,
             blocks: found.rows.into_iter().map(blocks).collect(),
             negative_log_prior,
         })
@@ -385,30 +394,11 @@ impl ActuatorProblem<'_> {
     }
 }
 
-impl ActuatorProblem<'_> {
-    /// Derivatives of the weighted residuals of each test over the error of the force midway between two neighbors of the grid.
-    ///
-    /// The error is a fraction of the force. There is one entry for each pair of neighbors.
-    pub fn gap_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<Vec<f64>>>> {
-        let family = family_with(self.context.definition, &self.numbers, x)?;
-        let of_test = |block: usize| {
-            let mut columns = self.forces(block, &family, x, Wanted::Gaps, 0.0).1;
-            let allowed = &self.context.tests[block].allowed;
-            columns.row_iter_mut().zip(allowed).for_each(|(mut row, allowed)| row /= *allowed);
-            columns
-        };
-        let all: Vec<DMatrix<f64>> = (0..self.context.tests.len()).map(of_test).collect();
-        let of_gap = |gap: usize| all.iter().map(|columns| columns.column(gap).iter().copied().collect()).collect();
-        Some((0..self.grid().len() - 1).map(of_gap).collect())
-    }
-}
-
 impl ActuatorRefit {
     /// Precisions of the priors of all numbers.
     pub fn precisions(&self) -> Vec<f64> {
         let own = self.numbers.iter().map(|number| number.prior.1);
-        let levels = std::iter::repeat_n(LEVEL_SPREAD, self.theta.len() - self.numbers.len());
-        own.chain(levels).map(|spread| 1.0 / (spread * spread)).collect()
+        own.chain(self.spreads.iter().copied()).map(|spread| 1.0 / (spread * spread)).collect()
     }
 
     /// A start for another form: numbers of the same entries, and the levels.

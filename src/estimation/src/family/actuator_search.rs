@@ -47,8 +47,6 @@ pub struct ActuatorSearch {
     pub parts: Vec<ActuatorPart>,
     /// Derivatives of the residuals over the instant within a sample at which the command changes: see [`ActuatorProblem::timing_derivatives`].
     pub timing: Vec<Vec<f64>>,
-    /// Derivatives of the residuals over the errors of interpolation: see [`ActuatorProblem::gap_derivatives`].
-    pub gaps: Vec<Vec<Vec<f64>>>,
 }
 
 /// A form with one part more or less.
@@ -208,6 +206,5 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     let problem = ActuatorProblem::new(context, best.form);
     let best = problem.refit(best.form, Some(&start), FINE.0, FINE.1)?;
     let timing = problem.timing_derivatives(&best.theta)?;
-    let gaps = problem.gap_derivatives(&best.theta)?;
-    Some(ActuatorSearch { best, parts, timing, gaps })
+    Some(ActuatorSearch { best, parts, timing })
 }

@@ -1,11 +1,25 @@
 //! A damper over a setting, run along a segment whose setting changes.
 
 use crate::segment::Segment;
+use dashpot_core::Input;
 use dashpot_core::family::Family;
+use dashpot_core::input::Path;
+
+/// Parts of a sample while the valve is on its way. A step holds the setting that it ends at, so that a valve on its way is half a step early for
+/// what takes time to follow: with whole samples of 1 ms a lag came out 0.3 ms too long.
+const PARTS: u32 = 4;
+/// Fraction of the range of the grid that a valve on its way moves by in a sample.
+const MOVING: f64 = 1e-3;
 
 /// Forces at the samples of a segment, and where the valve stands there. The run begins at the equilibrium of the first sample.
 pub fn run(family: &Family, segment: &Segment) -> (Vec<f64>, Vec<f64>) {
     run_commanded(family, segment, segment.setting.as_deref())
+}
+
+/// The input within a step.
+fn part_of(input: &Input, path: &Path, theta: f64) -> Input {
+    let point = path.point(theta);
+    Input { displacement: Some(point.x), velocity: point.v, ..*input }
 }
 
 /// Forces and stands of the valve under other commands than those of the segment, one for the step that ends at each sample.
@@ -19,9 +33,19 @@ pub fn run_commanded(family: &Family, segment: &Segment, commands: Option<&[f64]
     let (mut output, _) = family.evaluate(&state, first, command(0));
     forces.push(output.force);
     settings.push(family.setting_of(&state, command(0)));
+    let (low, high) = family.range();
     for (i, input) in segment.input.iter().enumerate().skip(1) {
-        let is_finite =
-            family.step_in_place(&mut state, &mut delay, input, command(i), segment.dt[i], &mut output, false);
+        let dt = segment.dt[i];
+        let moved = settings.iter().rev().take(2).copied().reduce(|last, before| last - before).unwrap_or(0.0);
+        let is_moving = command(i) != command(i - 1) || settings.len() > 1 && moved.abs() > MOVING * (high - low);
+        let parts = if is_moving && dt > 0.0 { PARTS } else { 1 };
+        let path = Path::new(state.displacement, state.velocity, input, dt);
+        let mut is_finite = true;
+        for part in 1..=parts {
+            let end = if part == parts { *input } else { part_of(input, &path, f64::from(part) / f64::from(parts)) };
+            let dt = dt / f64::from(parts);
+            is_finite &= family.step_in_place(&mut state, &mut delay, &end, command(i), dt, &mut output, false);
+        }
         forces.push(if is_finite { output.force } else { f64::NAN });
         settings.push(family.setting_of(&state, command(i)));
     }

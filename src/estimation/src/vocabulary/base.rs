@@ -13,7 +13,7 @@ use dashpot_core::{element, list, number};
 /// to what the rods of one laboratory have, whatever the model says, it would make a mass of the rig of every heavier rod. Downward its prior
 /// is enough: a lighter rod takes nothing up.
 const NEAR: f64 = 1.8 * 1.8;
-/// Least mass, kg, that it may go to and from in a damper of a car: half a newton at 16.7 Hz and 10 mm, below the noise of a rig. With 0.05 kg
+/// Least mass, kg, that it may go to and from in a damper of a car. It is half a newton at 16.7 Hz and 10 mm, below the noise of a rig. With 0.05 kg
 /// a damper without a mass stood at the bound, and its series spring was 7 % too soft.
 const LEAST: f64 = 0.005;
 

@@ -76,12 +76,15 @@ pub fn identify_actuator(
     let sample_times: Vec<f64> = tests.iter().map(sample_time).collect();
     let rig = &family.hypothesis.template;
     let rig_theta = family.hypothesis.theta_at(&family.refit.theta, 0);
-    let context =
-        ActuatorContext { definition: damper, rig, rig_theta: &rig_theta, tests: &tests, sample_times: &sample_times };
-    let interpolation = interpolation_errors(damper, reports);
-    let ActuatorSearch { best, parts, timing, gaps } = search_actuator(&context, progress)?;
-    let considered: Vec<(f64, Vec<Vec<f64>>)> =
-        std::iter::once((SPREAD, timing)).chain(interpolation.into_iter().zip(gaps)).collect();
+    let context = ActuatorContext {
+        definition: damper,
+        rig,
+        rig_theta: &rig_theta,
+        tests: &tests,
+        sample_times: &sample_times,
+        gap_spreads: &interpolation_errors(damper, reports),
+    };
+    let ActuatorSearch { best, parts, timing } = search_actuator(&context, progress)?;
     let axis = axis_with(&damper.axis, &best.numbers, &best.theta)?;
     damper.axis = axis;
     let decision = |of: &dashpot_estimation::family::actuator_search::ActuatorPart| ActuatorDecision {
@@ -90,7 +93,7 @@ pub fn identify_actuator(
         probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
     };
     Some(ActuatorFit {
-        estimates: estimates(&best, &considered, damper, ways_of(records)),
+        estimates: estimates(&best, &timing, damper, ways_of(records)),
         parts: parts.iter().map(decision).collect(),
         tests: records.iter().map(|record| record.name.clone()).collect(),
     })
@@ -120,27 +123,24 @@ fn ways_of(records: &[&Record]) -> [bool; 2] {
     [has(|pair| pair[1] > pair[0]), has(|pair| pair[1] < pair[0])]
 }
 
-/// The numbers with their intervals, which hold what is `considered` beside them: its standard deviation, and the derivatives of the residuals over it.
+/// The numbers with their intervals, which hold when within a sample the command changes: `timing` has the derivatives of the residuals over that.
 ///
 /// What holds for a way that the setting never goes is not identified, though both may share it.
 fn estimates(
     refit: &ActuatorRefit,
-    considered: &[(f64, Vec<Vec<f64>>)],
+    timing: &[Vec<f64>],
     damper: &Definition,
     [rises, falls]: [bool; 2],
 ) -> Vec<Estimate> {
     let precisions = refit.precisions();
     let Some((covariance, _)) = robust_covariance(&refit.blocks, &precisions) else { return Vec::new() };
-    // Each is off by the same at all steps: the instant of the command, and the force between two settings.
-    let shifts: Vec<_> = considered
-        .iter()
-        .filter_map(|(spread, columns)| Some((spread, considered_shift(&refit.blocks, &precisions, columns)?)))
-        .collect();
+    // The instant is off by the same at all steps.
+    let shift = considered_shift(&refit.blocks, &precisions, timing);
     let unit = damper.axis.unit();
     let mut all = Vec::new();
     for (place, number) in refit.numbers.iter().enumerate() {
-        let of_considered: f64 = shifts.iter().map(|(spread, shift)| (*spread * shift[place]).powi(2)).sum();
-        let deviation = (covariance[(place, place)].max(0.0) + of_considered).sqrt();
+        let of_instant = shift.as_ref().map_or(0.0, |shift| SPREAD * shift[place]);
+        let deviation = (covariance[(place, place)].max(0.0) + of_instant * of_instant).sqrt();
         let (low, high) = number.bounds;
         let at = |z: f64| number.value(dashpot_records::restrict(refit.theta[place] + z * deviation, low, high));
         let is_at_bound = refit.theta[place] <= low || refit.theta[place] >= high;

@@ -63,7 +63,7 @@ pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setti
     }
     let largest = channel.iter().copied().filter(|value| value.is_finite()).fold(0.0, |most: f64, i| most.max(i.abs()));
     // So a column of A under a heading in mA looks.
-    if is_current && in_milliamperes && largest > 0.0 && as_set(largest) == 0.0 {
+    if is_current && in_milliamperes && largest > 0.0 && as_set(largest, "A") == 0.0 {
         let current = format!("{:.1}", 1e3 * largest);
         samples.note("small_current", Sentence::from(phrases::SMALL_CURRENT).with("current", current));
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::numbers::{median, white_noise};
-use crate::quantities::setting_value::with_setting_name;
+use crate::quantities::setting_value::{as_set, with_setting_name};
 
 /// Tolerance of a level as a fraction of the range of the signal: a step of less than three times it is none.
 const LEVEL: f64 = 0.03;
@@ -13,6 +13,8 @@ const LEVEL: f64 = 0.03;
 const NOISE: f64 = 4.0;
 /// Tolerances by which successive levels differ at least: levels of a ramp differ by less.
 const APART: f64 = 3.0;
+/// How many tolerances a sample of noise may lie off its level.
+const OUTLIER: f64 = 2.0;
 /// Fewest samples of a level. A supply that is on its way shows fewer.
 const STAYS: usize = 5;
 /// Fraction of the samples that levels hold at least. A slow supply spends the others on its way.
@@ -76,7 +78,8 @@ impl SettingSignal {
             }
             *value = last;
         }
-        let found = levels(&values);
+        let mut found = levels(&values);
+        found.iter_mut().flatten().for_each(|level| level.value = as_set(level.value, unit));
         let pattern = if found.is_some() { SettingPattern::Steps } else { SettingPattern::Varying };
         for level in found.iter().flatten() {
             values[level.from..level.end].fill(level.value);
@@ -140,25 +143,97 @@ fn extremes(values: &[f64]) -> [f64; 2] {
     [low, high]
 }
 
+/// Most samples of the running median that takes noise out before levels are looked for. It keeps a step where it is, and loses levels of half as
+/// many samples.
+const SMOOTHED: usize = 25;
+
+/// A signal without the white noise that hides its levels.
+struct Smoothed {
+    values: Vec<f64>,
+    /// How far values of a level may lie apart.
+    tolerance: f64,
+    /// Samples of the running median; 1 where none was needed.
+    width: usize,
+}
+
+/// A running median, as short as it may be.
+fn without_noise(values: &[f64]) -> Smoothed {
+    let smooth = |width: usize| -> Vec<f64> {
+        let at = |k: usize| {
+            let (from, to) = (k.saturating_sub(width / 2), (k + width / 2 + 1).min(values.len()));
+            median(&mut values[from..to].to_vec())
+        };
+        if width == 1 { values.to_vec() } else { (0..values.len()).map(at).collect() }
+    };
+    let noise = white_noise(values);
+    let mut width = 1;
+    loop {
+        let smoothed = smooth(width);
+        let [low, high] = extremes(&smoothed);
+        // The median of so many samples scatters by 1.25 over the root of their number.
+        let left = if width == 1 { noise } else { 1.25 * noise / (width as f64).sqrt() };
+        let of_range = LEVEL * (high - low);
+        if NOISE * left <= of_range || width >= SMOOTHED.min(values.len()) {
+            return Smoothed { values: smoothed, tolerance: of_range.max(NOISE * left), width };
+        }
+        let needed = (1.25 * NOISE * noise / of_range).powi(2).ceil();
+        width = if needed < SMOOTHED as f64 { (needed as usize | 1).max(width + 2) } else { SMOOTHED };
+    }
+}
+
+/// Puts the steps between levels where noise hides them: where the two levels leave least of the samples.
+fn place_steps(values: &[f64], levels: &mut [Level], width: usize) {
+    for k in 1..levels.len() {
+        let [before, after] = [levels[k - 1], levels[k]];
+        if after.from - before.end > width {
+            continue;
+        }
+        let (from, to) = (before.end.saturating_sub(width / 2).max(before.from + 1), after.from + width / 2);
+        let (mut least, mut sum, mut step) = (0.0, 0.0, from);
+        for (at, value) in values.iter().enumerate().take(to.min(after.end)).skip(from) {
+            sum += (value - before.value).powi(2) - (value - after.value).powi(2);
+            if sum < least {
+                (least, step) = (sum, at + 1);
+            }
+        }
+        (levels[k - 1].end, levels[k].from) = (step, step);
+    }
+}
+
 /// The levels of a signal that stays at levels.
 fn levels(values: &[f64]) -> Option<Vec<Level>> {
-    let [low, high] = extremes(values);
-    let tolerance = (LEVEL * (high - low)).max(NOISE * white_noise(values));
+    let Smoothed { values: smoothed, tolerance, width } = without_noise(values);
+    // Beside a step the median of noise leans towards the other level, for up to half its width.
+    let stays = STAYS.max(if width == 1 { 0 } else { width });
     let mut levels: Vec<Level> = Vec::new();
     let mut from = 0;
-    while from < values.len() {
+    while from < smoothed.len() {
         let (mut sum, mut end) = (0.0, from);
-        while end < values.len() && (end == from || (values[end] - sum / (end - from) as f64).abs() <= tolerance) {
-            sum += values[end];
+        while end < smoothed.len() && (end == from || (smoothed[end] - sum / (end - from) as f64).abs() <= tolerance) {
+            sum += smoothed[end];
             end += 1;
         }
-        if end - from >= STAYS {
+        if end - from >= stays {
             let value = median(&mut values[from..end].to_vec());
-            levels.push(Level { from, end, value });
+            match levels.last_mut() {
+                // A sample of noise beyond the tolerance ends no level.
+                Some(last)
+                    if (last.value - value).abs() <= tolerance
+                        && from - last.end < stays
+                        && smoothed[last.end..from].iter().all(|v| (v - value).abs() <= OUTLIER * tolerance) =>
+                {
+                    last.end = end;
+                    last.value = median(&mut values[last.from..end].to_vec());
+                }
+                _ => levels.push(Level { from, end, value }),
+            }
             from = end;
         } else {
             from += 1;
         }
+    }
+    if width > 1 {
+        place_steps(values, &mut levels, width);
     }
     let covered: usize = levels.iter().map(|level| level.end - level.from).sum();
     let are_apart = levels.windows(2).all(|pair| (pair[1].value - pair[0].value).abs() >= APART * tolerance);
@@ -193,6 +268,34 @@ mod tests {
             assert_eq!(signal.pattern, SettingPattern::Varying);
             assert!(signal.steps().is_empty() && signal.values == varying);
         }
+    }
+
+    /// Noise of a thirtieth of the steps, as of a current clamp, hides none of them.
+    #[test]
+    fn noise_hides_no_step() {
+        let mut seed = 1u32;
+        let mut white = || {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(seed >> 8) / f64::from(1u32 << 24) - 0.5
+        };
+        // Twelve uniform numbers are a normal one.
+        let mut normal = || (0..12).map(|_| white()).sum::<f64>();
+        for noise in [0.0, 0.01, 0.03, 0.05] {
+            let levels = [0.3, 0.7, 1.1, 1.6, 0.3, 1.6, 0.7];
+            let stepped: Vec<f64> = (0..7000).map(|k| levels[k / 1000] + noise * normal()).collect();
+            let signal = SettingSignal::new("current", "A", &stepped);
+            let steps = signal.steps();
+            assert_eq!(steps.len(), 6, "{noise}: {steps:?}");
+            for (step, (k, pair)) in steps.iter().zip(levels.windows(2).enumerate()) {
+                assert!((step.from - pair[0]).abs() < 0.006 && (step.to - pair[1]).abs() < 0.006, "{noise}: {step:?}");
+                assert!(step.index.abs_diff(1000 * (k + 1)) <= 1, "{noise}: {step:?}");
+            }
+        }
+        let short: Vec<f64> = (0..8000).map(|k| if k / 130 % 2 == 0 { 1.1 } else { 1.6 } + 0.03 * normal()).collect();
+        let steps = SettingSignal::new("current", "A", &short).steps();
+        assert!(steps.len() == 61 && steps.iter().enumerate().all(|(k, s)| s.index.abs_diff(130 * (k + 1)) <= 1));
+        let ramp: Vec<f64> = (0..7000).map(|k| 2e-4 * k as f64 + 0.03 * normal()).collect();
+        assert_eq!(SettingSignal::new("current", "A", &ramp).pattern, SettingPattern::Varying);
     }
 
     #[test]

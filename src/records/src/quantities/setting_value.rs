@@ -28,8 +28,10 @@ const STEADY: (f64, f64) = (0.1, 0.05);
 const NOISE: f64 = 4.1;
 /// Share of samples on either side that may be spikes or the switching on.
 const SPIKES: f64 = 0.05;
-/// Values that differ by less than this are one setting, A or clicks: supplies are set to hundredths.
-pub(crate) const SAME: f64 = 0.02;
+/// Values that differ by less than this are one setting, A or clicks: a hundredth, as supplies are set to, but not two.
+pub(crate) const SAME: f64 = 0.0195;
+/// Values that differ by less than this share of the larger are one setting, whatever their unit. With more, 200 clicks and 201 would be.
+const ALIKE: f64 = 0.005;
 
 /// What clicks of an adjuster are called.
 pub(crate) const CLICKS: [&str; 9] = ["clk", "clks", "click", "clicks", "klick", "klicks", "cran", "crans", "档"];
@@ -81,9 +83,11 @@ fn clicks_in(part: &str) -> Option<f64> {
     if count.chars().all(is_of_number) { count.parse().ok() } else { None }
 }
 
-/// A value as a supply is set, not with the noise of the sensor.
-pub(crate) fn as_set(value: f64) -> f64 {
-    ((value / SAME).round() * SAME * 1e4).round() / 1e4 + 0.0
+/// A measured value as it is set, without the noise of the sensor. Supplies of current are set to hundredths, others to four digits at most.
+pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
+    let per_step = if unit == "A" || value == 0.0 { 100.0 } else { 10f64.powi(3 - value.abs().log10().floor() as i32) };
+    // 0 has no sign.
+    (value * per_step).round() / per_step + 0.0
 }
 
 impl Setting {
@@ -98,7 +102,7 @@ impl Setting {
         if high - low > STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * white_noise(channel) {
             return Err((low, high));
         }
-        Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: as_set(middle) }))
+        Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: as_set(middle, unit) }))
     }
 
     /// The setting that a part of a test's name states, as in `1.6A`, `800mA`, `12clicks`, `c12`, `150psi`. With it, whether the part cannot
@@ -165,9 +169,9 @@ pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterato
     true
 }
 
-/// Whether two values of a setting are one: supplies are set to hundredths.
+/// Whether two values of a setting are one. Supplies are set to hundredths of an ampere, and no setting of any unit to a two-hundredth of itself.
 pub fn is_same_setting(a: f64, b: f64) -> bool {
-    (a - b).abs() < SAME
+    (a - b).abs() < SAME.max(ALIKE * a.abs().max(b.abs()))
 }
 
 /// A value of a setting with its unit, where it has one: `0.8 A`.
@@ -239,6 +243,25 @@ mod tests {
         for none in ["a25mm_v0131mm_s", "test_A", "1.6A_0.4A", "part2", "0.3Hz", "12B"] {
             assert_eq!(of(none), None, "{none}");
         }
+    }
+
+    /// A quarter of an ampere is not 0.26 A, nor 1245 psi 1250.
+    #[test]
+    fn a_measured_setting_is_the_value_that_was_set() {
+        for (unit, measured, set) in [
+            ("A", 0.2504, 0.25),
+            ("A", 0.4496, 0.45),
+            ("A", 1.3502, 1.35),
+            ("A", -3e-4, 0.0),
+            ("MPa", 1.25, 1.25),
+            ("psi", 1245.02, 1245.0),
+            ("V", 0.8712, 0.8712),
+            ("%", 0.0, 0.0),
+        ] {
+            assert_eq!(as_set(measured, unit), set, "{measured} {unit}");
+        }
+        let same = |a: f64, b: f64| is_same_setting(a, b);
+        assert!(same(299.8, 700.1 - 400.0) && same(0.41, 0.4) && !same(0.42, 0.4) && !same(20.0, 21.0));
     }
 
     #[test]

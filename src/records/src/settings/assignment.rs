@@ -14,7 +14,7 @@ use crate::quantities::setting_value::{
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
 /// of more than a letter.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
-    merge_settings(records);
+    merge_currents(records);
     merge_scattered(records);
     let is_given = |record: &Record| rules.setting_of(&record.name).is_some();
     notes.extend(contradicted_names(records.iter().filter(|record| !is_given(record))));
@@ -72,15 +72,19 @@ fn merge_scattered(records: &mut [Record]) {
             let alike = &mut of_name[place..place + count];
             if alike.iter().any(|of| of.value != first) {
                 let mean = alike.iter().map(|of| of.value).sum::<f64>() / count as f64;
-                alike.iter_mut().for_each(|of| of.value = as_set(mean));
+                let value = as_set(mean, &alike[0].unit);
+                alike.iter_mut().for_each(|of| of.value = value);
             }
             place += count;
         }
     }
 }
 
-/// Distance of two settings below which they may be one: a step of the rounding, and a half for its own error.
-const ROUNDED: f64 = 1.5 * SAME;
+/// Measured currents nearer than this to the next, A, are one setting, and how far apart the ends of one may lie.
+///
+/// Supplies are set to hundredths, and the zero of a channel drifts by as much.
+const NEXT: f64 = 1.25 * SAME;
+const WIDEST: f64 = 2.5 * SAME;
 /// How far a channel may be off the setting in a name, as a fraction of the larger. Supplies and measured coil currents keep a tenth.
 const NAMED: f64 = 0.1;
 
@@ -107,31 +111,28 @@ fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<N
     Some(Note { kind: "setting_name", text: with_setting_name(text, "setting", &shown.name) })
 }
 
-/// Gives one value to tests whose measured settings differ by a rounding.
+/// Gives their median to tests whose measured currents differ by a rounding.
 ///
 /// The zero and the noise of a channel put 0.41 A on either side of it.
-fn merge_settings(records: &mut [Record]) {
-    let mut all: Vec<&mut Setting> = records.iter_mut().filter_map(|record| record.setting.as_mut()).collect();
-    all.sort_by(|a, b| (a.name.as_str(), a.unit.as_str()).cmp(&(&b.name, &b.unit)).then(a.value.total_cmp(&b.value)));
-    let is_next = |a: &&mut Setting, b: &&mut Setting| {
-        a.name == b.name && a.unit == b.unit && b.value - a.value < ROUNDED && b.value > a.value
-    };
+fn merge_currents(records: &mut [Record]) {
+    let is_current = |of: &&mut Setting| of.name == "current";
+    let mut all: Vec<&mut Setting> =
+        records.iter_mut().filter_map(|record| record.setting.as_mut()).filter(is_current).collect();
+    all.sort_by(|a, b| a.unit.cmp(&b.unit).then(a.value.total_cmp(&b.value)));
     let mut place = 0;
     while place < all.len() {
-        // Tests of the first value, and of the one that is a rounding above it.
-        let alike = |from: usize| {
-            let is_alike =
-                |of: &&&mut Setting| of.name == all[from].name && (of.value - all[from].value).abs() < 0.5 * SAME;
-            all[from..].iter().take_while(is_alike).count()
-        };
-        let own = alike(place);
-        let next = place + own;
-        let above = if next < all.len() && is_next(&all[place], &all[next]) { alike(next) } else { 0 };
-        if above > 0 {
-            let value = if above > own { all[next].value } else { all[place].value };
-            all[place..next + above].iter_mut().for_each(|of| of.value = value);
+        let (first, unit) = (all[place].value, all[place].unit.clone());
+        let mut end = place + 1;
+        while end < all.len()
+            && all[end].unit == unit
+            && all[end].value - all[end - 1].value < NEXT
+            && all[end].value - first < WIDEST
+        {
+            end += 1;
         }
-        place = next + above;
+        let median = all[(place + end) / 2].value;
+        all[place..end].iter_mut().for_each(|of| of.value = median);
+        place = end;
     }
 }
 
@@ -165,15 +166,18 @@ fn name_settings(records: &mut [Record]) {
 
 /// Warns where the tests of a campaign have several settings.
 fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
-    let mut settings: BTreeMap<(String, i64), (Setting, Vec<usize>)> = BTreeMap::new();
+    let mut settings: Vec<(Setting, Vec<usize>)> = Vec::new();
     for (k, record) in records.iter().enumerate() {
         let Some(setting) = &record.setting else { continue };
-        let key = (setting.name.clone(), (setting.value / SAME).round() as i64);
-        settings.entry(key).or_insert_with(|| (setting.clone(), Vec::new())).1.push(k);
+        match settings.iter_mut().find(|(known, _)| known.is_same(setting)) {
+            Some((_, tests)) => tests.push(k),
+            None => settings.push((setting.clone(), vec![k])),
+        }
     }
-    let Some((first, _)) = settings.values().next().filter(|_| settings.len() > 1) else { return };
+    settings.sort_by(|(a, _), (b, _)| a.name.cmp(&b.name).then(a.value.total_cmp(&b.value)));
+    let Some((first, _)) = settings.first().filter(|_| settings.len() > 1) else { return };
     let names: Vec<&str> = records.iter().map(|record| record.name.as_str()).collect();
-    let listed = settings.values().map(|(setting, tests)| {
+    let listed = settings.iter().map(|(setting, tests)| {
         Sentence::from(phrases::SETTING_AT)
             .with("value", setting_in_words(setting.value, &setting.unit))
             .with_sentence("names", together(&names, tests))
@@ -233,6 +237,10 @@ mod tests {
         assign_settings(&mut records, &SettingRules::default(), &mut Vec::new());
         let now: Vec<f64> = records.iter().filter_map(|record| Some(record.setting.as_ref()?.value)).collect();
         assert_eq!(now, [0.42, 0.42, 0.42, 0.0, 0.0, 0.0, 0.8, 1.2]);
+        let values = [0.39, 0.42, 0.4, 0.41, 0.41];
+        let mut drifting: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
+        assign_settings(&mut drifting, &SettingRules::default(), &mut Vec::new());
+        assert!(drifting.iter().all(|record| record.setting == of(0.41)), "{drifting:?}");
         // A name against a channel of the same quantity.
         for (name, value, is_noted) in [("a_1.6A", 0.4, true), ("a_1.6A", 1.52, false), ("a_12clicks", 0.4, false)] {
             let setting = Setting { name: "current".into(), unit: "A".into(), value };

@@ -7,7 +7,7 @@
 
 use crate::assembly::Elements;
 use crate::dual::{Dual, Real};
-use crate::element::{Carrying, StateVisitor, StatefulForce, carrying};
+use crate::element::{Carrying, StateVisitor, StatefulForce};
 use crate::input::Travel;
 use crate::state::MAX_INTERNAL;
 use crate::tables::Tables;
@@ -18,50 +18,77 @@ pub(super) const MOST: usize = 2;
 /// Their states at the start of a substep.
 pub(super) type States = [f64; MOST];
 
+/// Forces of these elements and the states that they leave.
+type Carried = [[Carrying; 2]; MOST];
+
+const NONE: Carried = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
+
 /// What acts on the mass in a stage, and the states that it leaves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OnMass {
-    forces: [Carrying; MOST],
-    ends: [Carrying; MOST],
+    /// With derivatives over displacement of the mass and state at the end and start.
+    carried: Carried,
+    /// With derivatives over displacement and velocity of the mass at the start; found where they are asked for.
+    by_start: Carried,
 }
 
-const ZERO: Carrying = Dual { value: 0.0, derivatives: [0.0; carrying::ALL] };
+/// Where these elements start from, and the time since.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FromStart {
+    /// Displacement and velocity of the mass at the start of the substep.
+    pub mass: [f64; 2],
+    pub states: States,
+    /// Time from there to the stage, s.
+    pub time: f64,
+}
+
+impl FromStart {
+    /// After a travel of the mass to `end`, at these displacements and velocities; each state by `lifted`.
+    #[inline(never)]
+    fn carried(
+        &self,
+        elements: &Elements<impl Tables>,
+        [x0, u0, end]: [Carrying; 3],
+        lifted: fn(f64) -> Carrying,
+    ) -> Carried {
+        let travel = Travel::accelerated(x0, u0, end, self.time);
+        let mut carried = NONE;
+        let act = |index: usize, element: &dyn StatefulForce, _| {
+            if let Some((to, z)) = carried.get_mut(index).zip(self.states.get(index)) {
+                *to = element.carried(x0, &travel, lifted(*z));
+            }
+        };
+        elements.visit_stateful(&mut Each { next: 0, act });
+        carried
+    }
+}
 
 impl OnMass {
-    pub(super) const NONE: OnMass = OnMass { forces: [ZERO; MOST], ends: [ZERO; MOST] };
+    pub(super) const NONE: OnMass = OnMass { carried: NONE, by_start: NONE };
 
-    /// After a travel of the mass from `start`, its displacement and velocity, to `end` in `time`.
-    #[inline(never)]
-    pub(super) fn stage(
-        elements: &Elements<impl Tables>,
-        states: &States,
-        [x0, u0]: [f64; 2],
-        end: f64,
-        time: f64,
-    ) -> OnMass {
-        let from = Dual::along(x0, carrying::START);
-        let travel = Travel::accelerated(from, Dual::along(u0, carrying::SPEED), Dual::along(end, carrying::END), time);
-        let mut on_mass = OnMass::NONE;
-        elements.visit_stateful(&mut Each {
-            next: 0,
-            act: |index: usize, element: &dyn StatefulForce, _| {
-                if let Some(((force, end), z)) =
-                    on_mass.forces.get_mut(index).zip(on_mass.ends.get_mut(index)).zip(states.get(index))
-                {
-                    [*end, *force] = element.carried(from, &travel, Dual::along(*z, carrying::STATE));
-                }
-            },
-        });
-        on_mass
+    /// After a travel of the mass to `end`.
+    #[inline(always)]
+    pub(super) fn stage(elements: &Elements<impl Tables>, from: &FromStart, end: f64) -> OnMass {
+        let [x0, u0] = from.mass.map(Dual::constant);
+        let carried = from.carried(elements, [x0, u0, Dual::along(end, 0)], |z| Dual::along(z, 1));
+        OnMass { carried, by_start: NONE }
+    }
+
+    /// Finds the derivatives over the start.
+    #[inline(always)]
+    pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &FromStart, end: f64) {
+        let [x0, u0] = from.mass;
+        self.by_start =
+            from.carried(elements, [Dual::along(x0, 0), Dual::along(u0, 1), Dual::constant(end)], Dual::constant);
     }
 
     /// Force on the mass and its derivative over the place of the mass.
     #[inline(always)]
     pub(super) fn force(&self) -> [f64; 2] {
         let mut sum = [0.0; 2];
-        for force in &self.forces {
+        for [_, force] in &self.carried {
             sum[0] += force.value;
-            sum[1] += force.derivative(carrying::END);
+            sum[1] += force.derivative(0);
         }
         sum
     }
@@ -69,14 +96,14 @@ impl OnMass {
     /// The states.
     #[inline(always)]
     pub(super) fn states(&self) -> States {
-        self.ends.map(Dual::value)
+        self.carried.map(|[state, _]| state.value)
     }
 
     /// Straight on by a way of the mass.
     #[inline(always)]
     pub(super) fn go(&mut self, way: f64) {
-        for end in &mut self.ends {
-            end.value += end.derivative(carrying::END) * way;
+        for [state, _] in &mut self.carried {
+            state.value += state.derivative(0) * way;
         }
     }
 
@@ -84,25 +111,29 @@ impl OnMass {
     /// of the mass held.
     #[inline(always)]
     pub(super) fn force_by_start(&self, start: [f64; 2], states: &States) -> f64 {
-        self.forces.iter().zip(states).map(|(force, state)| by_start(force, start, *state)).sum()
+        self.along(1, start, states).into_iter().sum()
     }
 
     /// Derivatives of the states in that direction, in which the mass ends further by `end`.
     #[inline(always)]
     pub(super) fn states_along(&self, end: f64, start: [f64; 2], states: &States) -> States {
-        let mut along = *states;
-        for (state, to) in along.iter_mut().zip(&self.ends) {
-            *state = by_start(to, start, *state) + to.derivative(carrying::END) * end;
+        let mut along = self.along(0, start, states);
+        for (state, [to, _]) in along.iter_mut().zip(&self.carried) {
+            *state += to.derivative(0) * end;
         }
         along
     }
-}
 
-#[inline(always)]
-fn by_start(number: &Carrying, [x, u]: [f64; 2], state: f64) -> f64 {
-    number.derivative(carrying::START) * x
-        + number.derivative(carrying::SPEED) * u
-        + number.derivative(carrying::STATE) * state
+    #[inline(always)]
+    fn along(&self, which: usize, [x, u]: [f64; 2], states: &States) -> States {
+        let mut along = [0.0; MOST];
+        for (((to, carried), by_start), state) in along.iter_mut().zip(&self.carried).zip(&self.by_start).zip(states) {
+            if let Some((carried, by_start)) = carried.get(which).zip(by_start.get(which)) {
+                *to = by_start.derivative(0) * x + by_start.derivative(1) * u + carried.derivative(1) * state;
+            }
+        }
+        along
+    }
 }
 
 /// Reads the states of these elements.

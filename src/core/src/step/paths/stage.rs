@@ -1,7 +1,7 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
-use super::on_mass::OnMass;
-use super::{Balance, Carried, FromStart, Known, MovedFrom, REACH, StageDerivatives};
+use super::on_mass::{FromStart, OnMass};
+use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
 use crate::assembly::Elements;
 use crate::dual::Dual;
 use crate::element::{Motion, Response};
@@ -235,6 +235,14 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         self.derivative = curve.derivative;
         let by_w = self.at.residual.by_w + self.at.residual.by_curve * curve.derivative;
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
+    }
+
+    /// Finds the derivatives of what acts on the mass with a state over the start of the substep.
+    #[inline(always)]
+    pub(super) fn look_at_start(&mut self, elements: &Elements<T>) {
+        if self.on_mass().is_some() {
+            self.at.on_mass.look_at_start(elements, &self.from_start, self.x_m);
+        }
     }
 
     /// What acts on the mass with a state, if anything does.
@@ -547,7 +555,7 @@ impl Look {
             law = series::with_derivatives::<ON>(e, path.x - x, rate, relaxing);
             let mut pulls = springs(elements, x, u, path.x, side);
             if acts::<ON>(e, WHOLE) && elements.has_states_on_mass() {
-                states_on_mass = OnMass::stage(elements, &on_mass.states, on_mass.mass, x, on_mass.time);
+                states_on_mass = OnMass::stage(elements, on_mass, x);
                 let [force, by_x] = states_on_mass.force();
                 pulls.force += force;
                 pulls.d_force_d_x += by_x;
