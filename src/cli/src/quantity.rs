@@ -68,7 +68,10 @@ impl SettingText {
     /// Another unit.
     pub fn in_unit_of(&self, axis: &Axis) -> anyhow::Result<f64> {
         let own = axis.unit();
+        // Clicks have no unit, and a name to say it.
+        let is_clicks = own.is_empty() && axis.name() == "clicks" && setting_factor(&self.unit, "clicks").is_some();
         match setting_factor(&self.unit, own) {
+            Some(factor) if is_clicks => Ok(factor * self.value),
             Some(factor) if self.unit.is_empty() || !own.is_empty() => Ok(factor * self.value),
             _ if own.is_empty() => {
                 bail!("{} {}: the setting of this damper has no unit; give the number alone", self.value, self.unit)
@@ -94,6 +97,11 @@ mod tests {
 
     #[test]
     fn a_setting_is_in_the_unit_of_its_damper() {
+        let mut clicks = Axis::NONE;
+        clicks.set_name("clicks").unwrap();
+        let three = |text: &str| text.parse::<SettingText>().unwrap().in_unit_of(&clicks);
+        assert_eq!(three("3clicks").unwrap(), 3.0);
+        assert!(three("3A").is_err());
         let mut axis = Axis::NONE;
         axis.set_grid(&[0.0, 1.6]).unwrap();
         axis.set_unit("A").unwrap();

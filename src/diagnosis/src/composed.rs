@@ -20,7 +20,7 @@ use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::alternatives::{alternatives, interval_ends};
 use dashpot_estimation::structure::component::{Component, element_of};
 use dashpot_estimation::structure::context::Structure;
-use dashpot_estimation::structure::inventory::{InventoryItem, Status, inventory};
+use dashpot_estimation::structure::inventory::{Instead, InventoryItem, Status, inventory};
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_estimation::vocabulary::Unnamed;
@@ -131,6 +131,9 @@ impl Composed<'_> {
         // The calibration is that of names that are given; what both models have gets none.
         for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
+            if item.probability < 0.5 {
+                item.or_instead = self.instead_of(item.effect, &probabilities);
+            }
         }
         let force = |effect: &str| items.iter().find(|i| i.effect == effect).map_or(0.0, |i| i.force_n_rms);
         let others = alternatives(&self.search, &self.best, at, &self.fitted);
@@ -261,6 +264,15 @@ impl Composed<'_> {
     }
 
     /// The effects that are not in the best structure.
+    /// The effect that the most probable structure without an effect has in its place.
+    fn instead_of(&self, effect: &str, probabilities: &BTreeMap<&'static str, f64>) -> Option<Instead> {
+        let without = self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != effect));
+        let (key, _) = without.max_by(|(_, a), (_, b)| a.log_posterior.total_cmp(&b.log_posterior))?;
+        let is_new = |form: &&(&'static str, &'static str)| self.best.components.iter().all(|c| c.effect != form.0);
+        let effect = key.iter().find(is_new)?.0;
+        Some(Instead { effect, probability: probabilities.get(effect).copied().unwrap_or(0.0) })
+    }
+
     fn open<'a>(&'a self, probability: &'a dyn Fn(&str) -> f64) -> Open<'a> {
         Open { search: &self.search, start: &self.start, best: &self.best, probability }
     }

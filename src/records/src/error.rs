@@ -203,6 +203,13 @@ pub enum RecordError {
 
     NoPaths,
 
+    MixedCurrent {
+        record: String,
+        test: String,
+        current: f64,
+        others: f64,
+    },
+
     UnknownType {
         file: PathBuf,
     },
@@ -544,6 +551,11 @@ impl RecordError {
                 .with("channel", channel),
             RecordError::FilesUnit(slip) => slip.sentence(),
             RecordError::NoPaths => phrases::NO_PATHS.into(),
+            RecordError::MixedCurrent { record, test, current, others } => Sentence::from(phrases::MIXED_CURRENT)
+                .with("record", record)
+                .with("test", test)
+                .with("current", format!("{current:.0}"))
+                .with("others", format!("{others:.2}")),
             RecordError::PeakTable { at, line, cause } => {
                 in_line(phrases::IN_LINE, at, line).with_sentence("cause", Sentence::as_it_is(cause))
             }

@@ -57,7 +57,7 @@ pub use quantities::channel::{Channel, assignment};
 pub use quantities::load_cell;
 pub use quantities::reading_unit::reading_unit;
 pub use quantities::setting_value::{
-    Setting, SettingRules, is_same_setting, restate_in_unit, setting_factor, setting_in_words,
+    Setting, SettingRules, is_same_setting, restate_in_unit, setting_factor, setting_in_name, setting_in_words,
 };
 pub use quantities::unit::{Dimension, Unit};
 pub use signal::delay::Delay;

@@ -61,7 +61,10 @@ pub fn status_text(item: &InventoryItem, words: &Words) -> String {
         Status::Replaced => words.status_replaced,
         Status::Removed => words.status_removed,
     };
-    let replaces = item.replaces.map(|effect| words.fill(words.replaces, &[("effect", effect)]));
+    let instead = item.or_instead.map(|of| {
+        words.fill(words.or_instead, &[("effect", of.effect), ("probability", &probability(of.probability))])
+    });
+    let replaces = item.replaces.map(|effect| words.fill(words.replaces, &[("effect", effect)])).or(instead);
     replaces.map_or_else(|| status.to_owned(), |replaces| [status, &replaces].join(words.comma))
 }
 
@@ -80,6 +83,7 @@ mod tests {
             probability: 0.97,
             status,
             replaces,
+            or_instead: None,
         }
     }
 

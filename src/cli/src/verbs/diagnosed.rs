@@ -205,9 +205,10 @@ fn errors(found: &Diagnosis) -> Vec<String> {
 
 /// One effect of the inventory: force, fraction of the measured force, probability, and what became of it.
 fn inventory_line(item: &InventoryItem) -> String {
+    let instead = item.or_instead.map(|of| format!(", or {} in its place ({})", of.effect, fraction(of.probability)));
     let status = match (item.status, item.replaces) {
         (_, Some(old)) => format!("added, in place of {old}"),
-        (Status::Kept, None) => "kept".to_owned(),
+        (Status::Kept, None) => format!("kept{}", instead.unwrap_or_default()),
         (Status::Added, None) => "added".to_owned(),
         (Status::Replaced, None) => "replaced".to_owned(),
         (Status::Removed, None) => "removed".to_owned(),

@@ -8,7 +8,7 @@ use crate::plural::count_tests;
 use crate::progress::Progress;
 use dashpot_identification::family::{
     ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFigures, FamilyFit, FamilyItem, ForceAtSetting, SettingAxis,
-    SettingDependence, SettingError, SettingReport, fit_family, model_file,
+    SettingDependence, SettingError, SettingReport, WorstLeftOut, fit_family, model_file,
 };
 use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
@@ -53,7 +53,10 @@ pub fn run(
         say(&format!("note: {note}"))?;
     }
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
-    say(&quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL))?;
+    let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
+    // What is good there need not be good between them.
+    let is_worse_between = found.worst_left_out().is_some_and(|of| of.ratio > WorstLeftOut::AS_GOOD);
+    say(&if is_worse_between { format!("At the settings of the records: {}", lower_first(&good)) } else { good })?;
     if let Some(text) = format_interpolation(&found) {
         say(&text)?;
     }
@@ -182,19 +185,21 @@ fn format_estimate(name: &str, e: &Estimate) -> String {
     }
 }
 
-/// Ratio to the error of its own fit up to which an interpolated setting is as good as one of the grid.
-const AS_GOOD: f64 = 1.3;
+/// A sentence that goes on behind a colon.
+fn lower_first(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
+}
 
 /// How good the family is between its settings, by the worst of those that were left out; `None` where none was.
 fn format_interpolation(found: &FamilyFit) -> Option<String> {
-    let left_out = found.settings.iter().filter_map(|of| Some((of, of.left_out?, of.left_out_ratio?)));
-    let (of, error, ratio) = left_out.max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let at = setting_in_words(of.setting, &found.setting.unit);
+    let WorstLeftOut { setting, error, ratio } = found.worst_left_out()?;
+    let at = setting_in_words(setting, &found.setting.unit);
     let text = format!(
         "between settings: a family that did not see {at} misses there by {:.2} N ({:.2} %), {ratio:.2} times as much as a fit of {at} alone",
         error.mean_error_n, error.error_percent
     );
-    Some(match ratio > AS_GOOD {
+    Some(match ratio > WorstLeftOut::AS_GOOD {
         true => format!("{text}; records between {at} and its neighbors would help most"),
         false => text,
     })

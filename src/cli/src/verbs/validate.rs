@@ -18,6 +18,7 @@ use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record, setting_in_words};
 use dashpot_report::against::{Rival, section};
 use dashpot_report::certificate::{self, CertificateInput};
+use dashpot_report::numbers::digits;
 use dashpot_report::{FamilyReport, ReportInput};
 use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
@@ -318,7 +319,10 @@ fn response(of: &StepResponse, unit: &str) -> String {
     };
     let coarse = match of.measured {
         Some(times) if of.sample_s > COARSE * times.t63_s => {
-            format!("; measured times are known to ± {:.0} ms, half a sample of the logger", 0.5e3 * of.sample_s)
+            format!(
+                "; measured times are known to ± {} ms, half a sample of the logger",
+                digits(0.5e3 * of.sample_s, 1)
+            )
         }
         _ => String::new(),
     };

@@ -44,6 +44,18 @@ pub struct InventoryItem {
     /// Effect of the given model in whose place it stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replaces: Option<&'static str>,
+    /// For an effect that is kept though it is less probable than not: the effect that explains the records in its place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub or_instead: Option<Instead>,
+}
+
+/// An effect that explains the records in the place of another.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Instead {
+    /// Name of the effect.
+    pub effect: &'static str,
+    /// Probability that the damper has it.
+    pub probability: f64,
 }
 
 /// Forces of a hypothesis at `theta`, the cheap integration being exact enough for an account.
@@ -92,6 +104,7 @@ pub fn inventory(
             probability: probability(component.effect),
             status,
             replaces: None,
+            or_instead: None,
         }
     };
     let of_best: Vec<Option<Vec<Vec<f64>>>> =

@@ -2,7 +2,7 @@
 
 use super::TEMPERATURE;
 use super::actuator::{self, ActuatorFit, identify_actuator};
-use super::left_out::{SettingReport, damper_through, reports};
+use super::left_out::{SettingReport, WorstLeftOut, damper_through, reports};
 use super::selection::select_tests;
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::expected::{contradiction, expectation, is_contradiction};
@@ -114,6 +114,11 @@ impl FamilyFit {
     /// Values of the setting that the damper is given at.
     pub fn settings_grid(&self) -> &[f64] {
         self.damper.axis.grid()
+    }
+
+    /// The setting that it predicts worst where it did not see it; `None` where none was left out.
+    pub fn worst_left_out(&self) -> Option<WorstLeftOut> {
+        WorstLeftOut::of(&self.settings)
     }
 }
 

@@ -42,6 +42,30 @@ pub struct SettingReport {
     pub left_out_ratio: Option<f64>,
 }
 
+/// The setting that the family predicts worst where it did not see it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorstLeftOut {
+    /// Value of the setting.
+    pub setting: f64,
+    /// Error there.
+    pub error: SettingError,
+    /// That error over the one of the fit to this setting alone.
+    pub ratio: f64,
+}
+
+impl WorstLeftOut {
+    /// Ratio up to which an interpolated setting is as good as one of the grid.
+    pub const AS_GOOD: f64 = 1.3;
+
+    /// The worst of these; `None` where none was left out.
+    pub fn of(reports: &[SettingReport]) -> Option<WorstLeftOut> {
+        let left_out = reports.iter().filter_map(|of| {
+            Some(WorstLeftOut { setting: of.setting, error: of.left_out?, ratio: of.left_out_ratio? })
+        });
+        left_out.max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+    }
+}
+
 /// The damper over a grid through parameter sets.
 ///
 /// # Errors

@@ -28,7 +28,7 @@ pub use actuator_numbers::{ActuatorNumber, actuator_numbers};
 pub use at_setting::at_setting;
 pub use figures::FamilyFigures;
 pub use fit::{FamilyEstimate, FamilyFit, FamilyItem, ForceAtSetting, SettingDependence, fit_family};
-pub use left_out::{SettingError, SettingReport};
+pub use left_out::{SettingError, SettingReport, WorstLeftOut};
 pub use settings::{FamilyError, SettingAxis, SettingRecords};
 
 /// Temperature by which log odds of a part of a family are divided before they become probabilities: the form error is correlated between

@@ -20,6 +20,16 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     let insisted = |channel| options.units.contains_key(&channel);
     let slip = |channel, written, likely, evidence| Err(RecordError::UnitSlip { channel, written, likely, evidence });
     let largest = records.iter().map(largest_current).fold(0.0, f64::max);
+    let usual = records.iter().map(largest_current).filter(|i| *i <= MOST_CURRENT).fold(0.0, f64::max);
+    if largest > MOST_CURRENT && usual > 0.0 && !insisted(Channel::Current) && options.settings.name.is_none() {
+        let other = records.iter().find(|record| largest_current(record) > MOST_CURRENT).unwrap_or(fastest);
+        return Err(RecordError::MixedCurrent {
+            record: other.source.clone(),
+            test: other.name.clone(),
+            current: largest_current(other),
+            others: usual,
+        });
+    }
     if largest > MOST_CURRENT && !insisted(Channel::Current) && options.settings.name.is_none() {
         let evidence = Sentence::from(phrases::TOO_MUCH_CURRENT).with("current", format!("{largest:.0}"));
         return slip(Channel::Current, Unit::Ampere, Unit::Milliampere, evidence);
@@ -186,6 +196,17 @@ mod tests {
         assert!(at(800.0, &none).contains("--unit current=mA, or --unit current=A to insist"), "{}", at(800.0, &none));
         assert!(at(-1600.0, &none).contains("1600 A"));
         assert_eq!([at(10.0, &none), at(800.0, &insists)], ["", ""]);
+        // One file among others: the unit of all is not at fault.
+        let mut records = campaign(2000.0, 50.0, &USUAL, [1.0; 3]);
+        for (record, value) in records.iter_mut().zip([0.3, 700.0, 0.7]) {
+            record.setting = Some(Setting { name: "current".into(), unit: "A".into(), value });
+        }
+        (records[1].name, records[1].source) = ("odd".into(), "odd.csv".into());
+        let message = refuse(&records, &none).unwrap_err().to_string();
+        assert!(
+            message.contains("odd.csv") && message.contains("--exclude 'odd'") && message.contains("0.70 A"),
+            "{message}"
+        );
     }
 
     /// A record with half the range of its force, N, its peak velocity, m/s, and its sampling.

@@ -195,6 +195,7 @@ crate::phrases! {
     TOO_QUICK: "{record} would move ±{amplitude} mm at {frequency} Hz for {seconds} s";
     TOO_LONG: "the fastest of {count} tests would reach {velocity} mm/s, the longest last {hours} h, with a sample every {step} s";
     TOO_STIFF: "no test would move more than ±{amplitude} mm, and {force} N at {velocity} mm/s would be a damping of {damping} N s/m";
+    MIXED_CURRENT: "{record}: the current of the damper's valve would reach {current} A, and {others} A at most in the other tests; that speaks for mA under a heading of A. Correct the heading of this file, or leave it out with --exclude '{test}'; give --unit current=A to insist";
     TOO_MUCH_CURRENT: "the current of the damper's valve would reach {current} A";
     TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m";
     // What no damper has.

@@ -7,8 +7,9 @@ use crate::errors::three;
 use crate::numbers::{digits, error, percent};
 use crate::words::Words;
 use dashpot_core::family::Definition;
-use dashpot_identification::family::{FamilyFit, SettingError};
+use dashpot_identification::family::{FamilyFit, SettingError, WorstLeftOut};
 use dashpot_identification::validation::{Summary, Validation};
+use dashpot_records::setting_in_words;
 
 /// Errors of the model and of the plain curve over the whole records of each setting.
 ///
@@ -31,6 +32,16 @@ pub fn validated(damper: &Definition, validation: &Validation, words: &Words) ->
     columns.extend(figures(words.model));
     columns.extend(figures(words.group_curve));
     Table { caption: words.family_table.to_owned(), columns, rows, sortable: false }
+}
+
+/// How good the family is between its settings; `None` where none was left out.
+pub fn between(fit: &FamilyFit, words: &Words) -> Option<String> {
+    let WorstLeftOut { setting, error, ratio } = fit.worst_left_out()?;
+    let at = setting_in_words(setting, &fit.setting.unit);
+    let text = if ratio > WorstLeftOut::AS_GOOD { words.family_between_worse } else { words.family_between };
+    let figures = [digits(error.mean_error_n, 3), percent(error.error_percent), digits(ratio, 2)];
+    let [error, percent, ratio] = figures.each_ref();
+    Some(words.fill(text, &[("at", &at), ("error", error), ("percent", percent), ("ratio", ratio)]))
 }
 
 /// Errors of an ordinary fit, of the family, and of the family that did not see the setting.

@@ -38,6 +38,7 @@ impl FamilyReport<'_> {
         let mut first: Vec<Block> =
             curves::by_setting(&damper, validation, words).map(Block::Wide).into_iter().collect();
         first.push(Block::Paragraph(words.family_about.to_owned()));
+        first.extend(self.fit.and_then(|fit| errors::between(fit, words)).map(Block::Paragraph));
         let mut second = curves::over_setting(&damper, validation, words);
         second.extend(numbers::figures(self.model, words));
         if !second.is_empty() {

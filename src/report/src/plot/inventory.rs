@@ -195,6 +195,7 @@ mod tests {
             probability: 1.0,
             status,
             replaces: None,
+            or_instead: None,
         }
     }
 

@@ -265,6 +265,8 @@ words!(
     test_sentence,
     // The literature.
     family_section,
+    family_between,
+    family_between_worse,
     family_about,
     family_interpolated,
     plot_family,
@@ -538,6 +540,7 @@ words!(
     status_replaced,
     status_removed,
     replaces,
+    or_instead,
     inventory_caption,
     other_effects,
     plot_inventory,

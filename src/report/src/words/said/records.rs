@@ -731,6 +731,12 @@ pub const ALL: &[Said] = &[
         "{change}。dashpot fit --setting {option} 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）",
     ],
     [
+        "{record}: the current of the damper's valve would reach {current} A, and {others} A at most in the other tests; that speaks for mA under a heading of A. Correct the heading of this file, or leave it out with --exclude '{test}'; give --unit current=A to insist",
+        "{record}: der Strom des Dämpferventils erreichte {current} A, in den anderen Versuchen höchstens {others} A; das spricht für mA unter einer Überschrift in A. Die Überschrift dieser Datei berichtigen oder sie mit --exclude '{test}' weglassen; --unit current=A, wenn es dabei bleiben soll",
+        "{record} : le courant de la valve de l’amortisseur atteindrait {current} A, et {others} A au plus dans les autres essais ; cela parle pour des mA sous un en-tête en A. Corriger l’en-tête de ce fichier, ou l’écarter avec --exclude '{test}' ; donner --unit current=A pour insister",
+        "{record}：减振器阀的电流将达到 {current} A，而其他试验中最多为 {others} A；这说明标题写 A 的列其实是 mA。请更正该文件的标题，或用 --exclude '{test}' 排除；若坚持，请给出 --unit current=A",
+    ],
+    [
         "the current of the damper's valve would reach {current} A",
         "der Strom des Dämpferventils erreichte {current} A",
         "le courant de la valve de l’amortisseur atteindrait {current} A",
