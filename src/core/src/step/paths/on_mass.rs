@@ -177,3 +177,30 @@ impl<F: FnMut(usize, &dyn StatefulForce, usize)> StateVisitor for Each<F> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element;
+    use crate::model::Model;
+    use crate::number;
+    use crate::parameter::{Element, Params};
+
+    /// One more would have no place, and no force.
+    #[test]
+    fn each_element_on_the_mass_has_a_place() {
+        let mut params = Params::new();
+        for element in ["lagged_polynomial", "presliding_friction", "gas_spring", "moving_mass"] {
+            params.enable(Element::find(element).unwrap(), true);
+        }
+        params.enable(element!("series_compliance"), true);
+        params.set(number!("series_load"), 1.0).unwrap();
+        let model = Model::new(&params).unwrap();
+        let (mut count, mut all) = (0, 0);
+        model.elements.each_stateful(|_, element| {
+            count += usize::from(element.acts_on_mass());
+            all += 1;
+        });
+        assert_eq!((count, all), (MOST, 4));
+    }
+}
