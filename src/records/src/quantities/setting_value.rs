@@ -85,7 +85,8 @@ fn clicks_in(part: &str) -> Option<f64> {
 
 /// A measured value as it is set, without the noise of the sensor. Supplies of current are set to hundredths, others to four digits at most.
 pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
-    let per_step = if unit == "A" || value == 0.0 { 100.0 } else { 10f64.powi(3 - value.abs().log10().floor() as i32) };
+    let per_step =
+        if unit == "A" || value == 0.0 { 100.0 } else { 10f64.powi(3 - libm::log10(value.abs()).floor() as i32) };
     // 0 has no sign.
     (value * per_step).round() / per_step + 0.0
 }
