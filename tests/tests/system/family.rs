@@ -315,19 +315,16 @@ fn stepped(damper: &Definition) -> Record {
     let mut random = kernel_campaign::Random::new(4);
     let (mut state, mut delay) = (family.steady_state(&input(0.0), Some(0.0)), family.steady_delay(Some(0.0)));
     let mut output = family.evaluate(&state, &input(0.0), Some(0.0)).0;
+    let commanded = |i: i32| if (i / 500) % 2 == 0 { 0.0 } else { 1.2 };
     for i in 0..count {
-        let t = f64::from(i) / rate;
-        let command = if (i / 500) % 2 == 0 { 0.0 } else { 1.2 };
-        if i > 0 {
-            assert!(family.step_in_place(
-                &mut state,
-                &mut delay,
-                &input(t),
-                Some(command),
-                1.0 / rate,
-                &mut output,
-                false
-            ));
+        let (t, command) = (f64::from(i) / rate, commanded(i));
+        // The command changes in the middle of a sample, and the valve moves on in tenths of it.
+        for part in 1..=10 {
+            let (dt, since) = (0.1 / rate, f64::from(part - 10) * 0.1 / rate);
+            let command = Some(commanded(if part > 5 { i } else { i - 1 }));
+            let done = i == 0
+                || family.step_in_place(&mut state, &mut delay, &input(t + since), command, dt, &mut output, false);
+            assert!(done);
         }
         record.time.push(t);
         record.displacement.push(0.03 * (w * t).sin());
@@ -408,7 +405,10 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     // Without its column the test says no pressure; a slip in the name of the column is named.
     let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
     let told = refused(dir, &fit);
-    assert!(told.contains("no test says its pressure") && told.contains("--column setting=HEADING"), "{told}");
+    assert!(
+        told.contains("say nothing of their pressure: steps") && told.contains("--column setting=HEADING"),
+        "{told}"
+    );
     let told = refused(dir, &[&fit[..], &["--column", "setting=p pilo"]].concat());
     assert!(told.contains("no test has a column 'p pilo' for the setting"), "{told}");
     let told = done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());

@@ -79,6 +79,8 @@ const RATE_SPREAD: f64 = 1.0;
 const LEVEL_SPREAD: f64 = 0.05;
 /// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of it. A family that is further off is none.
 const MOST_BETWEEN: f64 = 0.3;
+/// Standard deviations within which a force between neighbors is free.
+const WITHIN: f64 = 2.0;
 /// Spread of a force that is held: far below what any record shows.
 const HELD_SPREAD: f64 = 1e-6;
 /// Largest hysteresis as a fraction of the range. The kernel takes a quarter.
@@ -335,6 +337,12 @@ impl<'a> ActuatorProblem<'a> {
         // One for each direction.
         let spreads: Vec<f64> =
             std::iter::repeat_n(spread_of_levels, 2 * self.grid().len()).chain(gaps.clone()).chain(gaps).collect();
+        // A form error is the same at all samples of a step, which the sum of squares counts one by one: a prior alone would not hold it.
+        let most: Vec<f64> = spreads
+            .iter()
+            .enumerate()
+            .map(|(k, spread)| if k < 2 * self.grid().len() { 0.5 } else { WITHIN * spread })
+            .collect();
         let levels = spreads.len();
         let mut from: Vec<f64> = self.numbers.iter().map(|number| number.start).collect();
         from.extend(std::iter::repeat_n(0.0, levels));
@@ -348,8 +356,8 @@ impl<'a> ActuatorProblem<'a> {
             .chain(spreads.iter().map(|spread| Prior { mean: 0.0, spread: *spread }))
             .collect();
         let bounds = Bounds {
-            low: self.numbers.iter().map(|n| n.bounds.0).chain(std::iter::repeat_n(-0.5, levels)).collect(),
-            high: self.numbers.iter().map(|n| n.bounds.1).chain(std::iter::repeat_n(0.5, levels)).collect(),
+            low: self.numbers.iter().map(|n| n.bounds.0).chain(most.iter().map(|most| -most)).collect(),
+            high: self.numbers.iter().map(|n| n.bounds.1).chain(most.iter().copied()).collect(),
         };
         let options = Options {
             steps,
@@ -364,7 +372,9 @@ impl<'a> ActuatorProblem<'a> {
         if !found.cost.is_finite() {
             return None;
         }
-        let distances = found.x.iter().zip(&priors).map(|(x, prior)| ((x - prior.mean) / prior.spread).powi(2));
+        // What lies between settings is bounded, and no evidence for or against a form.
+        let counted = found.x.iter().zip(&priors).take(self.numbers.len() + 2 * self.grid().len());
+        let distances = counted.map(|(x, prior)| ((x - prior.mean) / prior.spread).powi(2));
         let negative_log_prior = 0.5 * distances.sum::<f64>();
         let blocks = |Rows { residual, jacobian }| (jacobian, Vec::from(residual.data));
         Some(ActuatorRefit {

@@ -270,10 +270,10 @@ pub const ALL: &[Said] = &[
         "没有试验说明 {name}；试验的设置名为 {known}：请用该名称给出 --setting",
     ],
     [
-        "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, or give it in campaign.toml under settings",
-        "{count} Versuche nennen {name} nicht: {tests}. Mit --exclude weglassen, oder in campaign.toml unter settings angeben",
-        "{count} essais n’indiquent pas {name} : {tests}. Les écarter avec --exclude, ou le donner dans campaign.toml sous settings",
-        "{count} 个试验没有说明 {name}：{tests}。请用 --exclude 排除，或在 campaign.toml 的 settings 中给出",
+        "{count} tests say nothing of their {name}: {tests}. Leave them out with --exclude, name their column (--column setting=HEADING), or give it in campaign.toml under settings",
+        "{count} Versuche nennen {name} nicht: {tests}. Mit --exclude weglassen, ihre Spalte nennen (--column setting=HEADING), oder in campaign.toml unter settings angeben",
+        "{count} essais n’indiquent pas {name} : {tests}. Les écarter avec --exclude, nommer leur colonne (--column setting=HEADING), ou le donner dans campaign.toml sous settings",
+        "{count} 个试验没有说明 {name}：{tests}。请用 --exclude 排除，用 --column setting=HEADING 指明其列，或在 campaign.toml 的 settings 中给出",
     ],
     [
         "all tests at a constant {name} have the same, {value}: a model over it needs at least two. Fit them without --setting, or check the unit of its column",
