@@ -118,7 +118,7 @@ impl FamilyFit {
 
     /// The setting that it predicts worst where it did not see it; `None` where none was left out.
     pub fn worst_left_out(&self) -> Option<WorstLeftOut> {
-        WorstLeftOut::of(&self.settings)
+        WorstLeftOut::find(&self.settings)
     }
 }
 

@@ -58,7 +58,7 @@ impl WorstLeftOut {
     pub const AS_GOOD: f64 = 1.3;
 
     /// The worst of these; `None` where none was left out.
-    pub fn of(reports: &[SettingReport]) -> Option<WorstLeftOut> {
+    pub fn find(reports: &[SettingReport]) -> Option<WorstLeftOut> {
         let left_out = reports.iter().filter_map(|of| {
             Some(WorstLeftOut { setting: of.setting, error: of.left_out?, ratio: of.left_out_ratio? })
         });
