@@ -416,27 +416,27 @@ impl<T: Tables> Elements<T> {
             output.friction_force = friction.force;
             output.gas_force = preload.force;
             output.spring_force -= friction.force + preload.force;
-            self.each_on_mass(mass, internal, |_, element, response| {
+            self.each_on_mass(mass, internal, |element, response| {
                 output.count(element.component(), response.force);
                 output.spring_force -= response.force;
             });
         }
     }
 
-    /// Calls `visit` with the place of its state, the element and its response, for each element with a state on the mass.
+    /// Calls `visit` with the element and its response, for each element with a state on the mass.
     #[inline(always)]
     pub(crate) fn each_on_mass(
         &self,
         mass: &Motion,
         internal: &[f64; MAX_INTERNAL],
-        mut visit: impl FnMut(usize, &dyn StatefulForce, StateResponse),
+        mut visit: impl FnMut(&dyn StatefulForce, StateResponse),
     ) {
         if !self.has_states_on_mass() {
             return;
         }
         self.each_stateful(|place, element| {
             if element.acts_on_mass() {
-                visit(place, element, element.evaluate(mass, internal.get(place).copied().unwrap_or(0.0)));
+                visit(element, element.evaluate(mass, internal.get(place).copied().unwrap_or(0.0)));
             }
         });
     }
@@ -445,7 +445,7 @@ impl<T: Tables> Elements<T> {
     #[inline(always)]
     pub(crate) fn states_on_mass(&self, mass: &Motion, internal: &[f64; MAX_INTERNAL]) -> Response {
         let mut sum = Response::NONE;
-        self.each_on_mass(mass, internal, |_, _, response| {
+        self.each_on_mass(mass, internal, |_, response| {
             sum.add(Response {
                 force: response.force,
                 d_force_d_x: response.d_force_d_x,

@@ -168,9 +168,6 @@ pub enum ForceComponent {
     Gas,
 }
 
-/// A number with its derivatives over two of what an element on the mass depends on in a stage.
-pub type Carrying = Dual<2>;
-
 /// An element with one internal state z.
 pub trait StatefulForce {
     /// The component of the output that its force adds to.
@@ -202,8 +199,8 @@ pub trait StatefulForce {
     /// State and force at the end of a travel of the mass that began at `_from`. Asked only where
     /// [`StatefulForce::acts_on_mass`].
     ///
-    /// The force must not fall as the end moves on: a stage then has one answer.
-    fn carried(&self, _from: Carrying, _travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
+    /// The two directions are what the caller chooses. The force must not fall as the end moves on: a stage then has one answer.
+    fn propagate_on_mass(&self, _from: Dual<2>, _travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         [z, Dual::new(0.0, [0.0; 2])]
     }
 

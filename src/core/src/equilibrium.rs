@@ -99,7 +99,7 @@ impl<T: Tables> Model<T> {
             let mut sum = e.on_the_mass(&at);
             if e.has_states_on_mass() {
                 let states = settle(true, from.mass_displacement, &at);
-                e.each_on_mass(&at, &states, |_, _, response| {
+                e.each_on_mass(&at, &states, |_, response| {
                     sum.force += response.force;
                     sum.d_force_d_x += response.d_force_d_x + response.d_force_d_z * response.d_rate_d_v;
                 });

@@ -57,9 +57,10 @@ pub use quantities::channel::{Channel, assignment};
 pub use quantities::load_cell;
 pub use quantities::reading_unit::reading_unit;
 pub use quantities::setting_value::{
-    Setting, SettingRules, is_same_setting, restate_in_unit, setting_factor, setting_in_name, setting_in_words,
+    Setting, SettingRules, is_same_setting, restate_in_unit, setting_factor, setting_in_words,
 };
 pub use quantities::unit::{Dimension, Unit};
+pub use settings::assignment::records_without_setting;
 pub use signal::delay::Delay;
 pub use signal::{measurement_correction, smoothing};
 pub use source::{read_small, read_small_text};

@@ -11,7 +11,7 @@ use dashpot_identification::model_file::{ModelFile, NoModel, prepared, prepared_
 use dashpot_identification::validation::{Compared, Validation};
 use dashpot_identification::{Family, FitError, FitOptions, fit};
 use dashpot_records::smoothing::smooth;
-use dashpot_records::{Campaign, Record, is_same_setting, setting_in_name};
+use dashpot_records::{Campaign, Record, is_same_setting, records_without_setting};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -109,21 +109,15 @@ pub fn settings_of(
     given: Option<f64>,
 ) -> Result<Vec<Option<f64>>, CompareError> {
     let name = file.axis.name();
-    // One name without a setting keeps those of all others from counting: that one is at fault.
-    let is_named = |record: &Record| setting_in_name(&record.name).is_some_and(|of| of.name == name);
-    let unstated = |record: &'_ Record| -> String {
-        let other = campaign.records.iter().find(|other| other.setting.is_none() && !is_named(other));
-        if is_named(record) {
-            other.map_or(record.name.clone(), |other| other.name.clone())
-        } else {
-            record.name.clone()
-        }
-    };
     let of = |record: &Record| match OwnSetting::find(&file.axis, record) {
         OwnSetting::Changing => Ok(None),
         OwnSetting::Constant(value) => Ok(Some(value)),
         OwnSetting::Unstated => given.map(Some).ok_or_else(|| CompareError::NoSetting {
-            test: unstated(record),
+            test: records_without_setting(campaign.records.iter(), name)
+                .first()
+                .map_or(record, |first| *first)
+                .name
+                .clone(),
             name: if name.is_empty() { "setting".to_owned() } else { name.to_owned() },
         }),
     };

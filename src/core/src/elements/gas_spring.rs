@@ -1,7 +1,7 @@
 //! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
 
-use crate::dual::Real;
-use crate::element::{Carrying, EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::dual::{Dual, Real};
+use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::{Path, Travel};
 use crate::math::{max, power_inlined, relaxation};
@@ -118,6 +118,12 @@ impl GasSpring {
         (at.value, rises)
     }
 
+    /// The derivative of that derivative.
+    #[inline(always)]
+    fn bends(&self, at: &Gas, rises: f64) -> f64 {
+        if at.below < 0.0 { 0.0 } else { (self.excess - 1.0) * rises * at.per_inside * self.per_length }
+    }
+
     /// The pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)) as a share of p_0, and its derivative.
     #[inline(always)]
     fn pressure(&self, at: &Gas) -> (f64, f64) {
@@ -125,6 +131,16 @@ impl GasSpring {
         let derivative = -(self.excess + 1.0) * value * at.per_inside;
         (value + derivative * at.below, derivative * self.per_length)
     }
+}
+
+/// What the state takes of the rates at start and end and of the difference between them, by the moments of a relaxation.
+///
+/// From both ends' values and derivatives, as the path itself: p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d of the
+/// difference d and the derivatives s and e over the step.
+#[inline(always)]
+fn weights([_, first, second, third]: [f64; 4]) -> [f64; 3] {
+    let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
+    [first - second + of_end, of_end, of_change]
 }
 
 impl StatefulForce for GasSpring {
@@ -152,20 +168,16 @@ impl StatefulForce for GasSpring {
     }
 
     /// Exact but for the terms beyond the cubic, as along the path of the driven end.
-    fn carried(&self, from: Carrying, travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
+    fn propagate_on_mass(&self, from: Dual<2>, travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         let (kept, takes) = relaxation(travel.time * self.per_time);
         let end = from + travel.moved;
-        let drawn = |x: Carrying| {
+        let drawn = |x: Dual<2>| {
             let gas = self.gas(x.value());
             let (value, by_x) = self.rests(&gas);
-            let bends =
-                if gas.below < 0.0 { 0.0 } else { (self.excess - 1.0) * by_x * gas.per_inside * self.per_length };
-            (x.chain(value - 1.0, by_x), x.chain(by_x, bends))
+            (x.chain(value - 1.0, by_x), x.chain(by_x, self.bends(&gas, by_x)))
         };
         let ((to, to_by_x), (from, from_by_x)) = (drawn(end), drawn(from));
-        let [_, first, second, third] = takes;
-        let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
-        let of_start = first - second + of_end;
+        let [of_start, of_end, of_change] = weights(takes);
         let rates = travel.v0 * from_by_x * of_start + travel.v1 * to_by_x * of_end;
         let z = z * kept + from * takes[0] + (to - from) * of_change + rates * travel.time;
         let (pressure, pressure_by_x) = self.pressure(&self.gas(end.value()));
@@ -185,11 +197,7 @@ impl StatefulForce for GasSpring {
         let ((x0, v0), (x1, v1)) = (path.start(), path.end());
         let gas = self.gas(x1);
         let ((to, to_by_x), (from, from_by_x)) = (self.rests(&gas), self.rests_near(&gas, x0));
-        // From both ends' values and derivatives, as the path itself: p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d of the
-        // difference d and the derivatives s and e over the step.
-        let [_, first, second, third] = takes;
-        let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
-        let of_start = first - second + of_end;
+        let [of_start, of_end, of_change] = weights(takes);
         let derivatives_take = of_start * v0 * from_by_x + of_end * v1 * to_by_x;
         let end = kept * z + takes[0] * (from - 1.0) + of_change * (to - from) + h * derivatives_take;
         let (pressure, pressure_by_x) = self.pressure(&gas);
@@ -197,8 +205,7 @@ impl StatefulForce for GasSpring {
         let mut response =
             Response { force: self.push - pushes * pressure, d_force_d_x: -pushes * pressure_by_x, d_force_d_v: 0.0 };
         if derivatives {
-            let bends =
-                if gas.below < 0.0 { 0.0 } else { (self.excess - 1.0) * to_by_x * gas.per_inside * self.per_length };
+            let bends = self.bends(&gas, to_by_x);
             response.d_force_d_x += by_end * (of_change * to_by_x + of_end * h * v1 * bends);
             response.d_force_d_v += by_end * of_end * h * to_by_x;
         }

@@ -1,7 +1,7 @@
 //! Presliding friction: contacts that bend before they slide (Dahl; effect of seal lip and guide after every reversal).
 
 use crate::dual::{Dual, Real};
-use crate::element::{Carrying, EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::{Path, Travel};
 use crate::math::{max, min, power};
@@ -289,7 +289,7 @@ impl StatefulForce for PreslidingFriction {
         true
     }
 
-    fn carried(&self, _: Carrying, travel: &Travel<Carrying>, z: Carrying) -> [Carrying; 2] {
+    fn propagate_on_mass(&self, _: Dual<2>, travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         let z = self.after(travel, z * self.per_length) * self.length;
         [z, z * self.stiffness]
     }

@@ -27,7 +27,7 @@ use crate::paths::bits::{
 use crate::paths::{Paths, STATES, place};
 use crate::state::{Output, State};
 use crate::tables::Tables;
-use on_mass::FromStart;
+use on_mass::MassStart;
 use stage::PathsStage;
 pub use stage::Seed;
 
@@ -55,7 +55,7 @@ struct Known<'a> {
     /// Those of them that were brought back into their ranges, as bits.
     kept: u32,
     /// Where what acts on the mass with a state starts from.
-    on_mass: FromStart,
+    on_mass: MassStart,
 }
 
 /// Where a stage moves the driven end from, X: what it does to a column that counts stroke is s(x) − s(X).
@@ -178,7 +178,7 @@ pub struct Carried {
     pub force: f64,
     /// Of each stage: g × rate of the states.
     gains: [[f64; STATES]; MOST_STAGES],
-    /// Of the states of elements on the mass.
+    /// Derivatives of the states of elements on the mass.
     on_mass: on_mass::States,
 }
 
@@ -414,7 +414,7 @@ fn advance_on<const ON: u32>(drive: &Drive<impl Tables>, now: &mut Now, follow: 
 #[derive(Clone, Copy)]
 struct Now {
     states: [f64; STATES],
-    /// Those of elements on the mass.
+    /// States of the elements on the mass.
     on_mass: on_mass::States,
     oil_velocity: f64,
     /// Velocity of the driven end.
@@ -579,7 +579,7 @@ impl<T: Tables> Substep<'_, T> {
                     *stroke = moved_from.to(&point);
                 }
             }
-            let on_mass = FromStart { mass: [from[place::X], from[place::U]], states: now.on_mass, time: place_of * h };
+            let on_mass = MassStart { mass: [from[place::X], from[place::U]], states: now.on_mass, time: place_of * h };
             let known =
                 Known { index, last, row, g, moved_from, since, valve_jumps, raised, states: known, kept, on_mass };
             let mut stage = PathsStage::<T, ON>::solve(self.elements, &known, point, self.side, guess);

@@ -54,7 +54,7 @@ pub struct WorstLeftOut {
 }
 
 impl WorstLeftOut {
-    /// Ratio up to which an interpolated setting is as good as one of the grid.
+    /// Ratio up to which an interpolated setting is as good as one of the grid: the aim of the book's figures. It decides on words alone.
     pub const AS_GOOD: f64 = 1.3;
 
     /// The worst of these; `None` where none was left out.

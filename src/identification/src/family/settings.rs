@@ -4,7 +4,7 @@ use crate::FitError;
 use crate::phrases;
 use dashpot_core::family::interpolation::MAX_GRID;
 use dashpot_records::sentence::Sentence;
-use dashpot_records::{Record, is_same_setting, setting_in_name};
+use dashpot_records::{Record, is_same_setting, records_without_setting};
 
 /// Names that a sentence lists.
 const NAMES: usize = 6;
@@ -138,10 +138,9 @@ pub fn by_setting<'a>(
     let Some(first) = records.iter().find_map(|record| own(record)) else {
         let mut known: Vec<String> =
             records.iter().filter_map(|record| Some(record.setting.as_ref()?.name.clone())).collect();
-        // One name without a setting keeps those of all others from counting.
-        let is_named = |record: &&&Record| setting_in_name(&record.name).is_some_and(|of| of.name == name);
-        if known.is_empty() && records.iter().any(|record| is_named(&record)) {
-            let tests = records.iter().filter(|record| !is_named(record)).map(|record| record.name.clone()).collect();
+        let without = records_without_setting(records.iter().copied(), name);
+        if known.is_empty() && !without.is_empty() {
+            let tests = without.iter().map(|record| record.name.clone()).collect();
             return Err(FamilyError::Without { name: name.to_owned(), tests });
         }
         known.sort();

@@ -147,11 +147,6 @@ impl Setting {
     }
 }
 
-/// The setting that the name of a test states; it may number the tests instead.
-pub fn setting_in_name(name: &str) -> Option<Setting> {
-    Setting::of_name(name).map(|(setting, _)| setting)
-}
-
 /// The factor from one unit of a setting to another, as from mA to A; `None` where they are not of one kind. Without a unit it is that of the other.
 pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
     if from.is_empty() || to.is_empty() || from == to {

@@ -164,6 +164,16 @@ fn name_settings(records: &mut [Record]) {
     }
 }
 
+/// The records that state no setting at all, where names of others state this one: one such name keeps those of all others from counting.
+pub fn records_without_setting<'r>(records: impl Iterator<Item = &'r Record> + Clone, name: &str) -> Vec<&'r Record> {
+    let is_named = |record: &&Record| Setting::of_name(&record.name).is_some_and(|(of, _)| of.name == name);
+    if !records.clone().any(|record| is_named(&record)) {
+        return Vec::new();
+    }
+    let is_without = |record: &&Record| record.setting.is_none() && record.setting_signal.is_none();
+    records.filter(|record| is_without(record) && !is_named(record)).collect()
+}
+
 /// Warns where the tests of a campaign have several settings.
 fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
     let mut settings: Vec<(Setting, Vec<usize>)> = Vec::new();

@@ -7,7 +7,7 @@
 
 use crate::assembly::Elements;
 use crate::dual::{Dual, Real};
-use crate::element::{Carrying, StateVisitor, StatefulForce};
+use crate::element::{StateVisitor, StatefulForce};
 use crate::input::Travel;
 use crate::state::MAX_INTERNAL;
 use crate::tables::Tables;
@@ -18,23 +18,23 @@ pub(super) const MOST: usize = 2;
 /// Their states at the start of a substep.
 pub(super) type States = [f64; MOST];
 
-/// Forces of these elements and the states that they leave.
-type Carried = [[Carrying; 2]; MOST];
+/// State at the end and force of each of these elements.
+type Ends = [[Dual<2>; 2]; MOST];
 
-const NONE: Carried = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
+const NO_ENDS: Ends = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
 
 /// What acts on the mass in a stage, and the states that it leaves.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct OnMass {
+pub(super) struct MassForces {
     /// With derivatives over displacement of the mass and state at the end and start.
-    carried: Carried,
+    ends: Ends,
     /// With derivatives over displacement and velocity of the mass at the start; found where they are asked for.
-    by_start: Carried,
+    by_start: Ends,
 }
 
 /// Where these elements start from, and the time since.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FromStart {
+pub(super) struct MassStart {
     /// Displacement and velocity of the mass at the start of the substep.
     pub mass: [f64; 2],
     pub states: States,
@@ -42,51 +42,52 @@ pub(super) struct FromStart {
     pub time: f64,
 }
 
-impl FromStart {
+impl MassStart {
     /// After a travel of the mass to `end`, at these displacements and velocities; each state by `lifted`.
     #[inline(never)]
-    fn carried(
+    fn propagate(
         &self,
         elements: &Elements<impl Tables>,
-        [x0, u0, end]: [Carrying; 3],
-        lifted: fn(f64) -> Carrying,
-    ) -> Carried {
+        [x0, u0, end]: [Dual<2>; 3],
+        lifted: fn(f64) -> Dual<2>,
+    ) -> Ends {
         let travel = Travel::accelerated(x0, u0, end, self.time);
-        let mut carried = NONE;
+        let mut ends = NO_ENDS;
         let act = |index: usize, element: &dyn StatefulForce, _| {
-            if let Some((to, z)) = carried.get_mut(index).zip(self.states.get(index)) {
-                *to = element.carried(x0, &travel, lifted(*z));
+            if let Some((to, z)) = ends.get_mut(index).zip(self.states.get(index)) {
+                *to = element.propagate_on_mass(x0, &travel, lifted(*z));
             }
         };
-        elements.visit_stateful(&mut Each { next: 0, act });
-        carried
+        elements.visit_stateful(&mut MassVisitor { next: 0, act });
+        ends
     }
 }
 
-impl OnMass {
-    pub(super) const NONE: OnMass = OnMass { carried: NONE, by_start: NONE };
+impl MassForces {
+    /// No element with a state acts on the mass.
+    pub(super) const NONE: MassForces = MassForces { ends: NO_ENDS, by_start: NO_ENDS };
 
     /// After a travel of the mass to `end`.
     #[inline(always)]
-    pub(super) fn stage(elements: &Elements<impl Tables>, from: &FromStart, end: f64) -> OnMass {
+    pub(super) fn stage(elements: &Elements<impl Tables>, from: &MassStart, end: f64) -> MassForces {
         let [x0, u0] = from.mass.map(Dual::constant);
-        let carried = from.carried(elements, [x0, u0, Dual::along(end, 0)], |z| Dual::along(z, 1));
-        OnMass { carried, by_start: NONE }
+        let ends = from.propagate(elements, [x0, u0, Dual::along(end, 0)], |z| Dual::along(z, 1));
+        MassForces { ends, by_start: NO_ENDS }
     }
 
     /// Finds the derivatives over the start.
     #[inline(always)]
-    pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &FromStart, end: f64) {
+    pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &MassStart, end: f64) {
         let [x0, u0] = from.mass;
         self.by_start =
-            from.carried(elements, [Dual::along(x0, 0), Dual::along(u0, 1), Dual::constant(end)], Dual::constant);
+            from.propagate(elements, [Dual::along(x0, 0), Dual::along(u0, 1), Dual::constant(end)], Dual::constant);
     }
 
     /// Force on the mass and its derivative over the place of the mass.
     #[inline(always)]
     pub(super) fn force(&self) -> [f64; 2] {
         let mut sum = [0.0; 2];
-        for [_, force] in &self.carried {
+        for [_, force] in &self.ends {
             sum[0] += force.value;
             sum[1] += force.derivative(0);
         }
@@ -96,13 +97,13 @@ impl OnMass {
     /// The states.
     #[inline(always)]
     pub(super) fn states(&self) -> States {
-        self.carried.map(|[state, _]| state.value)
+        self.ends.map(|[state, _]| state.value)
     }
 
     /// Straight on by a way of the mass.
     #[inline(always)]
     pub(super) fn go(&mut self, way: f64) {
-        for [state, _] in &mut self.carried {
+        for [state, _] in &mut self.ends {
             state.value += state.derivative(0) * way;
         }
     }
@@ -118,7 +119,7 @@ impl OnMass {
     #[inline(always)]
     pub(super) fn states_along(&self, end: f64, start: [f64; 2], states: &States) -> States {
         let mut along = self.along(0, start, states);
-        for (state, [to, _]) in along.iter_mut().zip(&self.carried) {
+        for (state, [to, _]) in along.iter_mut().zip(&self.ends) {
             *state += to.derivative(0) * end;
         }
         along
@@ -127,9 +128,9 @@ impl OnMass {
     #[inline(always)]
     fn along(&self, which: usize, [x, u]: [f64; 2], states: &States) -> States {
         let mut along = [0.0; MOST];
-        for (((to, carried), by_start), state) in along.iter_mut().zip(&self.carried).zip(&self.by_start).zip(states) {
-            if let Some((carried, by_start)) = carried.get(which).zip(by_start.get(which)) {
-                *to = by_start.derivative(0) * x + by_start.derivative(1) * u + carried.derivative(1) * state;
+        for (((to, end), by_start), state) in along.iter_mut().zip(&self.ends).zip(&self.by_start).zip(states) {
+            if let Some((end, by_start)) = end.get(which).zip(by_start.get(which)) {
+                *to = by_start.derivative(0) * x + by_start.derivative(1) * u + end.derivative(1) * state;
             }
         }
         along
@@ -139,7 +140,7 @@ impl OnMass {
 /// Reads the states of these elements.
 pub(super) fn read(elements: &Elements<impl Tables>, internal: &[f64; MAX_INTERNAL]) -> States {
     let mut states = [0.0; MOST];
-    elements.visit_stateful(&mut Each {
+    elements.visit_stateful(&mut MassVisitor {
         next: 0,
         act: |index: usize, _: &dyn StatefulForce, place: usize| {
             if let Some((state, from)) = states.get_mut(index).zip(internal.get(place)) {
@@ -152,7 +153,7 @@ pub(super) fn read(elements: &Elements<impl Tables>, internal: &[f64; MAX_INTERN
 
 /// Puts them where they are kept.
 pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal: &mut [f64; MAX_INTERNAL]) {
-    elements.visit_stateful(&mut Each {
+    elements.visit_stateful(&mut MassVisitor {
         next: 0,
         act: |index: usize, _: &dyn StatefulForce, place: usize| {
             if let Some((to, state)) = internal.get_mut(place).zip(states.get(index)) {
@@ -163,12 +164,12 @@ pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal:
 }
 
 /// Visits those that act on the mass, counted in their order, with the places of their states.
-struct Each<F> {
+struct MassVisitor<F> {
     next: usize,
     act: F,
 }
 
-impl<F: FnMut(usize, &dyn StatefulForce, usize)> StateVisitor for Each<F> {
+impl<F: FnMut(usize, &dyn StatefulForce, usize)> StateVisitor for MassVisitor<F> {
     #[inline(always)]
     fn visit<M: StatefulForce>(&mut self, place: usize, element: &M) {
         if element.acts_on_mass() {

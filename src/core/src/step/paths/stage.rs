@@ -1,6 +1,6 @@
 //! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
 
-use super::on_mass::{FromStart, OnMass};
+use super::on_mass::{MassForces, MassStart};
 use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
 use crate::assembly::Elements;
 use crate::dual::Dual;
@@ -51,7 +51,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     /// By how much it raised the force.
     pub(super) raised: f64,
     known: [f64; STATES],
-    from_start: FromStart,
+    from_start: MassStart,
     has_states_on_mass: bool,
     /// Those of them that were brought back into their ranges, as bits.
     pub(super) kept: u32,
@@ -133,7 +133,7 @@ struct Look {
     relaxing_by_rate: f64,
     law: series::Derivatived,
     inner: Response,
-    on_mass: OnMass,
+    on_mass: MassForces,
     /// d(force on the mass)/du, held back.
     resists: f64,
 }
@@ -247,7 +247,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
 
     /// What acts on the mass with a state, if anything does.
     #[inline(always)]
-    pub(super) fn on_mass(&self) -> Option<&OnMass> {
+    pub(super) fn on_mass(&self) -> Option<&MassForces> {
         (acts::<ON>(self.paths, WHOLE) && self.has_states_on_mass).then_some(&self.at.on_mass)
     }
 
@@ -284,7 +284,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             states[place::HEAT] = heated / (1.0 + g * fade.cooling);
         }
         let force = if acts::<ON>(e, SERIES) { at.law.force } else { at.inner.force + primary };
-        Balance { states, force, primary, inner: at.inner.force, on_mass: self.on_mass().map(OnMass::states) }
+        Balance { states, force, primary, inner: at.inner.force, on_mass: self.on_mass().map(MassForces::states) }
     }
 
     /// The derivatives of the stage in one direction.
@@ -421,7 +421,7 @@ struct Given<'a, T: Tables> {
     /// Side force and temperature.
     side: (f64, f64),
     states: [f64; STATES],
-    on_mass: &'a FromStart,
+    on_mass: &'a MassStart,
     g: f64,
     since: f64,
     raised: Cell<f64>,
@@ -471,7 +471,7 @@ impl Look {
         relaxing_by_rate: 0.0,
         law: series::Derivatived::NONE,
         inner: Response::NONE,
-        on_mass: OnMass::NONE,
+        on_mass: MassForces::NONE,
         resists: 0.0,
     };
 
@@ -538,7 +538,7 @@ impl Look {
             u_by_force += oil_void_by[0] * per;
         }
         let (mut relaxed, mut relaxing, mut relaxing_by_rate) = (Relaxed::NONE, 0.0, 0.0);
-        let mut states_on_mass = OnMass::NONE;
+        let mut states_on_mass = MassForces::NONE;
         let (residual, x, law, at, resists);
         if acts::<ON>(e, SERIES) {
             x = known[place::X] + u * g;
@@ -555,7 +555,7 @@ impl Look {
             law = series::with_derivatives::<ON>(e, path.x - x, rate, relaxing);
             let mut pulls = springs(elements, x, u, path.x, side);
             if acts::<ON>(e, WHOLE) && elements.has_states_on_mass() {
-                states_on_mass = OnMass::stage(elements, on_mass, x);
+                states_on_mass = MassForces::stage(elements, on_mass, x);
                 let [force, by_x] = states_on_mass.force();
                 pulls.force += force;
                 pulls.d_force_d_x += by_x;
