@@ -70,6 +70,8 @@ dashpot_records::phrases! {
     ACTUATOR_OPEN: "the records do not determine {names}: the values are those that valves usually show";
     FAMILY_SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, at most {most} of each setting and {changing} whose setting changes, of every amplitude, speed, mean displacement, temperature and side force. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_INTERVAL_BETWEEN: "{names}: no interval here, between two settings; a fit at three or more settings shows how far interpolation is off";
+    LABEL_SUSPECT: "{test} states {name} {stated}, but its forces are those of {fitting}: at the stated one the model misses it by {ratio} times as much. Check its label; a corrected value goes into campaign.toml under settings";
+    LABELS_EXCHANGED: "the damping force does not rise or fall throughout over the {name}; with {one} and {other} exchanged it would. Check the labels of these tests; a damper that is really so is modeled as measured";
     FAMILY_STORES: "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest";
     FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";

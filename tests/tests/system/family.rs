@@ -164,6 +164,25 @@ fn friction_that_grows_with_the_current_is_found_to() {
 }
 
 #[test]
+fn a_test_with_the_label_of_another_setting_is_named() {
+    let damper = truth(None);
+    let mut records: Vec<Record> = [0.0, 0.8].iter().flat_map(|current| records_at(&damper, *current, 51)).collect();
+    let fit = |records: &[Record]| {
+        fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
+    };
+    let said = |found: &FamilyFit| -> Vec<String> {
+        found.notes.iter().map(ToString::to_string).filter(|note| note.contains("Check its label")).collect()
+    };
+    assert_eq!(said(&fit(&records)), [""; 0]);
+    let wrong = records.iter_mut().rfind(|record| record.peak_velocity > 0.3).unwrap();
+    wrong.setting.as_mut().unwrap().value = 0.0;
+    let name = wrong.name.clone();
+    let notes = said(&fit(&records));
+    assert!(notes.len() == 1 && notes[0].starts_with(&format!("{name} states current 0 A")), "{notes:?}");
+    assert!(notes[0].contains("those of 0.8 A"), "{notes:?}");
+}
+
+#[test]
 fn the_model_file_reads_back_as_the_fitted_family() {
     let found = with_growing_friction();
     let text = dashpot_identification::family::model_file::write(found);

@@ -2,7 +2,7 @@
 
 use super::data::ColumnArgs;
 use super::model;
-use super::simulate_setting::{Commands, Schedule};
+use super::simulate_setting::{Commands, Schedule, heading};
 use crate::progress::Progress;
 use crate::quantity::{metres, seconds};
 use dashpot_core::Model;
@@ -21,7 +21,7 @@ use std::path::PathBuf;
 /// drive the model; displacement alone is differentiated by a cubic spline; velocity alone is integrated. Noise of a
 /// measured displacement comes back multiplied by the series stiffness: `dashpot validate` smooths, this does not. The
 /// damper starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
-/// time_s, displacement_m, velocity_m_s and force_N; tension is positive. A damper over a setting follows the motion's own
+/// time_s, displacement_m, velocity_m_s and force_N, and of a damper over a setting that setting, such as current_A; tension is positive. A damper over a setting follows the motion's own
 /// setting, through its actuator: a column such as current [A], one that --column setting=HEADING names, or the name of the
 /// file. Between two samples the command is the mean of both. Without any it is at --setting, else at the start setting.
 #[derive(clap::Args)]
@@ -93,7 +93,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         None => motion.drive(&model)?,
     };
     drop(progress);
-    dashpot_output::write(&args.output, csv(&answers))?;
+    let settings = commands.as_ref().map(|commands| {
+        let settings = (0..answers.len()).map(|sample| commands.setting(&motion, sample)).collect();
+        (heading(&file.axis), settings)
+    });
+    dashpot_output::write(&args.output, csv(&answers, settings))?;
     // Remarks go where the rows do not.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
     let of_setting = commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached);
@@ -103,11 +107,16 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
 }
 
-/// Numbers are written so that they read back to the bit.
-fn csv(answers: &[SimulatedSample]) -> String {
-    let mut out = String::from("time_s,displacement_m,velocity_m_s,force_N\n");
-    for a in answers {
-        let _ = writeln!(out, "{:?},{:?},{:?},{:?}", a.time, a.displacement, a.velocity, a.force);
+/// Formats rows as CSV, with the setting of each where there is one. Numbers are written so that they read back to the bit.
+fn csv(answers: &[SimulatedSample], settings: Option<(String, Vec<f64>)>) -> String {
+    let (heading, settings) = settings.map_or((None, Vec::new()), |(heading, settings)| (Some(heading), settings));
+    let mut out = String::from("time_s,displacement_m,velocity_m_s,force_N");
+    out.extend(heading.map(|heading| format!(",{heading}")));
+    out.push('\n');
+    for (k, a) in answers.iter().enumerate() {
+        let _ = write!(out, "{:?},{:?},{:?},{:?}", a.time, a.displacement, a.velocity, a.force);
+        out.extend(settings.get(k).map(|setting| format!(",{setting:?}")));
+        out.push('\n');
     }
     out
 }

@@ -170,6 +170,23 @@ impl Commands {
             Source::Start(start) => *start,
         }
     }
+
+    /// The setting at a sample of a motion.
+    pub fn setting(&self, motion: &ImposedMotion, sample: usize) -> f64 {
+        match &self.source {
+            Source::Motion => motion.setting.as_ref().and_then(|of| of.get(sample)).copied().unwrap_or(0.0),
+            Source::Schedule(..) | Source::Start(_) => self.command(motion, sample),
+        }
+    }
+}
+
+/// Heading of the column of a setting, such as `current_A`, by which records are read again.
+pub fn heading(axis: &Axis) -> String {
+    let text = match axis.unit() {
+        "" => axis.name().to_owned(),
+        unit => format!("{}_{unit}", axis.name()),
+    };
+    text.chars().map(|letter| if letter.is_alphanumeric() { letter } else { '_' }).collect()
 }
 
 /// Lowest and highest value.

@@ -193,8 +193,8 @@ mod tests {
         let file = family_of_text(&bent, "f.toml".as_ref()).unwrap();
         let middle = at_setting(&file, 0.5);
         let [low, high] = number_of(&middle, "coulomb_force");
-        // The line through its neighbors has 80 N for 60 N, so that halfway to one of them three eighths of 20 N are open.
-        assert!(((high - low) / 2.0 - libm::hypot(12.5, 7.5)).abs() < 1e-9, "{low} {high}");
+        // The line through its neighbors has 80 N for 60 N, so that halfway to one of them half of 20 N is open.
+        assert!(((high - low) / 2.0 - libm::hypot(12.5, 10.0)).abs() < 1e-9, "{low} {high}");
         let two = FAMILY.replace(", 2.0]", "]").replace(", 100.0]", "]").replace(", [-4000.0, 0.0, 6000.0]", "");
         let two = two.replace("    [90.0, 110.0],\n", "");
         let two = two.replace("    [[-4040.0, -3960.0], [0.0, 0.0], [5960.0, 6040.0]],\n", "");

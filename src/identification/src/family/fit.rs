@@ -4,6 +4,7 @@ use super::TEMPERATURE;
 use super::actuator::{self, ActuatorFit, identify_actuator};
 use super::left_out::{SettingReport, WorstLeftOut, damper_through, reports};
 use super::selection::select_tests;
+use super::setting_labels;
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::expected::{contradiction, expectation, is_contradiction};
 use crate::fit::{
@@ -186,6 +187,7 @@ pub fn fit_family(
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(notes_of_priors(&options.priors, &estimates, &axis));
+    notes.extend(setting_labels::notes(&best, &damper, &axis, &sorted, &settings));
     notes.extend(worse_than_alone(&reports, &axis));
     notes.extend(selection);
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));

@@ -10,6 +10,7 @@
 //! | [`FamilyFigures`] | the figures of a fit as JSON |
 //! | [`fit`] | the fit: structure, numbers, what depends on the setting |
 //! | [`left_out`] | how well a setting is predicted by the others |
+//! | [`setting_labels`] | whether the settings that tests state fit their forces |
 //! | [`model_file`] | the model file of a family |
 
 mod actuator;
@@ -21,6 +22,7 @@ mod interpolation_error;
 mod left_out;
 pub mod model_file;
 mod selection;
+mod setting_labels;
 mod settings;
 
 pub use actuator::{ActuatorDecision, ActuatorFit};

@@ -115,6 +115,7 @@ mod tests {
             samples.current = Some(vec![current; 50]);
             samples.headings.push((Channel::Current, heading.to_owned()));
             let (setting, _) = take(&mut samples, &SettingRules::default());
+            assert!(samples.notes.iter().all(|note| note.is_of_damage()), "shown by every verb");
             let notes: Vec<String> = samples.notes.iter().map(|note| note.text.to_string()).collect();
             (setting.map(|setting| setting.value), notes.concat())
         };

@@ -172,6 +172,8 @@ impl Note {
             "outlier",
             "time_resolution",
             "noisy_last_cycle",
+            "empty_setting",
+            "small_current",
         ]
         .contains(&self.kind)
     }

@@ -375,6 +375,15 @@ fn a_constant_column_of_the_motion_is_the_option() {
         assert!(forces.len() == 2000 && furthest < 1e-6, "{heading} {options:?}: {furthest} {printed}");
         assert_eq!(printed.contains("at 2000 of 2000 samples the current lies outside"), cell == ",7", "{printed}");
     }
+    // The setting is written as it is read, so that a simulated motion can be used again.
+    write_valve_and_motion(dir, ",current [mA]", |t| format!(",{}", 100.0 + 250.0 * t));
+    let (forces, _) = simulated(dir, &[]);
+    let (columns, rows) = table(&dir.join("force.csv"));
+    assert_eq!(columns[4], "current_A");
+    assert!(rows.iter().all(|row| (row[4] - 0.1 - 0.25 * row[0]).abs() < 1e-9));
+    std::fs::copy(dir.join("force.csv"), dir.join("motion.csv")).unwrap();
+    let again = simulated(dir, &["--ignore", "force"]).0;
+    assert!(again.iter().zip(&forces).all(|(a, b)| (a - b).abs() < 1e-6));
     // Another quantity is not the setting.
     write_valve_and_motion(dir, "", |_| String::new());
     std::fs::rename(dir.join("motion.csv"), dir.join("motion_3bar.csv")).unwrap();

@@ -252,6 +252,18 @@ pub const ALL: &[Said] = &[
         "{names}：位于两个设置之间，此处无区间；拟合三个或更多设置才能显示插值误差",
     ],
     [
+        "{test} states {name} {stated}, but its forces are those of {fitting}: at the stated one the model misses it by {ratio} times as much. Check its label; a corrected value goes into campaign.toml under settings",
+        "{test} gibt {name} {stated} an, doch seine Kräfte sind die von {fitting}: bei der angegebenen Einstellung verfehlt das Modell ihn um das {ratio}-Fache. Die Angabe prüfen; ein berichtigter Wert gehört in campaign.toml unter settings",
+        "{test} indique {name} {stated}, mais ses forces sont celles de {fitting} : au réglage indiqué, le modèle s’en écarte {ratio} fois plus. Vérifier cette indication ; une valeur corrigée se met dans campaign.toml sous settings",
+        "{test} 标明 {name} {stated}，但其力属于 {fitting}：在所标设定下模型的误差为后者的 {ratio} 倍。请检查该标注；更正值写入 campaign.toml 的 settings",
+    ],
+    [
+        "the damping force does not rise or fall throughout over the {name}; with {one} and {other} exchanged it would. Check the labels of these tests; a damper that is really so is modeled as measured",
+        "die Dämpfkraft steigt oder fällt über {name} nicht durchgehend; mit {one} und {other} vertauscht täte sie es. Die Angaben dieser Versuche prüfen; ein Dämpfer, der wirklich so ist, wird wie gemessen modelliert",
+        "l’effort d’amortissement ne croît ni ne décroît d’un bout à l’autre de {name} ; il le ferait avec {one} et {other} échangés. Vérifier les indications de ces essais ; un amortisseur réellement ainsi est modélisé comme mesuré",
+        "阻尼力在 {name} 上并非单调变化；若将 {one} 与 {other} 互换则会单调。请检查这些试验的标注；若阻尼器确实如此，则按测量建模",
+    ],
+    [
         "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest",
         "eine Änderung von {setting} kann am Fahrzeug Arbeit leisten, denn sie ändert {names}: gespeicherte Energie oder eine Kraft in Ruhe",
         "un changement de {setting} peut fournir un travail au véhicule, car il modifie {names} : énergie accumulée ou force au repos",

@@ -1,0 +1,165 @@
+//! Whether the forces of the tests belong to the settings that they state.
+
+use super::settings::{SettingAxis, SettingRecords};
+use crate::phrases;
+use dashpot_core::family::Definition;
+use dashpot_core::{Model, Params, list};
+use dashpot_estimation::family::problem::SettingTests;
+use dashpot_estimation::family::structure::FamilyStructure;
+use dashpot_estimation::samples::Test;
+use dashpot_estimation::sensitivity::Accuracy;
+use dashpot_records::sentence::Sentence;
+
+/// Ratio of a test's error at its stated setting to that at another one, from which the label is suspect.
+///
+/// One label in a hundred is taken to be wrong, and the residual of a test to hold four independent errors. A ratio of 5 then gives odds of 6 to 1
+/// between two settings and even odds among six. Lower, a test that the model fits badly is suspected.
+/// Test: `a_test_with_the_label_of_another_setting_is_named`.
+const MUCH_WORSE: f64 = 5.0;
+/// Fraction of the range of the damping force over the settings that noise may let it fall back by.
+const FLAT: f64 = 0.02;
+
+/// Returns what is wrong with the settings that tests state, as notes to the engineer.
+pub fn notes(
+    best: &FamilyStructure,
+    damper: &Definition,
+    axis: &SettingAxis,
+    sorted: &[SettingRecords],
+    settings: &[SettingTests],
+) -> Vec<Sentence> {
+    let mut notes: Vec<Sentence> = suspects(best, settings)
+        .into_iter()
+        .map(|suspect| {
+            Sentence::from(phrases::LABEL_SUSPECT)
+                .with("test", &sorted[suspect.stated].records[suspect.record].name)
+                .with("name", &axis.name)
+                .with("stated", in_unit(axis, settings[suspect.stated].value))
+                .with("fitting", in_unit(axis, settings[suspect.fitting].value))
+                .with("ratio", format!("{:.0}", suspect.ratio))
+        })
+        .collect();
+    let strengths: Vec<f64> = settings.iter().map(|of| strength(&damper.params_at(of.value))).collect();
+    if let Some((one, other)) = exchanged(&strengths) {
+        notes.push(
+            Sentence::from(phrases::LABELS_EXCHANGED)
+                .with("name", &axis.name)
+                .with("one", in_unit(axis, settings[one].value))
+                .with("other", in_unit(axis, settings[other].value)),
+        );
+    }
+    notes
+}
+
+fn in_unit(axis: &SettingAxis, value: f64) -> String {
+    format!("{value} {}", axis.unit).trim_end().to_owned()
+}
+
+/// A record whose forces belong to another setting than it states.
+#[derive(Debug, PartialEq)]
+struct Suspect {
+    /// Position of the stated setting.
+    stated: usize,
+    /// Position of the record among those of the stated setting.
+    record: usize,
+    /// Position of the setting whose damper fits it.
+    fitting: usize,
+    /// Error at the stated setting over the one at the other.
+    ratio: f64,
+}
+
+fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
+    let Some(own) = (0..settings.len()).map(|place| errors(best, place, &settings[place].tests)).collect() else {
+        return Vec::new();
+    };
+    let own: Vec<Vec<(usize, f64)>> = own;
+    let mut all: Vec<f64> = own.iter().flatten().map(|(_, error)| *error).collect();
+    all.sort_by(f64::total_cmp);
+    // Most labels are right, so the median is that of tests at their own setting.
+    let Some(typical) = all.get(all.len() / 2).copied() else { return Vec::new() };
+    let mut suspects = Vec::new();
+    for (stated, errors_there) in own.iter().enumerate() {
+        for (record, error) in errors_there.iter().filter(|(_, error)| *error > MUCH_WORSE * typical) {
+            let tests: Vec<Test> =
+                settings[stated].tests.iter().filter(|test| test.record == *record).cloned().collect();
+            let elsewhere = (0..settings.len()).filter(|place| *place != stated);
+            let best_fit = elsewhere
+                .filter_map(|place| Some((place, errors(best, place, &tests)?.first()?.1)))
+                .min_by(|a, b| a.1.total_cmp(&b.1));
+            let Some((fitting, other)) = best_fit else { continue };
+            let ratio = error / other.max(typical);
+            if ratio > MUCH_WORSE {
+                suspects.push(Suspect { stated, record: *record, fitting, ratio });
+            }
+        }
+    }
+    suspects
+}
+
+/// Returns the root mean square error of each record at a setting, by its place, in units of the error that noise and form leave.
+fn errors(best: &FamilyStructure, place: usize, tests: &[Test]) -> Option<Vec<(usize, f64)>> {
+    let (hypothesis, theta) = (&best.hypothesis, &best.refit.theta);
+    let params = hypothesis.params_at(theta, place);
+    let model = Model::new(&params).ok()?;
+    let integration = Accuracy::Single.integration(&params, &model);
+    let model = model.with_integration(integration);
+    let at = hypothesis.theta_at(theta, place);
+    // Sum of squares and number of samples of each record.
+    let mut sums: Vec<(usize, f64, usize)> = Vec::new();
+    for test in tests {
+        let forces = hypothesis.template.forces_with(&model, test, &at);
+        let unit = test.unit().max(f64::MIN_POSITIVE);
+        let sum: f64 = test.forces().iter().zip(&forces).map(|(a, b)| ((a - b) / unit).powi(2)).sum();
+        match sums.iter_mut().find(|(record, ..)| *record == test.record) {
+            Some((_, whole, count)) => (*whole, *count) = (*whole + sum, *count + forces.len()),
+            None => sums.push((test.record, sum, forces.len())),
+        }
+    }
+    let errors: Vec<(usize, f64)> =
+        sums.into_iter().map(|(record, sum, count)| (record, (sum / count.max(1) as f64).sqrt())).collect();
+    errors.iter().all(|(_, error)| error.is_finite()).then_some(errors)
+}
+
+/// Returns the mean magnitude of the forces of the FV curve, N.
+fn strength(params: &Params) -> f64 {
+    let forces = params.list(list!("fv_force"));
+    forces.iter().map(|force| force.abs()).sum::<f64>() / forces.len().max(1) as f64
+}
+
+/// Returns two settings whose exchange makes the damping force rise or fall throughout, where it does not as it is.
+fn exchanged(strengths: &[f64]) -> Option<(usize, usize)> {
+    let (least, most) = strengths.iter().fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(*s), b.max(*s)));
+    let flat = FLAT * (most - least);
+    let is_monotone = |all: &[f64]| {
+        let holds = |sign: f64| all.windows(2).all(|pair| sign * (pair[1] - pair[0]) >= -flat);
+        holds(1.0) || holds(-1.0)
+    };
+    if strengths.len() < 3 || is_monotone(strengths) {
+        return None;
+    }
+    let pairs = (0..strengths.len()).flat_map(|one| (one + 1..strengths.len()).map(move |other| (one, other)));
+    let repairs: Vec<(usize, usize)> = pairs
+        .filter(|(one, other)| {
+            let mut all = strengths.to_vec();
+            all.swap(*one, *other);
+            is_monotone(&all)
+        })
+        .collect();
+    // Of several repairs none is surer than the others, and one setting in a row of three may be the wrong one in two ways: the nearest pair.
+    repairs.into_iter().min_by_key(|(one, other)| other - one)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exchanged_labels_are_found_where_one_exchange_makes_the_force_monotone() {
+        assert_eq!(exchanged(&[1.0, 3.0, 2.0, 4.0]), Some((1, 2)));
+        assert_eq!(exchanged(&[1.0, 2.0, 3.0, 4.0]), None);
+        assert_eq!(exchanged(&[4.0, 3.0, 2.99, 1.0]), None);
+        // A force that truly rises and falls has no such exchange.
+        assert_eq!(exchanged(&[1.0, 2.0, 4.0, 3.0, 2.5, 1.5]), None);
+        // Noise beside a wide range.
+        assert_eq!(exchanged(&[1.0, 1.01, 1.0, 4.0]), None);
+    }
+}
