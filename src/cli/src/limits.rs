@@ -1,6 +1,7 @@
 //! `--limits`: windows that a damper must keep, as text; the judging itself is in `dashpot_identification::limits`.
 
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR, Overall, Quantity, Verdict};
+use dashpot_report::numbers::digits;
 
 /// The certificate as lines of text: every limit, and the verdict.
 pub fn table(found: &Certificate) -> String {
@@ -73,8 +74,11 @@ fn row(one: &Checked) -> String {
         Verdict::NotTested if one.limit.quantity.is_time() => "NOT TESTED: no such step of the setting",
         Verdict::NotTested => "NOT TESTED: no slow test (below 6 mm/s)",
     };
+    let unsure = one.deciding_uncertainty().map_or_else(String::new, |uncertainty| {
+        format!(", but not sure: half a sample of the logger is {} ms", digits(1e3 * uncertainty, 2))
+    });
     format!(
-        "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}",
+        "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}{unsure}",
         known(velocity_m_s.map(|v| 1e3 * v), 1),
         known(low.map(|low| factor * low), 1),
         known(high.map(|high| factor * high), 1),

@@ -2,8 +2,12 @@
 //! naming them, are taken out where they are given.
 
 use crate::model_file::{self, NoModel, prepared};
-use dashpot_core::{Params, element, list, number};
-use dashpot_records::{PeakOptions, Peaks, Positive, RecordError, Stroke, StrokeSource, Taken, read_peaks};
+use dashpot_core::family::interpolation::MAX_GRID;
+use dashpot_core::family::{Axis, Definition};
+use dashpot_core::{Fault, Params, element, list, number};
+use dashpot_records::{
+    PeakOptions, Peaks, Positive, RecordError, Stroke, StrokeSource, Taken, peak_clicks, read_peaks,
+};
 use std::path::Path;
 
 /// Why a table makes no model.
@@ -48,6 +52,24 @@ pub enum OfPeaksError {
         /// What is wrong with it.
         reason: &'static str,
     },
+    /// A table of one click or none, or of more than a model holds.
+    #[error(
+        "{file}: has {count} clicks, and a model over clicks holds 2 to {MAX_GRID}: --clicks all makes a model of each, --clicks N of one"
+    )]
+    Clicks {
+        /// The table.
+        file: String,
+        /// How many it has.
+        count: usize,
+    },
+    /// No speed that all clicks have.
+    #[error(
+        "{file}: there is no speed of both strokes at which all clicks have a force; --clicks all makes a model of each"
+    )]
+    NoCommonSpeed {
+        /// The table.
+        file: String,
+    },
     /// The numbers go together in no model.
     #[error("{file}")]
     NoModel {
@@ -71,6 +93,15 @@ pub struct Begun {
     pub direction: String,
     /// Whether they speak against it.
     pub is_doubtful: bool,
+    /// Speeds that were left out because a click has no force there, m/s.
+    pub left_out: Vec<f64>,
+}
+
+/// The damper's own force over velocity, and the table it was read from.
+struct Read {
+    peaks: Peaks,
+    /// Velocity, m/s, and force, N, by velocity, with the standstill.
+    curve: Vec<(f64, f64)>,
 }
 
 /// Makes a model file of a table; gas force and friction in its forces, N, are taken out.
@@ -78,35 +109,83 @@ pub struct Begun {
 /// # Errors
 /// [`OfPeaksError`].
 pub fn of_peaks(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Begun, OfPeaksError> {
+    let read = read_curve(path, options, gas_force, friction)?;
+    let params = params_of(path, &read.curve, gas_force, friction)?;
+    Ok(begun(path, &read, &Definition { params, axis: Axis::NONE }, Vec::new()))
+}
+
+/// Makes a model file over the clicks of a table of an adjustable damper.
+///
+/// # Errors
+/// [`OfPeaksError`].
+pub fn family_of_peaks(
+    path: &Path,
+    options: &PeakOptions,
+    gas_force: f64,
+    friction: f64,
+) -> Result<Begun, OfPeaksError> {
+    let file = || path.display().to_string();
+    let mut clicks = peak_clicks(path)?;
+    clicks.sort_by(f64::total_cmp);
+    if !(2..=MAX_GRID).contains(&clicks.len()) {
+        return Err(OfPeaksError::Clicks { file: file(), count: clicks.len() });
+    }
+    let at =
+        |click: &f64| read_curve(path, &PeakOptions { clicks: Some(*click), ..options.clone() }, gas_force, friction);
+    let mut all: Vec<Read> = clicks.iter().map(at).collect::<Result<_, _>>()?;
+    // A damper over a setting has its FV points at the same velocities at every setting.
+    let mut speeds: Vec<f64> = all.iter().flat_map(|read| read.curve.iter().map(|(velocity, _)| *velocity)).collect();
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup();
+    let has = |read: &Read, speed: f64| read.curve.iter().any(|(velocity, _)| *velocity == speed);
+    let (common, left_out): (Vec<f64>, Vec<f64>) =
+        speeds.into_iter().partition(|speed| all.iter().all(|read| has(read, *speed)));
+    if !(common.iter().any(|speed| *speed > 0.0) && common.iter().any(|speed| *speed < 0.0)) {
+        return Err(OfPeaksError::NoCommonSpeed { file: file() });
+    }
+    all.iter_mut().for_each(|read| read.curve.retain(|(velocity, _)| common.contains(velocity)));
+    let sets: Vec<Params> =
+        all.iter().map(|read| params_of(path, &read.curve, gas_force, friction)).collect::<Result<_, _>>()?;
+    let refused = |fault: Fault| OfPeaksError::Rejected { file: file(), name: "clicks", reason: fault.reason.text() };
+    let (params, mut axis) = Axis::through(&clicks, &sets).map_err(refused)?;
+    axis.set_name("clicks").map_err(refused)?;
+    Ok(begun(path, &all[0], &Definition { params, axis }, left_out))
+}
+
+/// Reads the damper's own forces from a table.
+fn read_curve(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Read, OfPeaksError> {
     for (name, value) in [("--gas-force", gas_force), ("--friction", friction)] {
         if !(value.is_finite() && value >= 0.0) {
             return Err(OfPeaksError::Negative { name, value });
         }
     }
-    let file = || path.display().to_string();
     let peaks = read_peaks(path, options)?;
     let points = &peaks.points;
     let hydraulic = |force: f64, velocity: f64| force + gas_force - friction * velocity.signum();
-    let mut velocities = vec![0.0];
-    let mut forces = vec![0.0];
+    let mut curve = vec![(0.0, 0.0)];
     for p in points.iter().rev().filter(|p| p.velocity_m_s < 0.0).chain(points.iter().filter(|p| p.velocity_m_s > 0.0))
     {
         let (force, velocity) = (hydraulic(p.force_n, p.velocity_m_s), p.velocity_m_s);
-        let (end, place) = if velocity < 0.0 { (forces[0], 0) } else { (forces[forces.len() - 1], forces.len()) };
+        let place = if velocity < 0.0 { 0 } else { curve.len() };
+        let (_, end) = curve[place.min(curve.len() - 1)];
         if (force - end) * velocity < 0.0 {
-            return Err(OfPeaksError::Weaker { file: file(), line: p.line, velocity, force, end });
+            let file = path.display().to_string();
+            return Err(OfPeaksError::Weaker { file, line: p.line, velocity, force, end });
         }
-        velocities.insert(place, velocity);
-        forces.insert(place, force);
+        curve.insert(place, (velocity, force));
     }
+    Ok(Read { peaks, curve })
+}
+
+/// The parameters of a damper with a curve, gas force and friction.
+fn params_of(path: &Path, curve: &[(f64, f64)], gas_force: f64, friction: f64) -> Result<Params, OfPeaksError> {
+    let file = || path.display().to_string();
+    let (velocities, forces): (Vec<f64>, Vec<f64>) = curve.iter().copied().unzip();
     let mut params = Params::new();
     params.disable_all();
     params.enable(element!("fv_curve"), true);
-    let refused = |name: &'static str, fault: &dashpot_core::Fault| OfPeaksError::Rejected {
-        file: file(),
-        name,
-        reason: fault.reason.text(),
-    };
+    let refused =
+        |name: &'static str, fault: &Fault| OfPeaksError::Rejected { file: file(), name, reason: fault.reason.text() };
     for (list, values) in [(list!("fv_velocity"), &velocities), (list!("fv_force"), &forces)] {
         params.set_list(list, values).map_err(|fault| refused(list.name(), &fault))?;
     }
@@ -120,16 +199,22 @@ pub fn of_peaks(path: &Path, options: &PeakOptions, gas_force: f64, friction: f6
         }
     }
     prepared(&params).map_err(|source| OfPeaksError::NoModel { file: file(), source })?;
-    let flat = model_file::flat(&params, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
+    Ok(params)
+}
+
+/// The model file of a damper from a table.
+fn begun(path: &Path, read: &Read, damper: &Definition, left_out: Vec<f64>) -> Begun {
+    let flat = model_file::flat_family(damper, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let (direction, is_doubtful) = direction(&peaks);
-    Ok(Begun {
+    let (direction, is_doubtful) = direction(&read.peaks);
+    Begun {
         text: format!("# Read from {}.\n\n{flat}", name.escape_debug()),
-        points: velocities.len(),
-        columns: columns(&peaks),
+        points: read.curve.len(),
+        columns: columns(&read.peaks),
         direction,
         is_doubtful,
-    })
+        left_out,
+    }
 }
 
 /// Which columns were taken for what.

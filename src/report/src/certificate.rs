@@ -93,6 +93,13 @@ fn table(found: &Certificate, words: &Words) -> Table {
         Verdict::Fail => words.fail,
         Verdict::NotTested => words.not_tested,
     };
+    let measured_verdict = |one: &Checked| match one.deciding_uncertainty() {
+        None => verdict(one.verdict).to_owned(),
+        Some(uncertainty) => {
+            let figures = [("verdict", verdict(one.verdict)), ("value", &*digits(1e3 * uncertainty, 2))];
+            words.fill(words.certificate_unsure, &figures)
+        }
+    };
     let row = |one: &Checked| {
         let limit = &one.limit;
         let tests = one.measured.as_ref().map_or_else(String::new, |v| in_short(&v.tests));
@@ -108,7 +115,7 @@ fn table(found: &Certificate, words: &Words) -> Table {
             bound(limit.quantity, limit.low),
             bound(limit.quantity, limit.high),
             value(limit.quantity, one.measured.as_ref()),
-            verdict(one.verdict).into(),
+            measured_verdict(one).into(),
             value(limit.quantity, one.model.as_ref()),
             one.model_verdict.map_or("–", verdict).into(),
             tests.into(),

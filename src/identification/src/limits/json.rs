@@ -13,8 +13,11 @@ struct Figure<'a> {
 
 impl Serialize for Figure<'_> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut map = to.serialize_map(Some(2))?;
+        let mut map = to.serialize_map(None)?;
         map.serialize_entry(self.key, &self.of.value)?;
+        if let Some(uncertainty) = self.of.uncertainty {
+            map.serialize_entry("uncertainty_s", &uncertainty)?;
+        }
         map.serialize_entry("tests", &self.of.tests)?;
         map.end()
     }

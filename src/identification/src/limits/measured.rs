@@ -99,7 +99,7 @@ impl Figures {
     }
 
     fn of_slow_tests(&self, of: impl Fn(&first_guess::Dry) -> f64) -> Option<Value> {
-        self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone() })
+        self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone(), uncertainty: None })
     }
 
     /// Force at a speed, from the longest stroke that reaches it.
@@ -116,7 +116,7 @@ impl Figures {
 
     /// Hysteresis of the test at a speed, the longest stroke first; the largest of all tests where no speed is given.
     fn hysteresis(&self, velocity: Option<f64>, amplitude: Option<f64>) -> Option<Value> {
-        let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()] };
+        let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()], uncertainty: None };
         let candidates = self.gaps.iter().filter(|g| is_stroke(g.amplitude, amplitude));
         let Some(velocity) = velocity.map(f64::abs) else {
             return candidates.max_by(|a, b| a.mean_gap.total_cmp(&b.mean_gap)).map(value);
@@ -143,11 +143,13 @@ fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     {
         let share = (wanted - speed(below)) / (speed(above) - speed(below));
         let value = below.peak.force_n + share * (above.peak.force_n - below.peak.force_n);
-        return Some(Value { value, tests: vec![below.test.clone(), above.test.clone()] });
+        return Some(Value { value, tests: vec![below.test.clone(), above.test.clone()], uncertainty: None });
     }
     let near = |p: &&&Point| (speed(p) - wanted).abs() <= NEAR * wanted;
     let nearest = below.into_iter().chain(above).filter(near);
-    nearest
-        .min_by(|a, b| (speed(a) - wanted).abs().total_cmp(&(speed(b) - wanted).abs()))
-        .map(|p| Value { value: p.peak.force_n, tests: vec![p.test.clone()] })
+    nearest.min_by(|a, b| (speed(a) - wanted).abs().total_cmp(&(speed(b) - wanted).abs())).map(|p| Value {
+        value: p.peak.force_n,
+        tests: vec![p.test.clone()],
+        uncertainty: None,
+    })
 }

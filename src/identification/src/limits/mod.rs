@@ -60,6 +60,8 @@ pub struct Value {
     pub value: f64,
     /// Where it comes from.
     pub tests: Vec<String>,
+    /// How far the measurement may be off to either side, in the unit of the figure; `None` where that is not known.
+    pub uncertainty: Option<f64>,
 }
 
 /// One limit with what was found.
@@ -75,6 +77,16 @@ pub struct Checked {
     pub verdict: Verdict,
     /// Answer for the model, where one was given.
     pub model_verdict: Option<Verdict>,
+}
+
+impl Checked {
+    /// Returns the uncertainty of the measured figure where it decides on the verdict: an end of the window lies within it.
+    pub fn deciding_uncertainty(&self) -> Option<f64> {
+        let measured = self.measured.as_ref()?;
+        let uncertainty = measured.uncertainty?;
+        let is_within = |end: &f64| (measured.value - end).abs() < uncertainty;
+        [self.limit.low, self.limit.high].iter().flatten().any(is_within).then_some(uncertainty)
+    }
 }
 
 /// Force at peak velocity of one test, of rig and model.

@@ -136,6 +136,9 @@ pub fn judge_over_settings(
     })
 }
 
+/// Samples of the logger by which a measured response time may be off: when within a sample the command changed is not known.
+const HALF_SAMPLE: f64 = 0.5;
+
 /// Compares a limit of a time with the slowest response that it belongs to.
 fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
     let is_up = matches!(limit.quantity, Quantity::ResponseTimeUp | Quantity::RiseTimeUp);
@@ -146,14 +149,22 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
         .collect();
     let time = |times: ResponseTimes| if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
     type Times<T> = fn(&T) -> Option<ResponseTimes>;
+    // A rise time has both its ends in the force, and no command whose time within a sample is unknown.
+    let uncertainty = |of: &StepResponse| (!is_rise).then_some(HALF_SAMPLE * of.sample_s);
     let slowest = |whole: Times<StepResponse>, part: Times<StepGroup>| -> Option<Value> {
-        let of_all = own.iter().filter_map(|of| Some(Value { value: time(whole(of)?), tests: of.tests.clone() }));
-        let groups = own.iter().flat_map(|of| &of.groups);
-        let of_each = groups.filter_map(|of| Some(Value { value: time(part(of)?), tests: vec![of.test.clone()] }));
+        let of_all = own.iter().filter_map(|of| {
+            Some(Value { value: time(whole(of)?), tests: of.tests.clone(), uncertainty: uncertainty(of) })
+        });
+        let groups = own.iter().flat_map(|of| of.groups.iter().map(move |group| (of, group)));
+        let of_each = groups.filter_map(|(of, group)| {
+            Some(Value { value: time(part(group)?), tests: vec![group.test.clone()], uncertainty: uncertainty(of) })
+        });
         // A mean over tests and directions would hide a slow one.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
     };
-    let (measured, model) = (slowest(|of| of.measured, |of| of.measured), slowest(|of| of.model, |of| of.model));
+    let measured = slowest(|of| of.measured, |of| of.measured);
+    // The times of the model are computed.
+    let model = slowest(|of| of.model, |of| of.model).map(|model| Value { uncertainty: None, ..model });
     let verdict = |value: Option<&Value>| match value {
         None => Verdict::NotTested,
         Some(value) if limit.holds(value.value) => Verdict::Pass,
@@ -241,6 +252,13 @@ mod tests {
         assert!((found.limits[2].measured.as_ref().unwrap().value - 0.037).abs() < 1e-12);
         // Its figures are seconds in JSON, and their keys say so.
         let json = serde_json::to_value(&found.limits[0]).unwrap();
+        assert_eq!(json["measured"]["uncertainty_s"], 0.0005);
+        // Half a sample is 0.5 ms: 12 ms are as far from 11 as from 13, and 11.8 ms nearer than that.
+        assert_eq!(found.limits[0].deciding_uncertainty(), None);
+        let near =
+            judged("quantity,setting,high,unit\nresponse_time_up,1.6,11.8,ms\nresponse_time_up,1.6,12.2,ms\n").unwrap();
+        let verdicts: Vec<_> = near.limits.iter().map(|l| (l.verdict, l.deciding_uncertainty())).collect();
+        assert_eq!(verdicts, [(Verdict::Fail, Some(0.0005)), (Verdict::Pass, Some(0.0005))]);
         assert_eq!((&json["high_s"], &json["measured"]["value_s"]), (&0.011.into(), &0.012.into()));
         assert!(json.get("high_n").is_none() && json["measured"].get("value_n").is_none(), "{json}");
     }

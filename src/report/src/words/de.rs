@@ -219,6 +219,7 @@ pub const DE: Words = Words {
     certificate_why_untested: "es fehlt ein Versuch bei dieser Geschwindigkeit oder einer, der für Reibung und Gaskraft langsam genug ist",
     certificate_why_untested_at_setting: "es fehlt ein Versuch bei dieser Geschwindigkeit und Einstellung, einer, der für Reibung und Gaskraft langsam genug ist, oder ein solcher Sprung der Einstellung",
     certificate_interpolated: "{tests}, interpoliert",
+    certificate_unsure: "{verdict}, nicht sicher: eine halbe Abtastung des Loggers ist {value} ms",
     certificate_model_passes: "Das Modell kommt bei jedem Grenzwert zum selben Urteil.",
     certificate_model_fails: "Das Modell kommt bei {count} der Grenzwerte zu einem anderen Urteil als die Messung; eine Simulation zeigt dort also einen anderen Dämpfer.",
     certificate_caption: "Kräfte gelten bei Spitzengeschwindigkeit, gemittelt über die Zyklen des Versuchs mit dem längsten Hub, der die Geschwindigkeit erreicht; zwischen zwei Versuchen, deren Geschwindigkeiten sich höchstens um den Faktor {ratio} unterscheiden, wird linear interpoliert, sonst gilt ein Versuch innerhalb von {percent} % der Geschwindigkeit. Zugstufe und Zugkraft zählen positiv, die Druckstufe negativ. Gaskraft und Reibung sind Mittel und halber Unterschied der Hübe langsamer Versuche. Hysterese ist der mittlere Abstand zwischen steigender und fallender Geschwindigkeit bei gleicher Geschwindigkeit.",

@@ -219,6 +219,7 @@ pub const EN: Words = Words {
     certificate_why_untested: "there is no test at that speed, or none slow enough for friction and gas force",
     certificate_why_untested_at_setting: "there is no test at that speed and setting, none slow enough for friction and gas force, or no such step of the setting",
     certificate_interpolated: "{tests}, interpolated",
+    certificate_unsure: "{verdict}, not sure: half a sample of the logger is {value} ms",
     certificate_model_passes: "The model gives the same answer to every limit.",
     certificate_model_fails: "The model answers {count} of the limits otherwise than the measurement, so a simulation shows another damper there.",
     certificate_caption: "Forces are those at peak velocity, mean over the cycles of the test with the longest stroke that reaches the speed; interpolated linearly between two tests whose velocities differ by a factor of {ratio} at most, else of a test within {percent} % of the speed. Rebound and tension are positive, compression negative. Gas force and friction are mean and half difference of the strokes of the slow tests. Hysteresis is the mean gap between rising and falling velocity at equal velocity.",

@@ -219,6 +219,7 @@ pub const FR: Words = Words {
     certificate_why_untested: "il n’y a pas d’essai à cette vitesse, ou aucun assez lent pour le frottement et l’effort du gaz",
     certificate_why_untested_at_setting: "il n’y a pas d’essai à cette vitesse et à ce réglage, aucun assez lent pour le frottement et l’effort du gaz, ou pas de tel saut du réglage",
     certificate_interpolated: "{tests}, interpolé",
+    certificate_unsure: "{verdict}, pas sûr : un demi-échantillon de l’enregistreur vaut {value} ms",
     certificate_model_passes: "Le modèle donne la même réponse à chaque limite.",
     certificate_model_fails: "Le modèle répond autrement que la mesure à {count} des limites : une simulation y montre un autre amortisseur.",
     certificate_caption: "Les efforts sont ceux à la vitesse de pointe, moyenne des cycles de l’essai de plus longue course qui atteint la vitesse ; interpolés linéairement entre deux essais dont les vitesses diffèrent au plus d’un facteur {ratio}, sinon ceux d’un essai à {percent} % près de la vitesse. Détente et traction sont positives, compression négative. Effort du gaz et frottement sont moyenne et demi-différence des courses des essais lents. L’hystérésis est l’ouverture moyenne entre vitesse croissante et décroissante à vitesse égale.",

@@ -345,6 +345,7 @@ words!(
     certificate_why_untested,
     certificate_why_untested_at_setting,
     certificate_interpolated,
+    certificate_unsure,
     certificate_model_passes,
     certificate_model_fails,
     certificate_caption,

@@ -219,6 +219,7 @@ pub const ZH: Words = Words {
     certificate_why_untested: "没有该速度的试验，或没有足够慢的试验来测摩擦力和气体力",
     certificate_why_untested_at_setting: "没有该速度和该设置的试验，没有足够慢的试验来测摩擦力和气体力，或没有这样的设置阶跃",
     certificate_interpolated: "{tests}，插值",
+    certificate_unsure: "{verdict}，但不确定：记录仪半个采样为 {value} ms",
     certificate_model_passes: "模型对每项限值给出相同的判定。",
     certificate_model_fails: "模型对其中 {count} 项限值的判定与实测不同，因此仿真在那里表现的是另一个减振器。",
     certificate_caption: "力取峰值速度处，为达到该速度的最长行程试验各周期的平均；在速度相差不超过 {ratio} 倍的两个试验之间线性插值，否则取速度相差 {percent}% 以内的试验。复原和拉力为正，压缩为负。气体力和摩擦力为低速试验两个行程的平均值和半差值。滞回为相同速度下速度上升与下降之间的平均间隙。",

@@ -2,9 +2,10 @@
 
 use crate::quantity::newtons;
 use anyhow::{Context as _, bail};
-use dashpot_identification::of_peaks::of_peaks;
+use dashpot_identification::of_peaks::{Begun, family_of_peaks, of_peaks};
 use dashpot_output::Kind;
 use dashpot_records::{PeakOptions, Positive, assignment, peak_clicks};
+use dashpot_report::numbers::digits;
 use std::path::{Path, PathBuf};
 
 /// Make a model file from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel
@@ -13,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// velocity with a column for rebound and one for compression; each of them may have a velocity of its own (Comp Vel, Comp Force, Reb Vel, Reb Force; V-C, C, V-R, R). Each is known by its words or its unit; what may be two things is asked for by name (--column). Gas force and friction, which such a table holds without naming them, are taken out where they are given.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n  dashpot import peaks dyno.csv -o damper.toml --unit velocity=in/s --unit force=lbf --column rebound_force=\"RO\"\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
+    after_help = "Examples:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n  dashpot import peaks clicks.csv -o adjuster.toml --clicks family\n  dashpot import peaks dyno.csv -o damper.toml --unit velocity=in/s --unit force=lbf --column rebound_force=\"RO\"\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
 )]
 pub struct Args {
     /// Table
@@ -32,8 +33,8 @@ pub struct Args {
     /// Columns are velocity and force, and of one stroke rebound_velocity, rebound_force, compression_velocity and compression_force
     #[arg(long, value_name = "COLUMN=HEADING")]
     column: Vec<String>,
-    /// Of a table of an adjustable damper, the click whose curve is read; all makes a model of each, with the click behind its name
-    #[arg(long, value_name = "N|all")]
+    /// Of a table of an adjustable damper, the click whose curve is read; all makes a model of each, with the click behind its name; family makes one model over the clicks
+    #[arg(long, value_name = "N|all|family")]
     clicks: Option<String>,
     /// Gas force in the table's forces, N
     #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
@@ -46,7 +47,7 @@ pub struct Args {
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let models: Vec<(Option<f64>, PathBuf)> = match args.clicks.as_deref() {
-        None => vec![(None, args.output.clone())],
+        None | Some("family") => vec![(None, args.output.clone())],
         Some("all") => {
             if dashpot_output::is_stdout(&args.output) {
                 bail!("--clicks all writes several models: give -o a file name");
@@ -59,7 +60,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         }
         Some(text) => {
             let click = text.parse().ok().filter(|c: &f64| c.is_finite());
-            let click = click.with_context(|| format!("--clicks takes a number or all, not {text:?}"))?;
+            let click = click.with_context(|| format!("--clicks takes a number, all or family, not {text:?}"))?;
             vec![(Some(click), args.output.clone())]
         }
     };
@@ -80,8 +81,14 @@ fn of_click(output: &Path, click: f64) -> PathBuf {
 /// Makes one model.
 fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
     let options = PeakOptions { clicks, ..args.options()? };
-    let begun = of_peaks(&args.input, &options, args.gas_force, args.friction)?;
+    let make = if args.clicks.as_deref() == Some("family") { family_of_peaks } else { of_peaks };
+    let begun: Begun = make(&args.input, &options, args.gas_force, args.friction)?;
     dashpot_output::write(output, &begun.text)?;
+    if !begun.left_out.is_empty() {
+        let speeds: Vec<String> = begun.left_out.iter().map(|speed| digits(1e3 * speed, 3)).collect();
+        let text = format!("note: not every click has a force at {} mm/s; left out", speeds.join(", "));
+        dashpot_output::say(Some(output), &text)?;
+    }
     dashpot_output::say(
         Some(output).filter(|p| dashpot_output::is_stdout(p)),
         &format!(
