@@ -459,7 +459,7 @@ impl<T: Tables> Elements<T> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Whether the damper can use the plain step although its force fades with temperature.
+    /// Returns whether the damper can use the plain step although its force fades with temperature.
     ///
     /// This holds if the fade is the only element of the force path and scales the whole FV curve by a factor of the
     /// host's temperature. Only the force path solves nonlinear springs to rounding.

@@ -116,7 +116,7 @@ const CROWDED: u32 = 3;
 fn bucket(u: f64) -> (bool, u8) {
     const NEAREST: f64 = 1.0 / 4096.0;
     const FURTHEST: f64 = 16.0 - 1e-3;
-    /// Leading bits of [`NEAREST`].
+    /// Leading bits of `NEAREST`.
     const FIRST: u64 = NEAREST.to_bits() >> 48;
     let out = u.abs() + NEAREST;
     let out = min(out, FURTHEST);
@@ -364,9 +364,9 @@ impl Curve {
     /// Computes the resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the derivative of f there.
     ///
     /// The piece is found from its ends. Inside it, a cubic that never falls is solved from the chord by `STEPS`
-    /// Householder steps of fourth order, clamped to the piece. Errors over all monotone pieces (worst: end derivatives
-    /// of 0 and 3 times the mean), relative to the piece's height: two steps leave at most 1e-10, 6e-8, 2e-5 if `a` is
-    /// 0.6, 0.3, 0.1 of its mean derivative; three leave 1e-9 at 0.03.
+    /// Householder steps of fourth order, clamped to the piece. The errors below are relative to the piece's height,
+    /// over all monotone pieces (worst: end derivatives of 0 and 3 times the mean). Two steps leave at most 1e-10,
+    /// 6e-8, 2e-5 if `a` is 0.6, 0.3, 0.1 of the mean derivative. Three steps leave 1e-9 at 0.03.
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let index = self.locate(r, |u, f| a * u + f);
@@ -410,10 +410,9 @@ impl Piece {
 
 /// Returns the derivatives of a cubic curve before and after its point `i`.
 ///
-/// They differ only at zero and only with [`Interpolation::CubicEachSide`]. There each is that of the parabola through
-/// zero and the next two points of its side, or of the line through one point; it is not below zero. Fritsch and
-/// Butland limit such a derivative to three times the chord; that of a parabola through rising points is below twice
-/// the chord.
+/// They differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then that of the parabola through
+/// zero and the next two points of its side, but at least 0. With one point it is that of the line. Fritsch and Butland
+/// limit such a derivative to three times the chord; that of a parabola through rising points is below twice the chord.
 pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation) -> [f64; 2] {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let is_inner = i > 0 && i + 1 < u.len();

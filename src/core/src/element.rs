@@ -1,4 +1,4 @@
-//! What an element is: the motion that it sees, its force and state derivative, and how it is prepared.
+//! Interface of an element: the motion that acts on it, its force and state derivative, and its preparation.
 
 use crate::dual::Dual;
 use crate::fault::Fault;

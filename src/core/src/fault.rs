@@ -49,7 +49,7 @@ pub enum Reason {
     NeedsSeries,
     /// The grid of a setting is invalid.
     SettingGrid,
-    /// The number of values over a setting differs from the size of the grid.
+    /// The number of values for the settings differs from the size of the grid.
     SettingCount,
     /// The parameter cannot depend on the setting.
     SettingFixed,

@@ -16,9 +16,9 @@ pub struct Integration {
     pub method: Method,
     /// Substeps inside one host step; 0: from [`Integration::per_time`].
     pub substeps: u32,
-    /// Substeps per second for few substeps n: per_time dt is n², or √n³ with `cubic`. From the stiffness of the model.
+    /// Substeps per second for few substeps n, from the model's stiffness: per_time dt is n², or n^1.5 with `cubic`.
     pub per_time: f64,
-    /// Whether `per_time` refers to √n³.
+    /// Whether `per_time` refers to n^1.5.
     cubic: bool,
     /// Substeps per second for many substeps: n is at least this times dt, minus ½.
     many_per_time: f64,
@@ -138,8 +138,8 @@ impl Integration {
         };
         let substeps = params.number(number!("substeps")) as u32;
         // The stiff motion is that of the mass on its series spring. For few substeps, its frequency times the step
-        // grows with the square of the number that a given error needs; for many, in proportion to the number. The
-        // error is 0.1 % at 4 to 6 for each substep, and at less with less damping
+        // grows with the square of the number that a given error needs. For many substeps it grows in proportion to the
+        // number. At 0.1 % error this product is 4 to 6 per substep, and smaller with less damping
         // (tests/tests/system/hosts/bridge_accuracy.rs).
         let bushing = &elements.paths.bushing;
         let added = bushing.share + bushing.slow_share + bushing.stop_share;

@@ -1,4 +1,4 @@
-//! A model: parameters checked and made ready for evaluation.
+//! A model: checked parameters, prepared for evaluation.
 
 use crate::assembly::Elements;
 use crate::fault::{Fault, Reason};

@@ -9,7 +9,7 @@
 //! fv_interpolation = "monotone_cubic"
 //! ```
 //!
-//! A damper that depends on a setting names its grid. Its numbers and the forces of the FV table then have one value
+//! A damper that depends on a setting names its grid. Its parameters and the forces of the FV table then have one value
 //! for each setting of the grid ([`crate::family`]):
 //!
 //! ```toml
@@ -118,7 +118,7 @@ pub const ANNOUNCES: &str = "# The lines up to [";
 /// Largest number of values in one list. The text of [`Problem::TooLong`] contains it too.
 const LONGEST: usize = 64;
 
-/// Reads a model file into `params`, which start from the defaults. A damper over a setting is rejected: see
+/// Reads a model file into `params`, which start from the defaults. A damper that depends on a setting is rejected: see
 /// [`read_family`].
 ///
 /// # Errors
@@ -141,8 +141,8 @@ pub fn check_family(text: &[u8]) -> Result<(), ReadError> {
     read_into(text, &mut Params::BLANK.clone(), None)
 }
 
-/// Reads a model file of an ordinary damper or of one over a setting. `params` are those at the start setting. `axis`
-/// has no grid for an ordinary damper.
+/// Reads a model file of an ordinary or an adjustable damper. `params` are those at the start setting. `axis` has no
+/// grid for an ordinary damper.
 ///
 /// # Errors
 /// Returns the first error with its line; `params` and `axis` then stay unchanged.
@@ -167,7 +167,7 @@ pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result
     Ok(())
 }
 
-/// Finds the grid in a text, its number of values, and its line; `None` for the line if the text names no setting.
+/// Finds the grid in a text. Returns its values, their number, and the line; no line if the text names no setting.
 fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadError> {
     let mut reader = Reader { rest: text, line: 1, announced: false };
     if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
@@ -438,8 +438,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the values of a row over the setting. `varying` is its number among the numbers that depend on the
-    /// setting.
+    /// Reads the values of a parameter for each setting. `varying` is its number among the parameters that depend on
+    /// the setting.
     fn over_setting(
         &mut self,
         row: Row,

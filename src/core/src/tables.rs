@@ -12,7 +12,7 @@ pub trait ForceLaw: Copy + Debug {
     /// Returns force and derivative at a velocity.
     fn evaluate(&self, u: f64) -> Value;
 
-    /// Returns the force above that at standstill, with derivative and curvature.
+    /// Returns the force relative to that at standstill, with derivative and curvature.
     fn above_zero(&self, u: f64) -> Above;
 
     /// Returns the force at standstill.

@@ -172,8 +172,8 @@ impl Bushing {
 
     /// Returns the ratio of the rubber's stiffness at its largest deflection to that at rest.
     ///
-    /// The rubber then stores the energy of `deflection` and, over ½ k_s, that of a `moving` mass in m². The stop is
-    /// not included, because the deflection never exceeds the range of its stiffness.
+    /// The rubber then stores the energy of `deflection` and that of a `moving` mass. `moving` is the mass's kinetic
+    /// energy over ½ k_s, in m². The stop is not included, because its stiffness never exceeds the constant k_e.
     ///
     /// With d_h as the unit, a deflection d stores ½ k_s (d² + ½ d⁴), and the stiffness ratio is 1 + 3 d².
     pub(crate) fn stiffer(&self, deflection: f64, moving: f64) -> f64 {

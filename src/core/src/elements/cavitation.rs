@@ -244,8 +244,8 @@ impl Cavitation {
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
-    /// Returns the void under a lasting force: gas in it expands until the cap equals the force. 0 if no void forms or
-    /// none can carry the force.
+    /// Returns the void under a lasting force: gas in it expands until the cap equals the force. Returns 0 if no void
+    /// forms or none can carry the force.
     pub(crate) fn rests(&self, force: f64) -> f64 {
         let share = force * self.sign / self.cap;
         if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {

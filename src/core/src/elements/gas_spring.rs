@@ -136,8 +136,8 @@ impl GasSpring {
 /// Returns the weights of the target's derivatives at start and end and of its change in the relaxed state.
 ///
 /// The arguments are the moments of a relaxation. The target is a cubic between both ends' values and derivatives, like
-/// the path: p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d with the difference d and the derivatives s and e over the
-/// step.
+/// the path. Its coefficients p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d. Here d is the difference of the values,
+/// and s and e are the derivatives over the step.
 #[inline(always)]
 fn weights([_, first, second, third]: [f64; 4]) -> [f64; 3] {
     let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);

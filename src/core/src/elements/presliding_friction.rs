@@ -306,7 +306,7 @@ impl StatefulForce for PreslidingFriction {
         (self.length * power(share, 1.0 / (1.0 + self.power))).copysign(at.velocity)
     }
 
-    /// At rest the deflection depends on the path of the displacement before.
+    /// Returns the steady deflection; at rest it results from the displacement since `from`.
     fn equilibrium_from(&self, from: f64, z: f64, at: &Motion) -> f64 {
         if !self.is_path_dependent(at) {
             return self.equilibrium(at);

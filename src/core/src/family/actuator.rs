@@ -12,7 +12,7 @@
 
 use crate::math::{exp_below_bound, max, min};
 
-/// Shortest time constant at which rates are computed, s. Shorter ones count as zero, and rates use this value instead.
+/// Shortest time constant of [`Actuator::rates`], s: a shorter or missing lag uses this value there.
 pub const QUICKEST: f64 = 1e-4;
 
 /// Dynamics of the valve's setting. Rising means toward larger settings.

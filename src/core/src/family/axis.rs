@@ -85,7 +85,7 @@ pub struct Axis {
     unit: [u8; MAX_TEXT + 1],
 }
 
-/// A damper as a model file defines it: an ordinary one, or one over a setting.
+/// A damper as a model file defines it: an ordinary damper, or an adjustable one that depends on a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Definition {
     /// Its parameters: those at the start setting if it depends on a setting.
@@ -101,7 +101,7 @@ impl From<Params> for Definition {
 }
 
 impl Definition {
-    /// Returns the ordinary damper at a setting; the damper itself if it depends on no setting.
+    /// Returns the ordinary damper at a setting; the damper does not change if it depends on no setting.
     pub fn params_at(&self, setting: f64) -> Params {
         self.axis.params_at(&self.params, setting)
     }

@@ -1,6 +1,6 @@
 //! Interpolation between the grid values of a setting.
 //!
-//! A number is the monotone cubic through its grid values with Fritsch–Butland derivatives, like the FV curve over
+//! A parameter is the monotone cubic through its grid values with Fritsch–Butland derivatives, like the FV curve over
 //! velocity. The forces of the FV table are interpolated in the same way, point by point. A cubic with end values f and
 //! end derivatives d over an interval h has the Bernstein coefficients
 //!
@@ -60,7 +60,7 @@ impl Place {
     }
 }
 
-/// Computes the derivatives of a number over the grid.
+/// Computes the derivatives of a parameter over the grid.
 pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
     let mut derivatives = [0.0; MAX_GRID];
     for (place, derivative) in derivatives.iter_mut().enumerate().take(grid.len()) {

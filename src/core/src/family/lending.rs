@@ -1,4 +1,4 @@
-//! Elements of the family at a setting: borrowed unchanged, or prepared from the interpolated numbers.
+//! Elements of the family at a setting: borrowed unchanged, or prepared from the interpolated parameters.
 
 use super::section::{Lent, Passage};
 use crate::elements::parallel_spring::ParallelSpring;
@@ -6,19 +6,19 @@ use crate::elements::valve_hysteresis::ValveHysteresis;
 use crate::parameter::Params;
 use crate::schema::View;
 
-/// Values of the numbers at a setting.
+/// Values of the parameters at a setting.
 pub(crate) trait Numbers {
     /// Returns whether an element depends on the setting.
     fn vary(&self, group: usize) -> bool;
 
-    /// Writes the interpolated numbers of a group into its slots, which contain the constant ones.
+    /// Writes the interpolated parameters of a group into its slots, which contain the constant ones.
     fn put(&self, group: usize, first_slot: usize, slots: &mut [f64]);
 
-    /// Returns the set of the constant values.
+    /// Returns the parameter set with the constant values.
     fn params(&self) -> &Params;
 }
 
-/// Builds the slots of an element with the numbers at a setting, and passes a view of them to `$then`.
+/// Builds the slots of an element with the parameters at a setting, and passes a view of them to `$then`.
 macro_rules! numbers_at_setting {
     ($numbers:ident, $name:ident, $Type:ty, $then:expr) => {{
         const SLOTS: usize = $crate::parameter::row::slots_of(<$Type as $crate::schema::Describe>::PARAMETERS);
@@ -34,10 +34,10 @@ macro_rules! numbers_at_setting {
 }
 pub(crate) use numbers_at_setting;
 
-/// Returns a small element at a setting: that of the family, or one prepared from the numbers there and stored in
-/// `renewed`.
+/// Returns a small element at a setting: that of the family, or one prepared from the parameters there.
 ///
-/// Numbers between two valid sets can usually be prepared; otherwise the element is that of the family.
+/// A prepared element is stored in `renewed`. Parameters between two valid sets can usually be prepared; otherwise the
+/// element is that of the family.
 macro_rules! kept {
     ($of:ident, $numbers:ident, $renewed:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {
@@ -73,7 +73,7 @@ impl ParallelSpring {
         self.with_table(self.table())
     }
 
-    /// Returns the spring with other numbers: the table does not depend on the setting.
+    /// Returns the spring with the parameters at a setting: the table does not depend on the setting.
     #[inline(always)]
     pub(crate) fn renewed(&self, numbers: &View<ParallelSpring>) -> ParallelSpring<Lent<'_>> {
         let mut spring = self.lent();
@@ -89,7 +89,8 @@ impl ValveHysteresis {
         self.with_conductance(Passage::Table(self.conductance()))
     }
 
-    /// Returns the valve with other numbers: the conductance of the passage is computed from the FV curve.
+    /// Returns the valve with the parameters at a setting. The conductance of its passage is computed from the FV
+    /// curve.
     #[inline(always)]
     pub(crate) fn renewed<'a>(&self, numbers: &View<ValveHysteresis>) -> ValveHysteresis<Lent<'a>> {
         let valve: ValveHysteresis<Lent<'_>> = ValveHysteresis::of(numbers, Passage::From(0.0));

@@ -1,6 +1,7 @@
-//! One damper over a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure.
+//! Adjustable dampers: their parameters depend on a setting.
 //!
-//! In a family, some numbers of the parameter set and the forces of the FV table are given over a grid of settings:
+//! The setting is, for example, the current of a semi-active valve, the click of an adjuster or a gas pressure. In a
+//! family, some parameters and the forces of the FV table are given over a grid of settings:
 //!
 //! | file | content |
 //! |---|---|

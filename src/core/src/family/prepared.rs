@@ -30,7 +30,7 @@ const COMPARED_AT: f64 = 1e-3;
 /// Elements in which a parameter of 0 turns off a part together with its state.
 const SWITCHED_BY_NUMBERS: [Element; 2] = [element!("bushing"), element!("oil_compressibility")];
 
-/// Number of points of a table that a section searches first: see [`Section`].
+/// Number of points below which a section reads only the first entries of a table: see [`Section`].
 const FEW_POINTS: usize = 16;
 
 /// A parameter with the data of its interpolation over the setting.
@@ -200,7 +200,7 @@ impl Family {
     /// Every grid value must define a damper, and all of them must have the same states.
     ///
     /// # Errors
-    /// The parameter at fault, and why.
+    /// Returns the parameter at fault and the reason.
     pub fn check(params: &Params, axis: &Axis) -> Result<(), Fault> {
         axis.check()?;
         if !axis.is_some() {

@@ -30,7 +30,7 @@ pub struct Flow<R> {
     pub force: R,
     /// Value toward which the state of frequency-selective damping relaxes.
     pub selective_target: R,
-    /// Force above that at standstill, without the lag of the valve.
+    /// Force relative to that at standstill, without the lag of the valve.
     pub before_valve: R,
     /// Time derivatives of the valve's position and velocity.
     pub valve_rates: [R; 2],

@@ -193,7 +193,7 @@ macro_rules! gathered {
 
 each_path_element!(gathered);
 
-/// Predicates and positions of the elements.
+/// Predicates of the elements, and indices of their states.
 impl<T: Tables> Paths<T> {
     /// Returns whether the series compliance is on: without it the internal mass moves with the moving end.
     #[inline(always)]

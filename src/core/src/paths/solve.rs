@@ -10,9 +10,9 @@ pub const ITERATIONS: usize = 96;
 /// Householder steps inside a piece of the FV curve: the iterations correct their error.
 const STEPS: usize = 2;
 
-/// Relative distance within which Newton's step is used, and in how many iterations at most.
+/// Relative step size up to which Newton's step is used, and the largest number of iterations with such steps.
 ///
-/// Beyond them the steps oscillate, and every other one halves the bracket.
+/// After that number the steps probably oscillate, and every other iteration bisects the bracket.
 const NEAR: f64 = 1e-2;
 const PATIENCE: usize = 12;
 /// Number of iterations after which a step across standstill ends at standstill.
@@ -84,7 +84,7 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess in at most so many iterations ([`ITERATIONS`]; with none the guess is the root).
+/// Finds w from a guess in at most `rounds` iterations ([`ITERATIONS`]); with 0 of them the guess is the root.
 ///
 /// Leaves in `seen` the result of the last evaluation of R. `tolerance` is the relative size of the last step; the
 /// remaining error is about the square of this step.

@@ -88,7 +88,7 @@ pub trait Follow<T: Tables = Owned> {
 
 /// Derivatives of the mass's motion over the displacement and velocity at the end of the step.
 pub(super) struct ByEnd {
-    /// Whether they are requested.
+    /// Whether the derivatives are requested.
     wanted: bool,
     /// Whether any state depends on the end of the step; false before the first substep ends.
     moved: bool,

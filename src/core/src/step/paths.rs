@@ -184,7 +184,7 @@ pub struct Carried {
 }
 
 impl Carried {
-    /// Nothing depends on the direction yet.
+    /// Zero derivatives.
     pub const NONE: Carried = Carried {
         states: [0.0; STATES],
         force: 0.0,

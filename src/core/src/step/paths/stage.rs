@@ -77,9 +77,9 @@ pub struct Seed {
     pub from: f64,
     /// Force of the FV curve at the evaluated velocity.
     pub curve: f64,
-    /// Height of the FV curve at standstill.
+    /// Force of the FV curve at standstill.
     pub standing: f64,
-    /// Force of the FV curve above that at standstill, at the velocities of [`StageDerivatives::valve_read`].
+    /// Force of the FV curve relative to that at standstill, at the velocities of [`StageDerivatives::valve_read`].
     pub read: [f64; 2],
     /// Force of the series path, all else constant: see [`StageDerivatives::series_by_frame`].
     pub series: f64,
@@ -442,7 +442,8 @@ impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
     }
 }
 
-/// Force on the mass parallel to the oil, linear beyond the reach of the series spring about the moving end.
+/// Evaluates the force on the mass parallel to the oil, linear beyond the reach of the series spring about the moving
+/// end.
 ///
 /// The plain step has the same limit: with a hardening spring, Newton's method from a distant guess would converge
 /// slowly.
