@@ -461,8 +461,8 @@ impl<T: Tables> Elements<T> {
 impl<T: Tables> Elements<T> {
     /// Returns whether the damper can use the plain step although its force fades with temperature.
     ///
-    /// This holds if the fade is the only element of the force path and scales the whole FV curve by a factor of the
-    /// host's temperature. Only the force path solves nonlinear springs to rounding.
+    /// The fade must be the only element of the force path. It must scale the whole FV curve by a factor of the host's
+    /// temperature. Only the force path solves nonlinear springs to rounding.
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
         self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.is_nonlinear()

@@ -158,8 +158,10 @@ impl Curve {
     /// Checks whether a curve can pass through the points.
     ///
     /// # Errors
-    /// Returns an error for fewer than two points or more than [`MAX_POINTS`], different counts, a non-finite number,
-    /// `u` not strictly increasing, `f` falling anywhere, points nearer than [`NEAREST`] or a rise beyond [`STEEPEST`].
+    /// - fewer than two points or more than [`MAX_POINTS`], or different counts of `u` and `f`;
+    /// - a non-finite number;
+    /// - `u` not strictly increasing, or `f` falling anywhere;
+    /// - points nearer than [`NEAREST`], or a rise beyond [`STEEPEST`].
     pub fn check(u: &[f64], f: &[f64]) -> Result<(), Reason> {
         let n = u.len();
         if !(2..=MAX_POINTS).contains(&n) {

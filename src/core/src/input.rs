@@ -39,8 +39,8 @@ impl Input {
 
 /// Motion of the moving end over one host step: the cubic through displacement and velocity at both ends.
 ///
-/// Displacement and velocity inside the step come from the same polynomial, so the damper never sees a velocity that
-/// is not the derivative of its displacement.
+/// Displacement and velocity inside the step come from the same polynomial. The velocity is therefore always the
+/// derivative of the displacement.
 #[derive(Clone, Copy, Debug)]
 pub struct Path {
     x0: f64,

@@ -56,9 +56,9 @@ const CUBIC: f64 = 0.12;
 
 /// Factors on these limits for elements of the force path, whose forces are nonlinear within a step.
 ///
-/// Measured over the test matrix (core/tests/paths_accuracy.rs). In this order they are for a knee, for a void or
-/// several elements, for a column whose stiffness changes with the sign of the force, and for friction that reverses
-/// behind the spring. A bushing, whose force is smooth, uses the fourth-order method with the last factor.
+/// Measured over the test matrix (core/tests/paths_accuracy.rs). `KNEE` is for a knee, `SEVERAL` for a void or several
+/// elements. `TURNS` is for a column whose stiffness changes with the sign of the force, `WHOLE` for friction that
+/// reverses behind the spring. A bushing, whose force is smooth, uses the fourth-order method with `RUBBER`.
 const KNEE: f64 = 1.3;
 const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;
@@ -289,7 +289,7 @@ impl Integration {
     /// A method of higher order shifts the frequency of such a mass. It may shift it onto that of the drive, with
     /// several times the force of short steps. Backward Euler removes the energy instead. Within a substep it uses only
     /// the velocity at the end, which is harmless for a spring. An oil column or a void moved at that velocity for so
-    /// long would make a hundred times the force, so with these elements the method does not change.
+    /// long would make a hundred times the force. The method therefore does not change with these elements.
     ///
     /// `stiffer` returns the ratio of the spring's stiffness in the step to that at rest.
     #[inline(always)]

@@ -86,8 +86,9 @@ impl Model {
 }
 
 impl<T: Tables> Model<T> {
-    /// Returns the number of states that a solver of the host integrates: those of the internal mass and the internal
-    /// states of the elements that are on.
+    /// Returns the number of states that a solver of the host integrates.
+    ///
+    /// They are those of the internal mass and the internal states of the elements that are on.
     pub fn states(&self) -> usize {
         2 + self.elements.memories()
     }

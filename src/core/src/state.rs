@@ -6,7 +6,7 @@ use crate::element::ForceComponent;
 pub const MAX_INTERNAL: usize = 8;
 
 /// State of one damper: plain numbers, owned and copied by the host. Hysteresis is always one of these continuous
-/// states, never a stored reversal point, so a copy is all that a rejected step or a saved run needs.
+/// states, never a stored reversal point. A rejected step or a saved run therefore needs only a copy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct State {

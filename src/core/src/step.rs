@@ -417,7 +417,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
 
 /// Takes a common step, with exact derivatives if requested.
 ///
-/// With `BENT` the springs are nonlinear. It is not inlined, so that it can use all registers.
+/// With `BENT` the springs are nonlinear. The function is not inlined, so that it can use all registers.
 #[inline(never)]
 fn answer<P: Primary, const BENT: bool>(
     model: &Model<impl Tables>,

@@ -75,8 +75,8 @@ proptest! {
 
 /// Computes the energy in the springs and masses.
 ///
-/// They are the series spring with its gap and bushing, the oil column, and all masses that move with the piston and
-/// with the moving end.
+/// They are the series spring with its gap and bushing, the oil column, and all masses that move with the piston or the
+/// moving end.
 fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
     let e = &model.elements().paths;
     let series = &e.series_compliance;

@@ -11,8 +11,8 @@ use proptest::prelude::*;
 /// Steps through `motion` and compares the force with an energy bound.
 ///
 /// With H = m u²/2 + k_s e²/2 + ∫F_p, √H grows at most in proportion to the speed of the moving end. The deflection e
-/// is thus at most the length of the path, plus the part from the parallel spring and the offset of the FV curve. The
-/// test allows twice that.
+/// is thus at most the length of the path, plus a part from the parallel spring and the FV curve's offset. The test
+/// allows twice that.
 fn run(
     params: &dashpot_core::Params,
     motion: &[(f64, f64)],

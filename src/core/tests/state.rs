@@ -198,7 +198,7 @@ fn the_run_has_these_digits_on_every_platform() {
 
 const DIGITS: u64 = 0x1d17_67ef_1080_69d5;
 
-/// The series spring balances a curve with a force at rest, at rest and in steady motion, for every method.
+/// The series spring balances the rest force of a curve, both at rest and in steady motion, for every method.
 #[test]
 fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     let mut p = params(&[("fv_form", 0.0), ("spring_linear", 2e4)]);

@@ -12,13 +12,14 @@ use crate::schema::{Describe, Parameter, View};
 /// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p: the fraction a follows with a lag.
 ///
 /// *Stroke*: a bypass closes while a control chamber fills within a stroke: F_h = F (1 − a (1 − y)), τ dz/dt =
-/// tanh(w/u_0) − z, where y is the smooth step of z tanh(w/u_0) from 0 to 1. After a reversal z still has the sign of
+/// tanh(w/u_0) − z. Here y is the smooth step of z tanh(w/u_0) from 0 to 1. After a reversal z still has the sign of
 /// the previous stroke, so the bypass is open until z changes sign.
 ///
 /// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. Its velocity is q_s (1 − y)
-/// r(F_h)/r(1 kN) with the law r of a passage that is laminar below F_l (see [`crate::paths::bypass`]). y = |z| is the
-/// filling of the chamber of the current stroke: τ dz/dt = tanh(F_h/F_0) (1 − |z|), faster at a higher pressure. The
-/// chamber of the other stroke empties through a check valve in τ/10. Below about F_0/20 both chambers empty.
+/// r(F_h)/r(1 kN). The law r is that of a passage that is laminar below F_l (see [`crate::paths::bypass`]). The filling
+/// y = |z| is that of the chamber of the current stroke. It follows τ dz/dt = tanh(F_h/F_0) (1 − |z|), faster at a
+/// higher pressure. The chamber of the other stroke empties through a check valve in τ/10. Below about F_0/20 both
+/// chambers empty.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,

@@ -111,7 +111,7 @@ fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
 impl PreslidingFriction {
     /// Solves dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0, and returns the final ζ.
     ///
-    /// It never crosses its steady state, so the deflection of a contact stays within its law for any slip.
+    /// ζ never crosses its steady state, so the deflection of a contact stays within its law for any slip.
     #[inline(never)]
     fn bend<R: Real>(&self, bent: R, r: R, slip: R) -> R {
         let (mut bent, mut slip) = (bent, slip);

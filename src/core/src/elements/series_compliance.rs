@@ -8,7 +8,7 @@ use crate::schema::{Describe, Parameter, View};
 /// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
 ///
 /// In the thesis friction and gas act in parallel, driven by the moving end. In an eye or a mount the compliance
-/// carries the whole force: friction and gas then act on the mass, and F_s is the total force.
+/// carries the whole force. Friction and gas then act on the mass, and F_s is the total force.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesCompliance {
     /// k_s, N/m.

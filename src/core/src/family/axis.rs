@@ -88,9 +88,9 @@ pub struct Axis {
 /// A damper as a model file defines it: an ordinary damper, or an adjustable one that depends on a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Definition {
-    /// Its parameters: those at the start setting if it depends on a setting.
+    /// Parameters of the damper; those at the start setting if it depends on a setting.
     pub params: Params,
-    /// The setting that it depends on; without a grid if it depends on no setting.
+    /// Setting of the damper; without a grid if the damper depends on no setting.
     pub axis: Axis,
 }
 

@@ -119,12 +119,12 @@ pub(crate) struct Valves {
     scaled_by: [f64; 3],
     /// Derivatives of the force after the delayed valve, and of the valve's position.
     ///
-    /// They are over the force before the valve, the known part of its position, and the force of the FV curve at the
-    /// two velocities `read`.
+    /// They are over the force before the valve and the known part of its position. The last two are over the force of
+    /// the FV curve at the two velocities `read`.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
-    /// Derivatives of the force after frequency-selective damping and of its state, over the force before, w and the
+    /// Derivatives of the force after frequency-selective damping and of its state, over the force before it, w and the
     /// known state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],

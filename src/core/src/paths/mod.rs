@@ -8,8 +8,8 @@
 //! F_h = N(s F_d(w)) = φ_o(q),   u = w + b + ℓ dq/dt + σ de/dt       [hydraulic]
 //! ```
 //!
-//! φ is the elastic law and χ the closed fraction of its contacts, 1 without free play. b is the flow past the valves,
-//! and ℓ the length of the oil column, 1 in the middle of the stroke. If the series path carries the whole force,
+//! φ is the elastic law. χ is the closed fraction of its contacts, 1 without free play. b is the flow past the valves.
+//! ℓ is the length of the oil column, 1 in the middle of the stroke. If the series path carries the whole force,
 //! friction and gas act on the mass in addition to F_p.
 //!
 //! With no element of either path on, φ is linear, w = u and F_h = F_d(u). The plain step of [`crate::step`] and the

@@ -175,8 +175,8 @@ fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round
 
 /// Finds the velocity at which the measure a w + F_d(w) is in the middle of a bracket, within a tenth of it.
 ///
-/// The curve's own steps do not find it in a piece that is level at one end but a thousand times steeper than a on
-/// average. A middle that lies at the same end in every iteration closes no bracket.
+/// The curve's own steps fail in a piece that is level at one end but on average a thousand times steeper than a. A
+/// middle that lies at the same end in every iteration closes no bracket.
 fn middle(e: &Paths<impl Tables>, a: f64, low: End, high: End) -> f64 {
     let sum = a * (low.w + high.w) + low.curve + high.curve;
     let near = 0.2 * (a * (high.w - low.w) + (high.curve - low.curve));

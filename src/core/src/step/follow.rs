@@ -12,7 +12,7 @@ use crate::tables::{Owned, Tables};
 pub struct Stage<'a> {
     /// Index of the stage in its substep.
     pub index: usize,
-    /// Whether it ends the substep.
+    /// Whether the stage ends the substep.
     pub last: bool,
     /// γh of the stage, s.
     pub g: f64,

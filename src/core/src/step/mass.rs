@@ -29,9 +29,9 @@ struct Substep<'a, T: Tables, P> {
     /// Start and length of the substep as fractions of the step.
     theta: f64,
     part: f64,
-    /// Whether its end is the end of the step.
+    /// Whether the substep ends the step.
     ends_step: bool,
-    /// Its length, s, and 1 over it.
+    /// Length of the substep, s, and its reciprocal.
     h: f64,
     per_h: f64,
     side: (f64, f64),

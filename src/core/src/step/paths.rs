@@ -48,7 +48,7 @@ struct Known<'a> {
     moved_from: MovedFrom,
     /// Time over which the stage advances the valve's state: g, or the whole time since the substep began.
     since: f64,
-    /// Whether it is the whole time since the substep began.
+    /// Whether `since` is the whole time since the substep began.
     valve_jumps: bool,
     /// Factor by which the valve raised the force in the previous stage.
     raised: f64,
@@ -448,7 +448,7 @@ struct Substep<'a, T: Tables> {
     /// Start and length as fractions of the step.
     theta: f64,
     part: f64,
-    /// Whether its end is the end of the step.
+    /// Whether the substep ends the step.
     ends_step: bool,
     /// Side force and temperature.
     side: (f64, f64),

@@ -30,7 +30,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     paths: &'a Paths<T>,
     /// Index of the stage in its substep.
     pub index: usize,
-    /// Whether it ends the substep.
+    /// Whether the stage ends the substep.
     pub last: bool,
     /// Weights of the gains of the previous stages.
     pub row: &'a [f64],
