@@ -1,4 +1,4 @@
-//! The elements of one model put together: prepared, and summed where they act.
+//! The elements of one model: prepared, and summed by their position in the model.
 
 use crate::element::{Force, Motion, Prepare, Response, StateResponse, StateVisitor, StatefulForce};
 use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
@@ -15,26 +15,26 @@ use crate::preparing::{Keep, checked, placed};
 use crate::state::{MAX_INTERNAL, Output};
 use crate::tables::{Owned, OwnedElement, Tables};
 
-/// What acts between the ends or, where the series compliance carries the whole, on the mass.
+/// Forces between the ends or, if the series compliance carries the whole force, on the mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outer {
-    /// Friction without memory.
+    /// Friction without internal state.
     pub friction: Response,
-    /// Position forces without memory.
+    /// Position forces without internal state.
     pub preload: Response,
 }
 
 impl Outer {
-    /// Nothing.
+    /// No force.
     pub const NONE: Outer = Outer { friction: Response::NONE, preload: Response::NONE };
 }
 
-/// Beside the bits of the elements: friction and preload act on the mass.
+/// Flag next to the bits of the elements: friction and preload act on the mass.
 const CARRIES_WHOLE: u64 = 1 << 63;
-/// Beside the bits of the elements: one with a state acts on the mass.
+/// Flag next to the bits of the elements: an element with a state acts on the mass.
 const STATES_ON_MASS: u64 = 1 << 62;
 
-/// Expands the list of elements into their prepared set and the sums the equations need.
+/// Expands the list of elements into their prepared set and the sums that the equations need.
 macro_rules! assembled {
     (
         primary { $primary:ident: $Primary:ty }
@@ -55,7 +55,7 @@ macro_rules! assembled {
         #[repr(C)]
         pub struct Elements<T: Tables = Owned> {
             on: u64,
-            /// Those in the way of the force, which act on each other.
+            /// The coupled elements in the force path.
             pub paths: Paths<T>,
             $($inner: $Inner,)*
             $($friction: T::Kept<$Friction>,)*
@@ -65,7 +65,7 @@ macro_rules! assembled {
         }
 
         impl Elements {
-            /// No element.
+            /// The value without elements.
             pub const OFF: Elements = {
                 type T = Owned;
                 Elements {
@@ -79,10 +79,10 @@ macro_rules! assembled {
                 }
             };
 
-            /// Whether the elements that are on can be prepared, one by one and together.
+            /// Checks whether the elements that are on can be prepared, one by one and together.
             ///
             /// # Errors
-            /// The parameter that does not fit.
+            /// Returns the parameter at fault.
             pub fn check(params: &Params) -> Result<(), Fault> {
                 type T = Owned;
                 let on = |place: Place| params.elements() & (1 << place as usize) != 0;
@@ -106,16 +106,16 @@ macro_rules! assembled {
                 Ok(())
             }
 
-            /// Number of private states that a set asks for.
+            /// Returns the number of internal states of a parameter set.
             pub(crate) fn memories_of(params: &Params) -> usize {
                 const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
                 states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
-            /// Largest derivative of the elements on the internal mass over the displacements `places`.
+            /// Computes the largest derivative of the elements on the internal mass over the displacements `places`.
             ///
             /// # Errors
-            /// The parameter that does not fit.
+            /// Returns the parameter at fault.
             #[inline(never)]
             pub fn steepest_inner(params: &Params, places: impl Iterator<Item = f64>) -> Result<f64, Fault> {
                 type T = Owned;
@@ -134,7 +134,7 @@ macro_rules! assembled {
                 Ok(steepest)
             }
 
-            /// Prepares the elements that are on, where they are kept, from a set that [`Elements::check`] accepted.
+            /// Prepares in place the elements that are on, from a set that [`Elements::check`] accepted.
             pub fn set(&mut self, params: &Params) {
                 let on = params.elements();
                 self.on = on;
@@ -157,7 +157,8 @@ macro_rules! assembled {
                 }
             }
 
-            /// The elements at a setting, with the FV curve there. All are borrowed: from the family, or from those that are made ready for the setting.
+            /// Returns the elements at a setting, with the FV curve there. All are borrowed: from the family, or from
+            /// the elements prepared again for the setting.
             #[inline(always)]
             pub(crate) fn lent<'a>(
                 &'a self,
@@ -183,7 +184,7 @@ macro_rules! assembled {
             }
         }
 
-        /// Elements that were made ready for a setting.
+        /// Elements that were prepared again for a setting.
         pub(crate) struct Renewed {
             paths: RenewedPaths,
             $($friction: Option<$Friction>,)*
@@ -193,7 +194,7 @@ macro_rules! assembled {
         }
 
         impl Renewed {
-            /// None. No constant, which would be copied whole.
+            /// Returns the value without elements. It is a function, because a constant would be copied whole.
             #[inline(always)]
             pub(crate) fn none() -> Renewed {
                 Renewed {
@@ -212,19 +213,19 @@ macro_rules! assembled {
                 self.on & (1 << place as usize) != 0
             }
 
-            /// Whether the series compliance is on: without it the internal mass is the driven end.
+            /// Returns whether the series compliance is on: without it the internal mass moves with the moving end.
             #[inline(always)]
             pub fn has_series(&self) -> bool {
                 self.paths.has_series()
             }
 
-            /// Whether friction and preload act on the internal mass, behind the series compliance.
+            /// Returns whether friction and preload act on the internal mass, behind the series compliance.
             #[inline(always)]
             pub fn carries_whole(&self) -> bool {
                 self.on & CARRIES_WHOLE != 0
             }
 
-            /// Sum of all that acts on the internal mass beside the FV curve, wherever it belongs.
+            /// Sums all forces on the internal mass except that of the FV curve.
             #[inline(always)]
             pub fn on_the_mass(&self, at: &Motion) -> Response {
                 let mut sum = self.inner(at);
@@ -236,20 +237,20 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Friction and preload, wherever they act. Not inlined: but for the plain step, which asks each of them, it costs more to have them in
-            /// many places.
+            /// Sums friction and preload, wherever they act. Not inlined: several copies cost more time. Only the plain
+            /// step calls their parts directly.
             #[inline(never)]
             pub fn outer(&self, at: &Motion) -> Outer {
                 Outer { friction: self.friction(at), preload: self.preload(at) }
             }
 
-            /// Friction and preload beside the whole damper: nothing where they act on the mass.
+            /// Sums friction and preload parallel to the whole damper; zero if they act on the mass.
             #[inline(always)]
             pub fn beside(&self, at: &Motion) -> Outer {
                 if self.carries_whole() { Outer::NONE } else { self.outer(at) }
             }
 
-            /// Sum of the elements that always act on the internal mass.
+            /// Sums the elements that always act on the internal mass.
             #[inline(always)]
             pub fn inner(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -257,13 +258,13 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Whether one of them bends so sharply that no straight line holds for a stage.
+            /// Returns whether an inner element is so nonlinear that no linearization holds for a stage.
             #[inline(always)]
             pub fn is_nonlinear(&self) -> bool {
                 false $(|| self.has(Place::$inner) && self.$inner.is_nonlinear())*
             }
 
-            /// Sums the inner elements if none of them is nonlinear ([`Elements::bends`]).
+            /// Sums the inner elements if none of them is nonlinear ([`Elements::is_nonlinear`]).
             #[inline(always)]
             pub fn linear_force(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -279,7 +280,7 @@ macro_rules! assembled {
                 Some(sum)
             }
 
-            /// Sum of the friction elements beside the whole damper.
+            /// Sums the friction elements.
             #[inline(always)]
             pub fn friction(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -295,7 +296,7 @@ macro_rules! assembled {
                 Some(sum)
             }
 
-            /// Sum of the position forces beside the whole damper.
+            /// Sums the position forces.
             #[inline(always)]
             pub fn preload(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -311,21 +312,21 @@ macro_rules! assembled {
                 Some(sum)
             }
 
-            /// Sum of the stops at the ends of the stroke.
+            /// Sums the stops at the ends of the stroke.
             pub fn stops(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(Place::$stop) { sum.add(self.$stop.force(at)); })*
                 sum
             }
 
-            /// Names and units of the private states of the elements beside the damper, in their order.
+            /// Calls `visit` with the names of the parallel elements with internal states, in their order.
             pub fn each_stateful_name(&self, mut visit: impl FnMut(&'static str)) {
                 $(if self.has(Place::$stateful) {
                     visit(stringify!($stateful));
                 })*
             }
 
-            /// Which of them are on, as bits in their order.
+            /// Returns the parallel elements with internal states that are on, as bits in their order.
             pub(crate) fn memory_bits(&self) -> u64 {
                 let (mut bits, mut next) = (0, 1);
                 $(if self.has(Place::$stateful) {
@@ -336,27 +337,27 @@ macro_rules! assembled {
                 bits
             }
 
-            /// Number of private states.
+            /// Returns the number of internal states.
             pub fn memories(&self) -> usize {
                 const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
                 self.paths.slots().count() + (self.on & MEMORY).count_ones() as usize
             }
 
-            /// Whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
+            /// Returns whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
             #[inline(always)]
             pub fn has_paths(&self) -> bool {
                 const PATHS: u64 = CARRIES_WHOLE | Paths::<Owned>::COUPLED;
                 self.on & PATHS != 0
             }
 
-            /// Whether an element beside the damper is on that has a private state or is a stop.
+            /// Returns whether a parallel element is on that has an internal state or is a stop.
             #[inline(always)]
             pub fn has_beside(&self) -> bool {
                 const BESIDE: u64 = 0 $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
                 self.on & BESIDE != 0
             }
 
-            /// Whether the internal mass is there and nothing that its plain step does not know.
+            /// Returns whether the internal mass is on, and no element that its plain step does not cover.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
                 const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
@@ -374,19 +375,20 @@ macro_rules! assembled {
                 debug_assert!(place <= MAX_INTERNAL);
             }
 
-            /// Whether an element with a state acts on the mass.
+            /// Returns whether any element with a state acts on the mass.
             #[inline(always)]
             pub fn has_states_on_mass(&self) -> bool {
                 self.on & STATES_ON_MASS != 0
             }
 
-            /// Whether an element with a state acts on the mass in this set.
+            /// Returns whether this element acts on the mass in this set.
             #[inline(always)]
             pub fn has_on_mass(&self, element: &(impl StatefulForce + ?Sized)) -> bool {
                 self.carries_whole() && element.acts_on_mass()
             }
 
-            /// Calls `visit` with the place of its state and the element, for each element with memory that is on.
+            /// Calls `visit` with the index of its state and the element, for each parallel element with an internal
+            /// state that is on.
             #[inline(always)]
             pub fn each_stateful(&self, visit: impl FnMut(usize, &dyn StatefulForce)) {
                 self.visit_stateful(&mut Shown(visit));
@@ -397,7 +399,7 @@ macro_rules! assembled {
 
 each_element!(assembled);
 
-/// Shows elements with memory as any.
+/// Adapter that passes elements with internal states as trait objects.
 struct Shown<F>(F);
 
 impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
@@ -408,7 +410,7 @@ impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Takes friction and gas that act on the mass out of the force of the springs there, and counts them where they belong.
+    /// Subtracts friction and gas on the mass from the force of the springs there, and adds them to their own outputs.
     #[inline(always)]
     pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion, internal: &[f64; MAX_INTERNAL]) {
         if self.carries_whole() {
@@ -441,7 +443,7 @@ impl<T: Tables> Elements<T> {
         });
     }
 
-    /// Sum of the forces of the elements with a state on the mass, at given states.
+    /// Sums the forces of the elements with a state on the mass, at given states.
     #[inline(always)]
     pub(crate) fn states_on_mass(&self, mass: &Motion, internal: &[f64; MAX_INTERNAL]) -> Response {
         let mut sum = Response::NONE;
@@ -457,10 +459,10 @@ impl<T: Tables> Elements<T> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Whether the damper can use the plain step although its force fades with temperature.
+    /// Returns whether the damper can use the plain step although its force fades with temperature.
     ///
-    /// This holds if the fade is the only element of the force path and scales the whole FV curve by a factor of the
-    /// host's temperature. Nonlinear springs are solved to rounding in the force path alone.
+    /// The fade must be the only element of the force path. It must scale the whole FV curve by a factor of the host's
+    /// temperature. Only the force path solves nonlinear springs to rounding.
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
         self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.is_nonlinear()
@@ -468,7 +470,7 @@ impl<T: Tables> Elements<T> {
 }
 
 impl Elements {
-    /// Gives one element what another one brings along: the internal mass, a mass inside.
+    /// Passes one element's data to another: a moving mass to the internal mass.
     pub(crate) fn join(&mut self) {
         self.paths.join();
         if self.has_series() {

@@ -1,42 +1,45 @@
-//! A non-decreasing curve through measured points: monotone cubic or linear, prolonged straight beyond its ends.
+//! A non-decreasing curve through measured points: monotone cubic or linear, extrapolated linearly beyond its ends.
 //!
-//! The force–velocity curve and the lookup spring are such curves. Besides its value and derivative a curve answers the
-//! question that an implicit step asks, the *resolvent*: which `u` satisfies `a u + b f(u) = r` ([`Curve::solve`]).
-//! Because the curve never falls, there is exactly one answer, and because its knots are known, it is found in
-//! a number of operations that does not depend on the data.
+//! The force–velocity curve and the lookup spring are such curves. Besides value and derivative, a curve computes the
+//! *resolvent* of an implicit step: the `u` that satisfies `a u + b f(u) = r` ([`Curve::solve`]). The solution is
+//! unique, because the curve never falls. The number of operations does not depend on the data, because the knots are
+//! known.
 
 use crate::fault::Reason;
 use crate::math::{max, min, pair};
 
-/// Most points that a curve may have.
+/// Largest number of points of a curve.
 pub const MAX_POINTS: usize = 63;
 /// Minimum distance of two points, m/s or m.
 ///
-/// No channel of a rig resolves closer velocities or displacements. The squares and cubes of smaller distances leave
-/// the range in which a derivative has digits.
+/// No channel of a test rig resolves a smaller difference of velocity or displacement. The squares and cubes of smaller
+/// distances would leave a derivative without valid digits.
 pub const NEAREST: f64 = 1e-6;
-/// Largest rise from point to point, N s/m or N/m: 100 N in a micrometre (per second). A force found through a derivative has the
-/// rounding of the velocity, 1e-17 m/s, times that derivative: with this one far below a millinewton. A hundred times the steepest
-/// damper; a curve that jumps is no measurement.
+/// Largest derivative between two points, N s/m or N/m: 100 N per micrometer (per second).
+///
+/// A force computed from a velocity has the rounding error of the velocity, 1e-17 m/s, times the derivative. With this
+/// limit it is far below a millinewton. The limit is a hundred times the steepest damper; a steeper rise is no
+/// measurement.
 pub const STEEPEST: f64 = 1e8;
-/// Pieces between and beyond the points.
+/// Number of pieces between and beyond the points.
 const PIECES: usize = 64;
 
-/// How a curve runs between its points.
+/// Interpolation of a curve between its points.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Interpolation {
     /// Piecewise cubic Hermite with Fritsch–Butland derivatives (SIAM J. Sci. Stat. Comput. 5, 1984): smooth derivative,
     /// no overshoot.
     MonotoneCubic,
-    /// Monotone cubic on each side of zero, where both meet with derivatives of their own, as valves of rebound and compression do.
+    /// Monotone cubic on each side of zero, with separate derivatives at zero, as valves of rebound and compression
+    /// have.
     ///
-    /// Each is that of the parabola through zero and two further points (see [`derivatives`]).
+    /// Each derivative at zero is that of the parabola through zero and two further points (see [`derivatives`]).
     CubicEachSide,
     /// Straight lines.
     Linear,
 }
 
-/// Value and derivative of a curve at one place.
+/// Value and derivative of a curve at one position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
     /// f(u).
@@ -53,7 +56,7 @@ struct Piece {
     /// f0 − f(0).
     above: f64,
     c1: f64,
-    /// c2 of the value and 2 c2 of the derivative; likewise c3 and 3 c3: both polynomials run side by side.
+    /// c2 of the value and 2 c2 of the derivative, likewise c3 and 3 c3: both polynomials are evaluated in parallel.
     c2: [f64; 2],
     c3: [f64; 2],
 }
@@ -61,26 +64,26 @@ struct Piece {
 /// The extent of a piece.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
-    /// Where the piece ends, as t; the outer pieces reach as far as any number.
+    /// Ends of the piece in t; the outer pieces extend to the largest numbers.
     low: f64,
     high: f64,
-    /// Mean derivative of an inner piece, the derivative of an outer one.
+    /// Mean derivative of an inner piece, or the derivative of an outer piece.
     chord: f64,
 }
 
 /// A prepared curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Curve {
-    /// Points (u, f), ascending; the tail is larger than any that is looked for.
+    /// Points (u, f), ascending; the unused entries are larger than any argument.
     points: [[f64; 2]; PIECES],
-    /// Apart from their extents, which a lookup does not ask for: a piece is as long as a cache line.
+    /// Stored apart from their extents, which an evaluation does not need: a piece fills one cache line.
     pieces: [Piece; PIECES],
     extents: [Extent; PIECES],
     /// Number of points.
     count: u32,
-    /// Most points inside one bucket.
+    /// Largest number of points inside one bucket.
     crowded: u32,
-    /// Points below each bucket.
+    /// Number of points below each bucket.
     below: [[u8; BUCKETS]; 2],
     /// f(0).
     at_zero: f64,
@@ -88,10 +91,10 @@ pub struct Curve {
     high: f64,
 }
 
-/// Value, derivative and curvature of a curve, the value counted from that at 0.
+/// Value, derivative and curvature of a curve, with the value relative to that at 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Above {
-    /// f(u) − f(0): of the sign of u.
+    /// f(u) − f(0), with the sign of u.
     pub value: f64,
     /// df/du.
     pub derivative: f64,
@@ -99,20 +102,21 @@ pub struct Above {
     pub curvature: f64,
 }
 
-/// Buckets to either side of 0 in which a place is looked up without comparing.
+/// Number of buckets on either side of 0 for a lookup without comparisons.
 const BUCKETS: usize = 256;
-/// With more points than this in one bucket halving is quicker than counting on.
+/// Number of points in one bucket above which bisection is faster than a linear search.
 const CROWDED: u32 = 3;
 
-/// The bucket of `u`: whether it lies below 0, and its place outwards from there.
+/// Returns the bucket of `u`: whether it lies below 0, and its index outward from 0.
 ///
-/// A place is the exponent and the first four bits of the mantissa of |u| + 2^-12, held below 2^4: sixteen buckets to
-/// each power of two, fine where the curves of dampers bend. Rounding cannot exchange two numbers' places.
+/// The index consists of the exponent and the first four bits of the mantissa of |u| + 2^-12, clamped below 2^4. This
+/// makes sixteen buckets per power of two, fine where the curves of dampers have knees. Rounding cannot exchange the
+/// order of two numbers.
 #[inline(always)]
 fn bucket(u: f64) -> (bool, u8) {
     const NEAREST: f64 = 1.0 / 4096.0;
     const FURTHEST: f64 = 16.0 - 1e-3;
-    /// Leading bits of the nearest.
+    /// Leading bits of `NEAREST`.
     const FIRST: u64 = NEAREST.to_bits() >> 48;
     let out = u.abs() + NEAREST;
     let out = min(out, FURTHEST);
@@ -120,14 +124,15 @@ fn bucket(u: f64) -> (bool, u8) {
 }
 
 const FAR: f64 = f64::MAX;
-/// A Householder step shorter than this share of its piece is the last: the next would be below rounding.
+/// A Householder step shorter than this fraction of its piece is the last: the next would be below rounding.
 const FEW: f64 = 1e-3;
 
 impl Curve {
     const ZERO_PIECE: Piece = Piece { u0: 0.0, f0: 0.0, above: 0.0, c1: 0.0, c2: [0.0; 2], c3: [0.0; 2] };
     const EVERYWHERE: Extent = Extent { low: -FAR, high: FAR, chord: 0.0 };
 
-    /// Room for a curve: nothing may be asked of it before [`Curve::set`] or [`Curve::clear`]. All zeros, so that it takes no room in the program.
+    /// Memory for a curve, invalid before [`Curve::set`] or [`Curve::clear`]. All zeros, so that it takes no space in
+    /// the program file.
     pub const UNSET: Curve = Curve {
         points: [[0.0; 2]; PIECES],
         pieces: [Curve::ZERO_PIECE; PIECES],
@@ -143,18 +148,20 @@ impl Curve {
     /// Prepares the curve through the points (`u`, `f`).
     ///
     /// # Errors
-    /// As [`Curve::check`].
+    /// Returns the errors of [`Curve::check`].
     pub fn new(u: &[f64], f: &[f64], interpolation: Interpolation) -> Result<Curve, Reason> {
         let mut curve = Curve::UNSET;
         curve.set(u, f, interpolation)?;
         Ok(curve)
     }
 
-    /// Whether a curve can run through the points.
+    /// Checks whether a curve can pass through the points.
     ///
     /// # Errors
-    /// Fewer than two points or more than [`MAX_POINTS`], different counts, a non-finite number, `u` not strictly
-    /// increasing, `f` falling anywhere, points nearer than [`NEAREST`] or a rise beyond [`STEEPEST`].
+    /// - fewer than two points or more than [`MAX_POINTS`], or different counts of `u` and `f`;
+    /// - a non-finite number;
+    /// - `u` not strictly increasing, or `f` falling anywhere;
+    /// - points nearer than [`NEAREST`], or a rise beyond [`STEEPEST`].
     pub fn check(u: &[f64], f: &[f64]) -> Result<(), Reason> {
         let n = u.len();
         if !(2..=MAX_POINTS).contains(&n) {
@@ -190,7 +197,7 @@ impl Curve {
     /// Prepares the curve in place, because it is too large for the stack of a small thread.
     ///
     /// # Errors
-    /// As [`Curve::check`]; nothing is changed then.
+    /// Returns the errors of [`Curve::check`]; the curve then stays unchanged.
     #[inline(never)]
     pub fn set(&mut self, u: &[f64], f: &[f64], interpolation: Interpolation) -> Result<(), Reason> {
         Curve::check(u, f)?;
@@ -211,7 +218,7 @@ impl Curve {
         let at = |s: &[f64], i: usize| s.get(i).copied().unwrap_or(0.0);
         let pieces = curve.pieces.iter_mut().zip(&mut curve.extents);
         for (i, (piece, extent)) in pieces.enumerate().take(n + 1) {
-            // Piece i lies left of point i; the first and the last prolong the curve by its end derivative.
+            // Piece i lies left of point i; the first and the last piece extrapolate the curve by its end derivative.
             let (left, right) = (i.wrapping_sub(1), i);
             let inner = i > 0 && i < n;
             let anchor = if i == 0 { 0 } else { left };
@@ -253,7 +260,7 @@ impl Curve {
         Ok(())
     }
 
-    /// Makes it a curve that is zero everywhere.
+    /// Sets the curve to zero everywhere.
     #[inline(never)]
     pub fn clear(&mut self) {
         self.points.fill([FAR; 2]);
@@ -277,18 +284,18 @@ impl Curve {
         }
     }
 
-    /// The first and the last `u` that the points cover.
+    /// Returns the first and the last `u` of the points.
     pub fn range(&self) -> (f64, f64) {
         (self.low, self.high)
     }
 
     #[inline(always)]
     fn piece(&self, index: usize) -> &Piece {
-        // The mask is the identity (index < 64); it spares the bounds check and with it a panic path.
+        // The mask is the identity (index < 64); it avoids the bounds check and thus a panic path.
         &self.pieces[index & (PIECES - 1)]
     }
 
-    /// Number of points at which `key(u, f)` is at most `r`: the index of the piece that holds `r`.
+    /// Returns the number of points at which `key(u, f)` is at most `r`: the index of the piece that contains `r`.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;
@@ -296,7 +303,7 @@ impl Curve {
             let [u, f] = self.points[(index + half - 1) & (PIECES - 1)];
             index = if key(u, f) <= r { index + half } else { index };
         };
-        // Written out: what it costs is then known, and most tables have fewer than 16 points.
+        // Unrolled, so that the cost is fixed. Most tables have fewer than 16 points.
         if self.count >= 16 {
             halve(32);
             halve(16);
@@ -308,7 +315,7 @@ impl Curve {
         index
     }
 
-    /// The piece that holds `u`.
+    /// Returns the piece that contains `u`.
     #[inline(always)]
     fn at_place(&self, u: f64) -> &Piece {
         let (negative, place) = bucket(u);
@@ -329,19 +336,19 @@ impl Curve {
         self.piece(index)
     }
 
-    /// Value and derivative at `u`.
+    /// Returns value and derivative at `u`.
     #[inline(always)]
     pub fn evaluate(&self, u: f64) -> Value {
         let p = self.at_place(u);
         p.at(u - p.u0)
     }
 
-    /// Value counted from that at 0, derivative and curvature at `u`.
+    /// Returns value relative to that at 0, derivative and curvature at `u`.
     #[inline(always)]
     pub fn above_zero(&self, u: f64) -> Above {
         let p = self.at_place(u);
         let t = u - p.u0;
-        // In halves, which processors compute side by side.
+        // In two halves, which processors compute in parallel.
         let [bent, bending] = pair(|k| p.c2[k] + t * p.c3[k]);
         Above {
             value: (p.above + t * p.c1) + (t * t) * bent,
@@ -350,18 +357,18 @@ impl Curve {
         }
     }
 
-    /// The value at 0.
+    /// Returns the value at 0.
     #[inline(always)]
     pub fn at_zero(&self) -> f64 {
         self.at_zero
     }
 
-    /// The resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the derivative of f there.
+    /// Computes the resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the derivative of f there.
     ///
-    /// The piece is found by its ends; inside it a cubic that never falls is solved from the chord by so many Householder
-    /// steps of the fourth order, held inside the bracket. Over all monotone pieces (worst: end derivatives of 0 and 3 times
-    /// the mean) two steps leave at most 1e-10, 6e-8, 2e-5 of the piece's height where `a` is 0.6, 0.3, 0.1 of its mean
-    /// derivative; three leave 1e-9 at 0.03.
+    /// The piece is found from its ends. Inside it, a cubic that never falls is solved from the chord by `STEPS`
+    /// Householder steps of fourth order, clamped to the piece. The errors below are relative to the piece's height,
+    /// over all monotone pieces (worst: end derivatives of 0 and 3 times the mean). Two steps leave at most 1e-10,
+    /// 6e-8, 2e-5 if `a` is 0.6, 0.3, 0.1 of the mean derivative. Three steps leave 1e-9 at 0.03.
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let index = self.locate(r, |u, f| a * u + f);
@@ -380,7 +387,7 @@ impl Curve {
             t -= step;
             t = max(extent.low, t);
             t = min(extent.high, t);
-            // Its fourth power is what is left.
+            // The remaining error is about the fourth power of the step.
             if step.abs() <= FEW * extent.high {
                 break;
             }
@@ -390,7 +397,7 @@ impl Curve {
 }
 
 impl Piece {
-    /// (f − f0)/t and the derivative of f for the piece with linear term `c1`.
+    /// Returns (f − f0)/t and the derivative of f for the piece with linear term `c1`.
     #[inline(always)]
     fn polynomials(&self, c1: f64, t: f64) -> [f64; 2] {
         pair(|k| c1 + t * (self.c2[k] + t * self.c3[k]))
@@ -403,10 +410,11 @@ impl Piece {
     }
 }
 
-/// Derivatives of a cubic curve before and after its point `i`, which differ at zero alone and only with [`Interpolation::CubicEachSide`].
+/// Returns the derivatives of a cubic curve before and after its point `i`.
 ///
-/// There each is that of the parabola through zero and the next two points of its side, not below zero; with one point, of the line.
-/// Fritsch and Butland limit such a derivative to three times the chord; that of a parabola through rising points is below twice.
+/// They differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then that of the parabola through
+/// zero and the next two points of its side, but at least 0. With one point it is that of the line. Fritsch and Butland
+/// limit such a derivative to three times the chord; that of a parabola through rising points is below twice the chord.
 pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation) -> [f64; 2] {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let is_inner = i > 0 && i + 1 < u.len();
@@ -424,8 +432,8 @@ pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation)
     [one_sided(i - 1, i.checked_sub(2)), one_sided(i + 1, Some(i + 2))]
 }
 
-/// Slope at point `i` after Fritsch and Butland: weighted harmonic mean of the neighbouring chords, zero where they
-/// disagree in sign; one-sided at the ends.
+/// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the neighboring chords.
+/// It is zero if their signs differ, and one-sided at the ends.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();
@@ -478,7 +486,7 @@ mod tests {
         }
     }
 
-    /// Valves of rebound and compression share no derivative at rest, and a side that is a parabola there stays one.
+    /// Valves of rebound and compression have different derivatives at rest. A parabola on one side is reproduced.
     #[test]
     fn each_side_has_a_derivative_of_its_own_at_zero() {
         let u = [-1.0, -0.3, -0.1, 0.0, 0.2, 0.5, 1.0];
@@ -487,11 +495,11 @@ mod tests {
         assert!((c.evaluate(0.0).derivative - 900.0).abs() < 1e-9);
         assert!((c.evaluate(-1e-9).derivative - 300.0).abs() < 1e-4);
         assert!((c.evaluate(0.1).value - 90.0).abs() < 1e-9);
-        // Away from zero, and without a point there, it is the monotone cubic.
+        // Away from zero, and without a point at zero, it is the monotone cubic.
         let (plain, off) = (Interpolation::MonotoneCubic, u.map(|u| u + 1e-3));
         assert_eq!(derivatives(&u, &f, 2, Interpolation::CubicEachSide), derivatives(&u, &f, 2, plain));
         assert_eq!(derivatives(&off, &f, 3, Interpolation::CubicEachSide), derivatives(&off, &f, 3, plain));
-        // A side that begins level goes on level; it never falls.
+        // A side with zero derivative at zero keeps it; the curve never falls.
         let level = Curve::new(&[-1.0, 0.0, 0.1, 0.2], &[-9.0, 0.0, 1.0, 50.0], Interpolation::CubicEachSide).unwrap();
         assert_eq!(level.evaluate(0.0).derivative, 0.0);
     }
@@ -510,7 +518,7 @@ mod tests {
         }
     }
 
-    /// Tables of every density, knots on the edges of buckets and at 0 of either sign.
+    /// Tables of any density, with knots at bucket edges and at 0 of either sign.
     #[test]
     fn buckets_lead_to_the_piece_that_halving_finds() {
         let even = |n: usize, width: f64| -> std::vec::Vec<f64> {

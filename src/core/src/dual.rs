@@ -6,52 +6,52 @@
 use crate::math::{exp, tanh};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A number or one with derivatives.
+/// A number with or without derivatives.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Mul<f64, Output = Self> + Neg<Output = Self>
 {
-    /// A constant.
+    /// Makes a constant.
     fn constant(value: f64) -> Self;
-    /// Its value alone.
+    /// Returns the value without derivatives.
     fn value(self) -> f64;
-    /// A function of it that has this value and this derivative there.
+    /// Applies a function that has this value and this derivative at the number.
     fn chain(self, value: f64, derivative: f64) -> Self;
 
-    /// Plus a constant.
+    /// Adds a constant.
     #[inline(always)]
     fn plus(self, constant: f64) -> Self {
         self + Self::constant(constant)
     }
 
-    /// 1/x.
+    /// Computes 1/x.
     #[inline(always)]
     fn inverse(self) -> Self {
         let inverse = 1.0 / self.value();
         self.chain(inverse, -inverse * inverse)
     }
 
-    /// |x|.
+    /// Computes |x|.
     #[inline(always)]
     fn abs(self) -> Self {
         let x = self.value();
         self.chain(x.abs(), if x < 0.0 { -1.0 } else { 1.0 })
     }
 
-    /// √x for x > 0.
+    /// Computes √x for x > 0.
     #[inline(always)]
     fn sqrt(self) -> Self {
         let root = libm::sqrt(self.value());
         self.chain(root, 0.5 / root)
     }
 
-    /// tanh x.
+    /// Computes tanh x.
     #[inline(always)]
     fn tanh(self) -> Self {
         let t = tanh(self.value());
         self.chain(t, 1.0 - t * t)
     }
 
-    /// e^x.
+    /// Computes e^x.
     #[inline(always)]
     fn exp(self) -> Self {
         let e = exp(self.value());
@@ -81,18 +81,18 @@ impl Real for f64 {
 pub struct Dual<const N: usize> {
     /// The number.
     pub value: f64,
-    /// Its derivatives.
+    /// The derivatives.
     pub derivatives: [f64; N],
 }
 
 impl<const N: usize> Dual<N> {
-    /// A number with these derivatives.
+    /// Makes a number with these derivatives.
     #[inline(always)]
     pub fn new(value: f64, derivatives: [f64; N]) -> Dual<N> {
         Dual { value, derivatives }
     }
 
-    /// The number that direction `direction` moves.
+    /// Makes the independent variable of direction `direction`.
     #[inline(always)]
     pub fn along(value: f64, direction: usize) -> Dual<N> {
         let mut derivatives = [0.0; N];
@@ -102,7 +102,7 @@ impl<const N: usize> Dual<N> {
         Dual { value, derivatives }
     }
 
-    /// The derivative in a direction.
+    /// Returns the derivative in a direction.
     #[inline(always)]
     pub fn derivative(&self, direction: usize) -> f64 {
         self.derivatives.get(direction).copied().unwrap_or(0.0)

@@ -1,11 +1,11 @@
-//! What an element is: the motion that it sees, its force and state derivative, and how it is prepared.
+//! Interface of an element: the motion that acts on it, its force and state derivative, and its preparation.
 
 use crate::dual::Dual;
 use crate::fault::Fault;
 use crate::input::{Path, Travel};
 use crate::schema::{Describe, View};
 
-/// The motion that an element sees, and what surrounds it.
+/// The motion and the environment of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     /// Displacement, m, extension positive.
@@ -98,20 +98,21 @@ impl EndState {
     }
 }
 
-/// Prepares an element from its parameters.
+/// Preparation of an element from its parameters.
 pub trait Prepare: Describe + Sized {
     /// The element switched off.
     const OFF: Self;
-    /// Checks what the bounds of single parameters cannot, and precomputes.
+    /// Checks the parameters against each other, which their single bounds cannot do, and precomputes.
     ///
     /// # Errors
-    /// The parameter that does not fit the others.
+    /// Returns the parameter that does not fit the others.
     fn prepare(parameters: &View<Self>) -> Result<Self, Fault>;
 
-    /// Whether the element can be prepared from these parameters; large elements override this to need no memory for it.
+    /// Checks whether the element can be prepared from these parameters. Large elements override it to avoid a copy in
+    /// memory.
     ///
     /// # Errors
-    /// The parameter at fault.
+    /// Returns the parameter at fault.
     fn check(parameters: &View<Self>) -> Result<(), Fault> {
         Self::prepare(parameters).map(|_| ())
     }
@@ -119,13 +120,13 @@ pub trait Prepare: Describe + Sized {
     /// Prepares the element in place; large elements override this to avoid a copy.
     ///
     /// # Errors
-    /// The parameter that does not fit the others; nothing is changed then.
+    /// Returns the parameter that does not fit the others; the element then stays unchanged.
     fn set(&mut self, parameters: &View<Self>) -> Result<(), Fault> {
         *self = Self::prepare(parameters)?;
         Ok(())
     }
 
-    /// Switches it off.
+    /// Switches the element off.
     fn clear(&mut self) {
         *self = Self::OFF;
     }
@@ -133,24 +134,24 @@ pub trait Prepare: Describe + Sized {
 
 /// An element whose force depends on the present motion alone.
 pub trait Force {
-    /// Force and derivatives.
+    /// Computes force and derivatives.
     fn force(&self, at: &Motion) -> Response;
 
-    /// [`Force::force`] to the bit, if that is a handful of operations; `None` otherwise.
+    /// Computes [`Force::force`], bitwise equal, if a few operations suffice; returns `None` otherwise.
     ///
-    /// Most steps of most models need no more, and the long code stays out of their way.
+    /// Most steps of most models need no more, and thus run without the long code.
     #[inline(always)]
     fn at_once(&self, _: &Motion) -> Option<Response> {
         None
     }
 
-    /// Whether the force is so nonlinear that a line may not hold for a stage.
+    /// Returns whether the force is so nonlinear that a linearization may not hold for a stage.
     #[inline(always)]
     fn is_nonlinear(&self) -> bool {
         false
     }
 
-    /// Equals [`Force::force`] if [`Force::is_nonlinear`] is false.
+    /// Computes [`Force::force`] if [`Force::is_nonlinear`] is false.
     #[inline(always)]
     fn linear_force(&self, at: &Motion) -> Response {
         self.force(at)
@@ -170,43 +171,46 @@ pub enum ForceComponent {
 
 /// An element with one internal state z.
 pub trait StatefulForce {
-    /// The component of the output that its force adds to.
+    /// Returns the component of the output that the element's force adds to.
     fn component(&self) -> ForceComponent {
         ForceComponent::Total
     }
-    /// Force, state derivative and all partial derivatives at state `z`.
+    /// Computes force, state derivative and all partial derivatives at state `z`.
     fn evaluate(&self, at: &Motion, z: f64) -> StateResponse;
-    /// The steady state at constant motion.
+    /// Computes the steady state at constant motion.
     fn equilibrium(&self, at: &Motion) -> f64;
 
-    /// The steady state of an element that was in state `z` with its moving end at `from`.
+    /// Computes the steady state of an element that was in state `z` with its moving end at `from`.
     ///
-    /// It differs from [`StatefulForce::equilibrium`] where [`StatefulForce::is_path_dependent`].
+    /// It differs from [`StatefulForce::equilibrium`] if [`StatefulForce::is_path_dependent`] is true.
     fn equilibrium_from(&self, _from: f64, _z: f64, at: &Motion) -> f64 {
         self.equilibrium(at)
     }
 
-    /// Whether the state at rest depends on the displacement that led there, and not on the velocity of an instant.
+    /// Returns whether the state at rest depends on the path of the displacement before, and not on the velocity.
     fn is_path_dependent(&self, _at: &Motion) -> bool {
         false
     }
 
-    /// Whether it acts on the internal mass where the series compliance carries the whole. Beside the damper otherwise.
+    /// Returns whether the element acts on the internal mass if the series compliance carries the whole force.
+    /// Otherwise it is parallel to the damper.
     fn acts_on_mass(&self) -> bool {
         false
     }
 
-    /// State and force at the end of a travel of the mass that began at `_from`. Asked only where
-    /// [`StatefulForce::acts_on_mass`].
+    /// Computes state and force at the end of a motion of the mass that began at `_from`. Called only if
+    /// [`StatefulForce::acts_on_mass`] is true.
     ///
-    /// The two directions are what the caller chooses. The force must not fall as the end moves on: a stage then has one answer.
+    /// The caller chooses the two directions of the derivatives. The force must not fall with the final displacement,
+    /// so that a stage has a unique solution.
     fn propagate_on_mass(&self, _from: Dual<2>, _travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         [z, Dual::new(0.0, [0.0; 2])]
     }
 
-    /// State and force after the motion along a path, in closed form. The derivatives are undefined unless requested.
+    /// Computes state and force after the motion along a path, in closed form. The derivatives are undefined unless
+    /// requested.
     ///
-    /// `None` if there is no such form: the step then integrates the state derivative.
+    /// Returns `None` without such a form: the step then integrates the state derivative.
     fn propagate(&self, _path: &Path, _z: f64, _derivatives: bool) -> Option<EndState>
     where
         Self: Sized,
@@ -215,7 +219,7 @@ pub trait StatefulForce {
     }
 }
 
-/// Visits the elements with an internal state one by one, each with its own type.
+/// Visitor of the elements with an internal state, each with its own type.
 pub trait StateVisitor {
     /// Visits the element whose state has this index.
     fn visit<M: StatefulForce>(&mut self, index: usize, element: &M);

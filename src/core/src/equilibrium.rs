@@ -1,4 +1,4 @@
-//! The static answer: the state and the force when displacement and velocity have been held.
+//! The equilibrium: state and force after displacement and velocity have been constant for a long time.
 
 use crate::element::Motion;
 use crate::input::Input;
@@ -7,59 +7,60 @@ use crate::paths;
 use crate::state::{MAX_INTERNAL, Output, State};
 use crate::tables::{ForceLaw, Tables};
 
-/// Newton steps, kept inside a bracket, to the deflection of the series spring: setting up may cost more than a step.
+/// Largest number of bracketed Newton steps to the deflection of the series spring. The setup may cost more than a
+/// step.
 const STEPS: usize = 100;
 
-/// What rounding leaves of the balance, as a part of its forces.
+/// Allowed residual of the balance from rounding, relative to its forces.
 const ROUNDING: f64 = 1e-13;
 
-/// Half the distance over which static derivatives are taken where no formula gives them, m and m/s.
+/// Half the width of the central differences for static derivatives without a formula, m and m/s.
 const NEAR: f64 = 1e-6;
 
-// Compiled here for the model that owns its tables, once for all crates that ask.
+// Compiled here for the model that owns its tables, once for all crates that call it.
 impl Model {
-    /// The settled state at an initial position: where the damper rests, or moves steadily with `input.velocity`.
+    /// Returns the steady state at an initial position: the damper rests, or moves steadily with `input.velocity`.
     ///
     /// A missing displacement is 0.
     pub fn steady_state(&self, input: &Input) -> State {
         self.equilibrium(input)
     }
 
-    /// Steady state of a damper with a history: contacts keep their deflection at rest. A missing displacement is
-    /// that of `from`.
+    /// Returns the steady state of a damper with a history: contacts keep their deflection at rest. A missing
+    /// displacement is that of `from`.
     pub fn steady_state_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_from(from, input)
     }
 
-    /// The static force at `input`, with its derivatives: the state settled there, evaluated.
+    /// Returns the static force at `input` with its derivatives: the output of the steady state.
     pub fn static_output(&self, input: &Input) -> Output {
         self.static_output_from(&self.steady_state(input), input)
     }
 
-    /// Static output of a damper with a history.
+    /// Returns the static output of a damper with a history.
     ///
-    /// At rest the derivative over velocity is that of elements that respond to a velocity at once: a contact that
-    /// keeps its deflection reverses with travel.
+    /// At rest the derivative over velocity contains only elements that respond to velocity immediately. A contact that
+    /// keeps its deflection reverses only with displacement.
     pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
         self.equilibrium_output_from(from, input)
     }
 }
 
 impl<T: Tables> Model<T> {
-    /// Equilibrium at a position: see [`Model::settled`].
+    /// Computes the equilibrium at a position: see [`Model::steady_state`].
     pub(crate) fn equilibrium(&self, input: &Input) -> State {
         let x = input.displacement.unwrap_or(0.0);
         let fresh = State { displacement: x, layout: self.layout, ..State::ZERO };
-        // What has not moved keeps the deflection that it has: none.
+        // A contact that has not moved keeps its deflection of 0.
         self.equilibrium_keeping(&fresh, input, (input.velocity == 0.0).then_some(&fresh))
     }
 
-    /// Equilibrium of a damper that has moved: see [`Model::steady_state_from`].
+    /// Computes the equilibrium of a damper that has moved: see [`Model::steady_state_from`].
     pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_keeping(from, input, None)
     }
 
-    /// [`Model::equilibrium_from`] where contacts at rest keep the deflection that they have in the state `kept`.
+    /// Computes [`Model::equilibrium_from`], with contacts at rest that keep their deflection in the state `kept`.
     fn equilibrium_keeping(&self, from: &State, input: &Input, kept: Option<&State>) -> State {
         let laid_out;
         let from = if self.has_laid_out(from) {
@@ -93,7 +94,7 @@ impl<T: Tables> Model<T> {
             internal
         };
         settle(false, from.displacement, &motion(x));
-        // What acts on the mass at a place of it, with the steepest that its contacts are.
+        // The force on the mass at one of its positions, with the steepest derivative of its contacts.
         let mut on_the_mass = |x_m: f64| {
             let at = motion(x_m);
             let mut sum = e.on_the_mass(&at);
@@ -113,7 +114,8 @@ impl<T: Tables> Model<T> {
             ([0.0; paths::STATES], e.paths.fv_curve.evaluate(v).value)
         };
         if e.has_series() {
-            // The springs never fall, so that the series spring alone would go further than both together.
+            // The force of these springs never falls, so the series spring alone would deflect further than both
+            // together.
             let alone = primary + on_the_mass(x).force;
             let furthest = x - paths::series::furthest(&e.paths, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
@@ -128,7 +130,7 @@ impl<T: Tables> Model<T> {
                     high = x_m;
                 }
                 let newton = x_m + left / (k + inner.d_force_d_x);
-                // A contact that slips is not as steep as it was taken to be: its steps may be short.
+                // A slipping contact has a smaller derivative than assumed, so its Newton steps may be short.
                 let slow = e.has_states_on_mass()
                     && left.abs() > 0.5 * last
                     && left.abs() > ROUNDING * (series.abs() + primary.abs());
@@ -142,7 +144,7 @@ impl<T: Tables> Model<T> {
         State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
     }
 
-    /// Force at equilibrium: see [`Model::static_output_from`].
+    /// Computes the force at equilibrium: see [`Model::static_output_from`].
     pub(crate) fn equilibrium_output_from(&self, from: &State, input: &Input) -> Output {
         let state = self.equilibrium_from(from, input);
         let mut output = crate::evaluate::force_of(self, &state, input);
@@ -155,7 +157,7 @@ impl<T: Tables> Model<T> {
         let e = &self.elements;
         let outer = Motion { displacement: state.displacement, ..at };
         if e.has_paths() {
-            // Slopes of what has settled, the elements with memory beside the damper included.
+            // Derivatives of the equilibrium force, including the parallel elements with internal states.
             let input_velocity = input.velocity;
             let force = |x: f64, v: f64| {
                 let input = Input { displacement: Some(x), velocity: v, ..*input };
@@ -169,7 +171,7 @@ impl<T: Tables> Model<T> {
             return output;
         }
         if e.has_series() {
-            // Held long enough, series spring and inner springs are one behind the other, and both see the velocity.
+            // At equilibrium, series spring and inner springs are in series, and both move with the velocity.
             let k = e.paths.series_compliance.stiffness;
             let (inner, primary) = (e.inner(&at), e.paths.fv_curve.evaluate(input.velocity));
             let share = k / (k + inner.d_force_d_x);
@@ -177,11 +179,11 @@ impl<T: Tables> Model<T> {
             output.d_force_d_velocity +=
                 share * (primary.derivative + inner.d_force_d_v) - e.paths.series_compliance.damping;
         }
-        // A private state that is drawn to where it settles follows the input there.
+        // An internal state that relaxes to its steady state follows the input there.
         e.each_stateful(|place, element| {
             let response = element.evaluate(&outer, state.internal.get(place).copied().unwrap_or(0.0));
             if element.is_path_dependent(&outer) {
-                // A travel in either direction, in the mean.
+                // The mean of a displacement in either direction.
                 output.d_force_d_displacement += response.d_force_d_z * response.d_rate_d_v;
             } else if response.d_rate_d_z < 0.0 {
                 let follows = -response.d_force_d_z / response.d_rate_d_z;

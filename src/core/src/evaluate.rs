@@ -1,4 +1,4 @@
-//! The damper at one instant: force, state rates and exact partials. Pure: for hosts whose own solver integrates.
+//! The damper at one instant: force, state derivatives and exact partial derivatives, for hosts with their own solver.
 
 pub(crate) mod paths;
 
@@ -13,8 +13,8 @@ use paths::Beside;
 
 /// All partial derivatives of force and state rates at one instant.
 ///
-/// The states are, in this order: displacement of the internal mass, its velocity, and the private states. The
-/// inputs: displacement, velocity.
+/// The states are, in this order: displacement of the internal mass, its velocity, and the internal states. The inputs
+/// are displacement and velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Partials {
@@ -39,7 +39,7 @@ impl Partials {
         d_rate_d_state: [[0.0; 10]; 10],
     };
 
-    /// Whether every number is finite.
+    /// Returns whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let all = self.d_force_d_input.iter().chain(&self.d_force_d_state);
         let all = all.chain(self.d_rate_d_input.as_flattened()).chain(self.d_rate_d_state.as_flattened());
@@ -52,18 +52,18 @@ fn at(x: f64, v: f64, input: &Input) -> Motion {
     Motion { displacement: x, velocity: v, side_force: input.side_force, temperature: input.temperature }
 }
 
-/// Displacement of the driven end: given, or the state's.
+/// Returns the displacement of the moving end: that of the input, or else that of the state.
 #[inline(always)]
 fn displacement(state: &State, input: &Input) -> f64 {
     input.displacement.unwrap_or(state.displacement)
 }
 
-/// Force at a state, with the derivatives over the input at constant state.
+/// Computes the force at a state, with the derivatives over the input at constant state.
 pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     force_of(model, state, input)
 }
 
-/// Force at an instant, of a model whose tables may be borrowed.
+/// Computes the force at an instant, of a model whose tables may be borrowed.
 pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Output {
     if !model.has_laid_out(state) {
         return force_of(model, &model.converted(state), input);
@@ -71,7 +71,7 @@ pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input)
     force_with(model, state, input, Beside::Nothing)
 }
 
-/// Force of a state in this model's layout, with the other outputs of the force path from one evaluation.
+/// Computes the force of a state in this model's layout; `beside` selects further outputs of the same evaluation.
 fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: Beside) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
@@ -120,7 +120,7 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: 
     output
 }
 
-/// Adds the elements beside the damper that have private states.
+/// Adds the forces of the parallel elements with internal states.
 fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &mut Output) {
     let e = &model.elements;
     e.each_stateful(|place, element| {
@@ -136,12 +136,12 @@ fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &
     });
 }
 
-/// Force and state rates at a state. `rate.velocity` is 0: it is no state but the last input.
+/// Computes force and state derivatives at a state. `rate.velocity` is 0: it is the last input and not a state.
 pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) {
     evaluate_of(model, state, input)
 }
 
-/// Force and state rates at an instant, of a model whose tables may be borrowed.
+/// Computes force and state derivatives at an instant, of a model whose tables may be borrowed.
 pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Input) -> (Output, State) {
     if !model.has_laid_out(state) {
         return evaluate_of(model, &model.converted(state), input);
@@ -168,12 +168,12 @@ pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Inp
     (output, rate)
 }
 
-/// All partials at a state.
+/// Computes all partial derivatives at a state.
 pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
     partials_of(model, state, input)
 }
 
-/// Partial derivatives at an instant, of a model whose tables may be borrowed.
+/// Computes the partial derivatives at an instant, of a model whose tables may be borrowed.
 pub(crate) fn partials_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Partials {
     if !model.has_laid_out(state) {
         return partials_of(model, &model.converted(state), input);

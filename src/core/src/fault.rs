@@ -1,66 +1,66 @@
-//! Why a parameter set is refused: which parameter, and what is wrong with it.
+//! Errors in a parameter set: the parameter at fault and the reason.
 
-/// Index that stands for "no single parameter".
+/// Index for "no single parameter".
 pub const NO_PARAMETER: u16 = u16::MAX;
 
-/// A refused parameter set.
+/// An error in a parameter set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Index into the parameter table, or [`NO_PARAMETER`].
     pub parameter: u16,
-    /// What is wrong.
+    /// Reason of the error.
     pub reason: Reason,
 }
 
-/// What can be wrong with a parameter.
+/// Kind of error in a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// No parameter or element has that name.
     UnknownName,
-    /// NaN or infinite.
+    /// The number is NaN or infinite.
     NotFinite,
-    /// Outside the bounds of the table.
+    /// The number is outside the bounds of the table.
     OutOfBounds,
-    /// A number that is none of the choices.
+    /// The number is not one of the choices.
     NotAChoice,
-    /// A list where one number belongs, or the reverse.
+    /// The value is a list instead of one number, or one number instead of a list.
     WrongShape,
-    /// Too few or too many points.
+    /// The list has too few or too many points.
     PointCount,
     /// The two lists of a curve have different lengths.
     CurveLengths,
-    /// Abscissae of a curve do not increase.
+    /// The abscissae of a curve do not increase.
     NotIncreasing,
-    /// Ordinates of a curve fall somewhere: the damper would push where it should resist.
+    /// The ordinates of a curve fall somewhere: the damper would push where it should resist.
     ForceDecreases,
     /// Two points of a curve are nearer than 1e-6.
     TooClose,
     /// A curve rises by more than 1e8 from point to point.
     TooSteep,
-    /// Far larger or smaller than goes with the other numbers.
+    /// The number is far larger or smaller than is in proportion to the others.
     OutOfProportion,
-    /// A limit that must lie above another does not.
+    /// A limit is not above another one as required.
     Order,
     /// The springs on the internal mass are stiffer than the series spring that drives it.
     SofterThanInner,
-    /// The elements that are on have more private states than a state has room for.
+    /// The elements that are on have more internal states than a state can hold.
     TooManyStates,
-    /// An element that bends the series compliance, without it.
+    /// An element that modifies the series compliance is on, but the series compliance is off.
     NeedsSeries,
-    /// The grid of a setting is none.
+    /// The grid of a setting is invalid.
     SettingGrid,
-    /// Values over a setting, of which there are not as many as the grid has.
+    /// The number of values for the settings differs from the size of the grid.
     SettingCount,
-    /// Something that cannot depend on the setting.
+    /// The parameter cannot depend on the setting.
     SettingFixed,
-    /// More numbers depend on the setting than there is room for.
+    /// Too many parameters depend on the setting.
     SettingTooMany,
-    /// The damper has other private states at one setting than at another.
+    /// The damper has other internal states at one setting than at another.
     SettingStates,
 }
 
 impl Reason {
-    /// The sentence that a person reads, without the parameter's name.
+    /// Returns the message for the user, without the parameter's name.
     pub const fn text(self) -> &'static str {
         match self {
             Reason::UnknownName => "no parameter or element has this name",

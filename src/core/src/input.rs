@@ -1,4 +1,4 @@
-//! What a host gives the damper, and the motion between two host steps.
+//! Input from the host, and the motion between two host steps.
 
 use crate::dual::Real;
 use crate::math::pair;
@@ -6,29 +6,29 @@ use crate::math::pair;
 /// Input at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
-    /// Damper displacement, m, extension positive; `None` where the host knows only velocity: it is then integrated
+    /// Damper displacement, m, extension positive. `None` if the host knows only the velocity, which is then integrated
     /// from the initial position.
     pub displacement: Option<f64>,
     /// Damper velocity, m/s, extension positive.
     pub velocity: f64,
-    /// Side force, N; 0 where unknown.
+    /// Side force, N; 0 if unknown.
     pub side_force: f64,
     /// Damper temperature, °C.
     pub temperature: f64,
 }
 
 impl Input {
-    /// Velocity alone.
+    /// Makes an input of a velocity alone.
     pub fn velocity(velocity: f64) -> Input {
         Input { displacement: None, velocity, side_force: 0.0, temperature: 20.0 }
     }
 
-    /// Displacement and velocity.
+    /// Makes an input of displacement and velocity.
     pub fn motion(displacement: f64, velocity: f64) -> Input {
         Input { displacement: Some(displacement), ..Input::velocity(velocity) }
     }
 
-    /// Whether every number is finite.
+    /// Returns whether every number is finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
         // 0·x is 0 for every finite x and NaN for all others.
@@ -37,10 +37,10 @@ impl Input {
     }
 }
 
-/// The driven end over one host step: the cubic through displacement and velocity at both ends.
+/// Motion of the moving end over one host step: the cubic through displacement and velocity at both ends.
 ///
-/// Displacement and velocity inside the step come from the same polynomial, so the damper never sees a velocity that
-/// is not the derivative of its displacement.
+/// Displacement and velocity inside the step come from the same polynomial. The velocity is therefore always the
+/// derivative of the displacement.
 #[derive(Clone, Copy, Debug)]
 pub struct Path {
     x0: f64,
@@ -66,7 +66,7 @@ pub struct PathPoint {
 }
 
 impl PathPoint {
-    /// Slopes of `k x + c v` over the displacement and the velocity at the end of the step.
+    /// Computes the derivatives of `k x + c v` over the displacement and the velocity at the end of the step.
     #[inline(always)]
     pub fn drive_by_end(&self, k: f64, c: f64) -> [f64; 2] {
         if self.is_end { [k, c] } else { pair(|i| k * self.x_by_end[i] + c * self.v_by_end[i]) }
@@ -74,7 +74,7 @@ impl PathPoint {
 }
 
 impl Path {
-    /// The path from (`x0`, `v0`) to the input.
+    /// Makes the path from (`x0`, `v0`) to the input.
     ///
     /// A missing displacement is the integral of a linear velocity from `v0` to `v1`.
     #[inline(always)]
@@ -87,37 +87,37 @@ impl Path {
         Path { x0, v0, x1, v1, dt, is_integrated: to.displacement.is_none() }
     }
 
-    /// Length of the step, s.
+    /// Returns the length of the step, s.
     #[inline(always)]
     pub fn length(&self) -> f64 {
         self.dt
     }
 
-    /// Whether the displacement at the end is the integral of the velocity, since the host gives none.
+    /// Returns whether the displacement at the end is integrated from the velocity, because the host gives none.
     #[inline(always)]
     pub fn is_integrated(&self) -> bool {
         self.is_integrated
     }
 
-    /// Displacement and velocity at the end.
+    /// Returns displacement and velocity at the end.
     #[inline(always)]
     pub fn end(&self) -> (f64, f64) {
         (self.x1, self.v1)
     }
 
-    /// Displacement and velocity at the start.
+    /// Returns displacement and velocity at the start.
     #[inline(always)]
     pub fn start(&self) -> (f64, f64) {
         (self.x0, self.v0)
     }
 
-    /// The motion with displacement and velocity at the end as numbers that may have derivatives.
+    /// Returns the motion with displacement and velocity at the end as numbers that may carry derivatives.
     #[inline(always)]
     pub fn travel<R: Real>(&self, x1: R, v1: R) -> Travel<R> {
         Travel { x0: self.x0, moved: x1.plus(-self.x0), v0: R::constant(self.v0), v1, time: self.dt }
     }
 
-    /// The point at fraction `theta` of the step.
+    /// Returns the point at fraction `theta` of the step.
     #[inline(always)]
     pub fn point(&self, theta: f64) -> PathPoint {
         let t2 = theta * theta;
@@ -135,14 +135,14 @@ impl Path {
         }
     }
 
-    /// The last point, exact.
+    /// Returns the last point, exact.
     #[inline(always)]
     pub fn last(&self) -> PathPoint {
         PathPoint { x: self.x1, v: self.v1, x_by_end: [1.0, 0.0], v_by_end: [0.0, 1.0], is_end: true }
     }
 }
 
-/// The motion of one end over a time, with ends that may have derivatives: a cubic as [`Path`] is.
+/// Motion of one end over a time, a cubic like [`Path`], whose end may carry derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Travel<R> {
     x0: f64,
@@ -152,26 +152,27 @@ pub struct Travel<R> {
     pub v0: R,
     /// Velocity at the end, m/s.
     pub v1: R,
-    /// Its time, s.
+    /// Duration, s.
     pub time: f64,
 }
 
 impl<R: Real> Travel<R> {
-    /// At constant acceleration, from the displacement `x0` and the velocity `v0` to the displacement `x1`.
+    /// Makes a motion at constant acceleration from the displacement `x0` and the velocity `v0` to the displacement
+    /// `x1`.
     #[inline(always)]
     pub fn accelerated(x0: R, v0: R, x1: R, time: f64) -> Travel<R> {
         let moved = x1 - x0;
         Travel { x0: x0.value(), moved, v0, v1: moved * (2.0 / time) - v0, time }
     }
 
-    /// The velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the time.
+    /// Returns the velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the time.
     #[inline(always)]
     pub fn velocity(&self) -> [R; 3] {
         let (mean, v0, v1) = (self.moved * (1.0 / self.time), self.v0, self.v1);
         [v0, mean * 6.0 - v0 * 4.0 - v1 * 2.0, (v0 + v1) * 3.0 - mean * 6.0]
     }
 
-    /// The displacement at fraction `theta`, but for the derivatives of where it began; `velocity` is that of
+    /// Returns the displacement at fraction `theta`, without the derivatives of the start. `velocity` is the result of
     /// [`Travel::velocity`].
     #[inline(always)]
     pub fn place(&self, velocity: &[R; 3], theta: R) -> R {

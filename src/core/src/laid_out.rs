@@ -1,4 +1,4 @@
-//! A state that outlives a switch of elements: see [`crate::layout`].
+//! Conversion of a state after elements were switched on or off: see [`crate::layout`].
 
 use crate::input::Input;
 use crate::layout::{MARK, bits, slot};
@@ -7,13 +7,13 @@ use crate::state::State;
 use crate::tables::Tables;
 
 impl<T: Tables> Model<T> {
-    /// Whether the private states of a state are those of this model.
+    /// Returns whether the internal states of a state have the layout of this model.
     #[inline(always)]
     pub(crate) fn has_laid_out(&self, state: &State) -> bool {
         state.layout == self.layout
     }
 
-    /// A state as this model has it: see [`Model::laid_out`].
+    /// Converts a state to the layout of this model: see [`Model::laid_out`].
     #[cold]
     #[inline(never)]
     pub(crate) fn converted(&self, state: &State) -> State {

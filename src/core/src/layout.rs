@@ -1,29 +1,30 @@
-//! Which private states the memory of a state holds, so that a state outlives a switch of elements.
+//! Layout of the internal states, so that a state survives when elements are switched on or off.
 //!
-//! The states of the elements that are on lie in memory one after the other, in an order that never changes. A layout is a bit for each
-//! kind of state that is there; the place of a state follows from the bits below its own.
+//! The internal states of the elements that are on are stored consecutively, in an order that never changes. A layout
+//! has one bit for each kind of state. The index of a state is the number of set bits below its own.
 
 use crate::assembly::Elements;
 use crate::paths::place;
 use crate::state::MAX_INTERNAL;
 
-/// Tells a layout from a number that nobody wrote; no model is without it. Above all kinds, below what a double holds exactly.
+/// Bit that every layout contains, to detect uninitialized numbers. Above all kinds, and exactly representable in a
+/// double.
 pub(crate) const MARK: u64 = 1 << 40;
-/// Kinds of states of the paths: places, of which two hold different things in different forms.
+/// Number of kinds of states of the paths: places, of which two have several kinds, one for each form.
 const IN_PATHS: u32 = 11;
 
-/// Kinds of states of the actuator of a family, behind all others.
+/// Kind of the actuator's lag state in a family, above all others.
 pub(crate) const LAG: u64 = 1 << 30;
-/// See [`LAG`].
+/// Kind of the actuator's hysteresis state: see [`LAG`].
 pub(crate) const HYSTERESIS: u64 = 1 << 31;
 
-/// A layout with the states of an actuator.
+/// Adds the states of an actuator to a layout.
 pub(crate) fn with_actuator(layout: f64, lag: bool, hysteresis: bool) -> f64 {
     let own = if lag { LAG } else { 0 } | if hysteresis { HYSTERESIS } else { 0 };
     (layout as u64 | own) as f64
 }
 
-/// The layout of an element set.
+/// Computes the layout of an element set.
 pub(crate) fn of(e: &Elements) -> f64 {
     let paths = &e.paths;
     let has = |place: usize| paths.slots().slot(place).is_some();
@@ -46,13 +47,13 @@ pub(crate) fn of(e: &Elements) -> f64 {
     (MARK | e.memory_bits() << IN_PATHS | in_paths) as f64
 }
 
-/// The bits of a layout that a state bears; nothing where it is none.
+/// Returns the bits of a state's layout; `None` if it is not a layout.
 pub(crate) fn bits(layout: f64) -> Option<u64> {
     let bits = layout as u64;
     (bits & MARK != 0 && bits < 2 * MARK && bits as f64 == layout).then_some(bits)
 }
 
-/// Where a kind of state lies in memory, if it is there.
+/// Returns the index of a kind of state among the internal states, if the layout contains it.
 pub(crate) fn slot(bits: u64, kind: u32) -> Option<usize> {
     let (own, below) = (1 << kind, (1 << kind) - 1);
     let slot = (bits & below).count_ones() as usize;

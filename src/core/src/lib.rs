@@ -1,8 +1,7 @@
-//! The damper: parameters, elements, states, force, rates and partials.
+//! The damper model: parameters, elements, states, force, rates and partial derivatives.
 //!
-//! SI units. Extension (rebound) velocity is positive, tension force is positive: a damper that resists extension
-//! answers with a positive force. `no_std`, no allocation, no `unsafe`, no panic path, the same digits on every
-//! platform.
+//! SI units. Extension (rebound) velocity and tension force are positive: a damper that resists extension has a
+//! positive force. `no_std`, no allocation, no `unsafe`, no panic path, the same digits on every platform.
 //!
 //! The equations (source: Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 3):
 //!
@@ -13,11 +12,12 @@
 //! F = F_s + F_friction(v_in) + F_gas                     [`elements`: the rest]
 //! ```
 //!
-//! Free play and rubber in the series compliance, and oil, air, voids and valves before the FV curve make F_s and F_d
-//! more than that: [`paths`]. In an eye or a mount the whole force goes through what yields: with `series_load` friction and
-//! gas act on the mass, at x_m and v_m, and F = F_s + what a mass at the driven end, the lagged polynomial and the ends of the stroke add.
+//! Free play and bushing in the series compliance extend F_s; oil, air, voids and valves before the FV curve extend
+//! F_d: see [`paths`]. In an eye or a mount the compliance carries the whole force. With `series_load` friction and gas
+//! then act on the mass, at x_m and v_m. F is then F_s plus the forces of a mass at the moving end, of the lagged
+//! polynomial and of the stops.
 //!
-//! [`evaluate`] gives force, state rates and partials at one instant, [`step`] advances over one host step.
+//! [`evaluate`] returns force, state rates and partial derivatives at one instant; [`step`] advances by one host step.
 
 #![no_std]
 #![forbid(unsafe_code)]

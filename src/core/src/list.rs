@@ -1,21 +1,21 @@
-//! The one list that puts the physical effects into the model.
+//! The list that adds the physical effects to the model.
 //!
-//! A new effect is a new file with its equation, parameters, states and partials, in `elements/`, and one line here.
-//! The line says where the effect acts:
+//! A new effect is a new file with its equation, parameters, states and partial derivatives in `elements/`, and one
+//! line here. The block of the line defines the position of the effect in the model:
 //!
 //! - `inner`: on the internal mass, driven by its displacement and velocity (inside the series compliance);
-//! - `friction` and `preload`: beside the whole damper, driven by the input motion;
-//! - `memory`: beside the whole damper, with one private state;
-//! - `stops`: beside the whole damper, at the ends of its stroke.
+//! - `friction` and `preload`: parallel to the whole damper, driven by the input motion;
+//! - `stateful`: parallel to the whole damper, with one internal state;
+//! - `stops`: parallel to the whole damper, at the ends of its stroke.
 //!
-//! The elements in the way of the force, which act on each other, come first; their list is [`crate::paths::list`].
+//! The coupled elements in the force path come first; their list is [`crate::paths::list`].
 //!
-//! Private states take a place in [`crate::State::memory`] in the order of the list, those of elements that are on only.
+//! Internal states are stored in [`crate::State::internal`] in the order of the list, only for elements that are on.
 //!
-//! `T` stands for whoever keeps the tables of an element ([`crate::tables`]): who calls the list has it in scope.
+//! `T` is the owner of an element's tables ([`crate::tables`]); it must be in scope where the list is expanded.
 //!
-//! Whoever needs the list hands the name of a macro to [`each_element!`], which calls it with all blocks: the table makes its groups of
-//! them ([`crate::parameter::groups`]), the model its prepared set ([`crate::assembly`]).
+//! Code that needs the list passes the name of a macro to [`each_element!`], which calls it with all blocks. The table
+//! makes its groups from them ([`crate::parameter::groups`]), the model its prepared set ([`crate::assembly`]).
 
 /// Calls the macro `then!` with the list.
 macro_rules! each_element {

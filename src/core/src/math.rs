@@ -1,9 +1,9 @@
-//! Elementary functions written here so that every platform gives the same digits at a known, branch-free cost.
+//! Elementary functions, so that every platform computes the same digits at a known, branch-free cost.
 //!
-//! `exp` and `tanh` are accurate to a few units in the last place of the *result's scale*: absolute for `tanh`
-//! (it multiplies a friction level), relative for `exp`.
+//! `exp` and `tanh` are accurate to a few units in the last place. For `exp` this error is relative. For `tanh` it is
+//! absolute, because `tanh` multiplies a friction level.
 
-/// Largest argument magnitude of [`exp`]; beyond it the result is that of the bound (no infinity, no subnormal).
+/// Largest argument magnitude of [`exp`]; beyond it the result is that at the bound (no infinity, no subnormal).
 const EXP_BOUND: f64 = 700.0;
 
 /// 2^(j/32) for j = 0..32, to rounding.
@@ -43,22 +43,22 @@ const ROOTS: [f64; 32] = [
     1.9571441241754002,
 ];
 
-/// e^x; arguments are held inside ±700.
+/// Computes e^x; the argument is clamped to ±700.
 #[inline(always)]
 pub fn exp(x: f64) -> f64 {
     let x = min(EXP_BOUND, x);
     exp_below_bound(x)
 }
 
-/// e^x for x ≤ 700: x log2(e) = n + (j + f)/32, e^x = 2^n 2^(j/32) 2^(f/32) with |f| ≤ 1/2.
+/// Computes e^x for x ≤ 700: x log2(e) = n + (j + f)/32, e^x = 2^n 2^(j/32) 2^(f/32) with |f| ≤ 1/2.
 ///
-/// The rounding of the product makes the relative error grow as 1e-16 |x|, which matters to nobody: beside 1 the error
-/// of the result stays below 1e-16.
+/// The rounding of the product makes the relative error grow as 1e-16 |x|. This is harmless: for negative x the
+/// absolute error stays below 1e-16.
 #[inline(always)]
 pub fn exp_below_bound(x: f64) -> f64 {
     const PER_LN2: f64 = 32.0 * core::f64::consts::LOG2_E;
     const LN2: f64 = core::f64::consts::LN_2 / 32.0;
-    // Taylor of 2^(f/32) - 1; the next term is below 3e-15.
+    // Taylor series of 2^(f/32) − 1; the next term is below 3e-15.
     const C2: f64 = LN2 * LN2 / 2.0;
     const C3: f64 = C2 * LN2 / 3.0;
     const C4: f64 = C3 * LN2 / 4.0;
@@ -76,38 +76,38 @@ pub fn exp_below_bound(x: f64) -> f64 {
     scale + scale * (f * (LN2 + f * (C2 + f * (C3 + f * (C4 + f * C5)))))
 }
 
-/// tanh(x) with an absolute error of about 1e-15.
+/// Computes tanh(x) with an absolute error of about 1e-15.
 #[inline(always)]
 pub fn tanh(x: f64) -> f64 {
     let t = exp_below_bound(-2.0 * x.abs());
     ((1.0 - t) / (1.0 + t)).copysign(x)
 }
 
-/// The larger of two numbers; one instruction, which `f64::max` is not, as it minds NaN.
+/// Returns the larger of two numbers in one instruction; `f64::max` needs more, because it handles NaN.
 #[inline(always)]
 pub fn max(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// The smaller of two numbers, likewise.
+/// Returns the smaller of two numbers in one instruction.
 #[inline(always)]
 pub fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// The two numbers that `f` makes of 0 and 1; as `[0, 1].map(f)`, always inlined.
+/// Returns `[f(0), f(1)]`; always inlined, unlike `[0, 1].map(f)`.
 #[inline(always)]
 pub fn pair(f: impl Fn(usize) -> f64) -> [f64; 2] {
     [f(0), f(1)]
 }
 
-/// Moments of exponential relaxation toward a polynomial target.
+/// Computes the moments of exponential relaxation toward a polynomial target.
 ///
-/// e^-r and ∫ r e^{-r (1-s)} s^k ds over s from 0 to 1, k = 0 to 3, for r ≥ 0. A state that relaxes toward Σ p_k s^k
-/// with the rate r per step is the sum of e^-r times its start and these moments times p_k.
+/// They are e^-r and ∫ r e^{-r (1-s)} s^k ds over s from 0 to 1, k = 0 to 3, for r ≥ 0. A state relaxes toward Σ p_k
+/// s^k with the rate r per step. Its end value is e^-r times its start plus the sum of these moments times p_k.
 #[inline(always)]
 pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
-    // Below this the recurrence would lose more digits than the series leaves out.
+    // Below this the recurrence would lose more digits than the truncation of the series.
     const SMALL: f64 = 0.5;
     if r > SMALL {
         let kept = exp_below_bound(-r);
@@ -116,7 +116,7 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         let third = 1.0 - 2.0 * second / r;
         return (kept, [first, second, third, 1.0 - 3.0 * third / r]);
     }
-    // r/4 (1 − r/5 (1 − r/6 (1 − …))); what is left out is below 0.5^13 · 3!/16!.
+    // r/4 (1 − r/5 (1 − r/6 (1 − …))); the truncation error is below 0.5^13 · 3!/16!.
     const PER: [f64; 12] = {
         let mut per = [0.0; 12];
         let mut i = 0;
@@ -126,8 +126,8 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         }
         per
     };
-    // Below this the last five do as well, for what they leave out, 1e-3^5 · 3!/8!, is below rounding (up to 4e-3 it is). Gas that
-    // takes a second to warm is there in steps of a millisecond.
+    // Below this the last five factors suffice: their truncation error, 1e-3^5 · 3!/8!, is below rounding (this holds
+    // up to 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
     const FEW: f64 = 1e-3;
     let (late, early) = PER.split_at(7);
     let mut sum = 1.0;
@@ -140,14 +140,14 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         sum = 1.0 - r * per * sum;
     }
     let fourth = 0.25 * r * sum;
-    // Downwards the recurrence loses nothing.
+    // Downward the recurrence loses no digits.
     let third = r * (1.0 - fourth) * (1.0 / 3.0);
     let second = r * (1.0 - third) * 0.5;
     let first = r * (1.0 - second);
     (1.0 - first, [first, second, third, fourth])
 }
 
-/// ln x for normal x > 0, with an absolute error of about 1e-16 in addition to that of n ln 2.
+/// Computes ln x for normal x > 0, with an absolute error of about 1e-16 in addition to that of n ln 2.
 ///
 /// x = 2^n m, √½ ≤ m < √2, ln m = 2 artanh s with s = (m − 1)/(m + 1).
 #[inline(always)]
@@ -159,7 +159,7 @@ pub fn ln(x: f64) -> f64 {
     let m = f64::from_bits((up & MANTISSA).wrapping_add(ROOT_HALF));
     let s = (m - 1.0) / (m + 1.0);
     let q = s * s;
-    // 1/3, 1/5, ...: |s| < 0.172, so that the next term is below 2e-17.
+    // 1/3, 1/5, ...: |s| < 0.172, so the next term is below 2e-17.
     let low = 1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0)));
     let high = 1.0 / 11.0 + q * (1.0 / 13.0 + q * (1.0 / 15.0 + q * (1.0 / 17.0 + q * (1.0 / 19.0))));
     let square = q * q;
@@ -167,13 +167,13 @@ pub fn ln(x: f64) -> f64 {
     n * core::f64::consts::LN_2 + (double + double * (q * (low + square * square * high)))
 }
 
-/// r^p for r ≥ 0.
+/// Computes r^p for r ≥ 0.
 #[inline(never)]
 pub fn power(r: f64, p: f64) -> f64 {
     power_inlined(r, p)
 }
 
-/// [`power`], always inlined.
+/// Computes [`power`], always inlined.
 #[inline(always)]
 pub fn power_inlined(r: f64, p: f64) -> f64 {
     if r < f64::MIN_POSITIVE {
@@ -229,7 +229,7 @@ mod tests {
         for r in [0.0, 1e-12, 1e-3, 0.1, 0.499, 0.501, 1.0, 5.0, 700.0, 1e9] {
             let (kept, [first, second, third, fourth]) = relaxation(r);
             assert!((kept + first - 1.0).abs() < 1e-14, "{r}");
-            // By Simpson's rule over many parts.
+            // Integrate by Simpson's rule over many parts.
             for (k, moment) in [(1, second), (2, third), (3, fourth)] {
                 if r < 20.0 {
                     let n = 2000;

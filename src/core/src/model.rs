@@ -1,4 +1,4 @@
-//! A model: parameters checked and made ready for evaluation.
+//! A model: checked parameters, prepared for evaluation.
 
 use crate::assembly::Elements;
 use crate::fault::{Fault, Reason};
@@ -9,12 +9,12 @@ use crate::tables::{ForceLaw, Owned, Tables};
 
 use crate::{element, number};
 
-/// Displacements within which the springs on the mass must stay softer than the series spring, m.
+/// Displacements up to which the springs on the mass must be softer than the series spring, m.
 const STROKE: f64 = 0.1;
-/// Places on each side at which their derivative is looked at: every half millimetre.
+/// Positions on each side at which the springs' derivative is checked: one every half millimeter.
 const PLACES: i32 = 200;
 
-/// Units of the private states of the elements beside the damper; "-" for those that are not here.
+/// Units of the internal states of the parallel elements; "-" for all others.
 const MEMORY_UNITS: [(Element, &str); 3] =
     [(element!("lagged_polynomial"), "N"), (element!("presliding_friction"), "m"), (element!("moving_mass"), "m/s")];
 
@@ -24,34 +24,34 @@ const MEMORY_UNITS: [(Element, &str); 3] =
 pub struct Model<T: Tables = Owned> {
     pub(crate) elements: Elements<T>,
     pub(crate) integration: Integration,
-    /// Which private states its states hold.
+    /// Layout of the states: the set of internal states that they contain.
     pub(crate) layout: f64,
 }
 
 impl Model {
-    /// No damper: what [`Model::set`] begins with.
+    /// The value without a damper, the initial value for [`Model::set`].
     pub const OFF: Model = Model { elements: Elements::OFF, integration: Integration::OFF, layout: 0.0 };
 
-    /// Checks the parameters and prepares all that does not change in a run.
+    /// Checks the parameters and prepares all that stays constant in a run.
     ///
     /// # Errors
-    /// The parameter at fault, and why.
+    /// Returns the parameter at fault and the reason.
     pub fn new(params: &Params) -> Result<Model, Fault> {
         let mut model = Model::OFF;
         model.set(params)?;
         Ok(model)
     }
 
-    /// Whether a model can be made of the parameters.
+    /// Checks whether a model can be made from the parameters.
     ///
     /// # Errors
-    /// The parameter at fault, and why.
+    /// Returns the parameter at fault and the reason.
     pub fn check(params: &Params) -> Result<(), Fault> {
         params.check()?;
         Elements::check(params)?;
         crate::proportion::check(params)?;
-        // A step takes the tangent of the springs on the mass where it expects the mass; that is only stable where the series
-        // spring decides where the mass can be.
+        // A step uses the tangent of the springs on the mass at the predicted position. This is stable only if the
+        // series spring, and not these springs, determines the position of the mass.
         let places = (-PLACES..=PLACES).map(|place| STROKE * f64::from(place) / f64::from(PLACES));
         let too_stiff = |stiffness: f64| Elements::steepest_inner(params, places).map(|steepest| steepest > stiffness);
         let stiffness = number!("series_stiffness");
@@ -61,7 +61,7 @@ impl Model {
         Ok(())
     }
 
-    /// Number of private states of a set that [`Model::check`] accepted.
+    /// Returns the number of internal states of a set that [`Model::check`] accepted.
     pub(crate) fn memories_of(params: &Params) -> usize {
         Elements::memories_of(params)
     }
@@ -69,7 +69,7 @@ impl Model {
     /// Prepares the model in place, because it is too large for the stack of a small thread.
     ///
     /// # Errors
-    /// The parameter at fault, and why; nothing is changed then.
+    /// Returns the parameter at fault and the reason; the model then stays unchanged.
     pub fn set(&mut self, params: &Params) -> Result<(), Fault> {
         Model::check(params)?;
         self.elements.set(params);
@@ -79,20 +79,21 @@ impl Model {
         Ok(())
     }
 
-    /// A copy of the model with another integration.
+    /// Returns a copy of the model with another integration.
     pub fn with_integration(&self, integration: Integration) -> Model {
         Model { integration, ..*self }
     }
 }
 
 impl<T: Tables> Model<T> {
-    /// Number of states that a solver of the host integrates: those of the internal mass and the internal states of
-    /// the elements that are on.
+    /// Returns the number of states that a solver of the host integrates.
+    ///
+    /// They are those of the internal mass and the internal states of the elements that are on.
     pub fn states(&self) -> usize {
         2 + self.elements.memories()
     }
 
-    /// Name and unit of state `index`, in the order of [`crate::Partials`]; `None` beyond the last.
+    /// Returns name and unit of state `index`, in the order of [`crate::Partials`]; `None` beyond the last.
     pub fn state_name(&self, index: usize) -> Option<(&'static str, &'static str)> {
         let e = &self.elements;
         let in_paths = (0..paths::STATES).find(|place| e.paths.slots().index(*place) == Some(index));
@@ -112,17 +113,17 @@ impl<T: Tables> Model<T> {
         found
     }
 
-    /// The prepared elements.
+    /// Returns the prepared elements.
     pub fn elements(&self) -> &Elements<T> {
         &self.elements
     }
 
-    /// How a step is integrated.
+    /// Returns the method and the substeps of a step.
     pub fn integration(&self) -> Integration {
         self.integration
     }
 
-    /// Whether `velocity` lies inside the identified FV curve; outside, the curve is prolonged straight.
+    /// Returns whether `velocity` lies inside the identified FV curve; outside, the curve is extrapolated linearly.
     #[inline(always)]
     pub fn covers(&self, velocity: f64) -> bool {
         let (low, high) = self.elements.paths.fv_curve.range();
@@ -136,7 +137,7 @@ mod tests {
     use crate::list;
     use crate::parameter::Number;
 
-    /// The counter before and after preparing agree, whatever is on.
+    /// The counts of states before and after preparation agree for any set of elements.
     #[test]
     fn states_are_counted_alike_before_and_after() {
         let all: std::vec::Vec<_> = Element::all().collect();
@@ -181,7 +182,7 @@ mod tests {
         assert_eq!(std::format!("{model:?}"), before);
     }
 
-    /// The guard looks at the derivative of the springs on the mass to both sides of their zero, all of the stroke.
+    /// The check covers the derivative of the springs on the mass on both sides of zero, over the whole stroke.
     #[test]
     fn a_series_spring_softer_than_what_it_drives_is_refused() {
         let fault = |changes: &[(Number, f64)], lookup: Option<(&[f64], &[f64])>| {
@@ -207,15 +208,15 @@ mod tests {
         // 2 k |x| at 0.1 m.
         assert_eq!(fault(&[k, (number!("spring_quadratic"), 4.9e5)], None), None);
         assert_eq!(fault(&[k, (number!("spring_quadratic"), 5.1e5)], None), softer);
-        // Steep on one side alone.
+        // Steep on one side only.
         let (x, f) = ([-0.2, -0.06, -0.05, 0.2], [-20e3, -2e3, 0.0, 0.0]);
         assert_eq!(fault(&[k], Some((&x, &f))), softer);
         let (x, f) = ([-0.2, 0.05, 0.06, 0.2], [0.0, 0.0, 2e3, 20e3]);
         assert_eq!(fault(&[k], Some((&x, &f))), softer);
-        // Steep where no damper of 200 mm stroke goes.
+        // Steep at displacements beyond a damper of 200 mm stroke.
         let (x, f) = ([-0.2, 0.12, 0.13, 0.2], [0.0, 0.0, 2e3, 16e3]);
         assert_eq!(fault(&[k], Some((&x, &f))), None);
-        // Without the series spring nothing is driven.
+        // Without the series spring there is no internal mass to drive.
         let mut params = Params::new();
         params.set(number!("spring_linear"), 1e7).unwrap();
         params.enable(element!("series_compliance"), false);

@@ -9,7 +9,8 @@
 //! fv_interpolation = "monotone_cubic"
 //! ```
 //!
-//! A damper over a setting names its grid, and gives numbers and the forces of the FV table as one value for each setting of it ([`crate::family`]):
+//! A damper that depends on a setting names its grid. Its parameters and the forces of the FV table then have one value
+//! for each setting of the grid ([`crate::family`]):
 //!
 //! ```toml
 //! setting = [0.0, 0.8, 1.6]
@@ -19,10 +20,13 @@
 //! fv_force = [[-900.0, 0.0, 1200.0], [-1500.0, 0.0, 2500.0], [-1900.0, 0.0, 3300.0]]
 //! ```
 //!
-//! A value is a number, a word in quotes, or a list, which may run over several lines. Parameters that the file does
-//! not name keep their defaults. Reading ends at the first `[table]`: what follows is for people and tools, not for
-//! the damper. A table that is named as an element is refused, for who wrote it meant its parameters. A file whose comment announces such a table (`# The lines up to [end] are the damper`), as all do that dashpot
-//! writes, and that ends before it was cut off: the parameters that are lost would silently take their defaults.
+//! A value is a number, a word in quotes, or a list, which may extend over several lines. Parameters that the file does
+//! not name keep their defaults. Reading ends at the first `[table]`: all further text is for people and tools, not for
+//! the damper. A table with the name of an element is an error, because its author meant parameters of the damper.
+//!
+//! All files that dashpot writes announce the first table in a comment (`# The lines up to [end] are the damper`). Such
+//! a file that ends before the table was truncated, which is an error: its missing parameters would silently have their
+//! defaults.
 
 use crate::family::Axis;
 use crate::family::axis::{ENTRIES, can_vary, check_entry, check_grid, check_text, check_values, index_of};
@@ -32,21 +36,21 @@ use crate::number;
 use crate::parameter::values::check;
 use crate::parameter::{COUNT, Element, GROUPS, List, Number, Params, Row, Shape, table};
 
-/// Number that the key `format` must have.
+/// Required number of the key `format`.
 pub const FORMAT: f64 = 1.0;
 
-/// Why a model file cannot be read.
+/// Error of reading a model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReadError {
     /// Line, from 1.
     pub line: u32,
-    /// Index of the parameter named there in the table, or [`NO_PARAMETER`].
+    /// Index in the table of the parameter named in that line, or [`NO_PARAMETER`].
     pub parameter: u16,
-    /// What is wrong there.
+    /// Error in that line.
     pub problem: Problem,
 }
 
-/// What can be wrong with a model file.
+/// Kind of error in a model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Problem {
     /// The line is not `name = value`.
@@ -55,28 +59,28 @@ pub enum Problem {
     Value,
     /// The key appears twice.
     Repeated,
-    /// `format` is missing or is not the number this library reads.
+    /// `format` is missing or has another number than this library reads.
     Format,
     /// `elements` is missing.
     NoElements,
-    /// `elements` names something that is no element.
+    /// `elements` contains an unknown name.
     UnknownElement,
-    /// A list has more numbers than any parameter takes.
+    /// A list has more numbers than any parameter allows.
     TooLong,
     /// The file ends before the table that its comment announces.
     CutOff,
-    /// A table is named as an element.
+    /// A table has the name of an element.
     ElementTable,
-    /// The parameter table refuses the value.
+    /// The parameter table rejects the value.
     Parameter(Fault),
-    /// A number of the setting is none that it can have.
+    /// A number of the setting is invalid.
     Setting(Reason),
-    /// The damper depends on a setting where an ordinary one is wanted.
+    /// The damper depends on a setting, but the caller needs one that does not.
     Family,
 }
 
 impl Problem {
-    /// The sentence that a person reads.
+    /// Returns the message for the user.
     pub const fn text(self) -> &'static str {
         match self {
             Problem::Syntax => "the line is not of the form name = value",
@@ -105,19 +109,20 @@ impl Problem {
     }
 }
 
-/// A name that is none of the table's.
+/// A name that is not in the table.
 const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
 
-/// How a comment announces the table that follows the damper.
+/// Begin of the comment that announces the table after the damper.
 pub const ANNOUNCES: &str = "# The lines up to [";
 
-/// Most numbers in one list. The text of [`Problem::TooLong`] says it, too.
+/// Largest number of values in one list. The text of [`Problem::TooLong`] contains it too.
 const LONGEST: usize = 64;
 
-/// Reads a model file into `params`, which start from the defaults. A damper over a setting is rejected: see [`read_family`].
+/// Reads a model file into `params`, which start from the defaults. A damper that depends on a setting is rejected: see
+/// [`read_family`].
 ///
 /// # Errors
-/// The first thing wrong, with its line; `params` is then unchanged.
+/// Returns the first error with its line; `params` then stays unchanged.
 pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     if let (_, _, Some(line)) = grid_of(text)? {
         return Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::Family });
@@ -128,29 +133,29 @@ pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     Ok(())
 }
 
-/// Whether a text can be read by [`read_family`].
+/// Checks whether [`read_family`] can read a text.
 ///
 /// # Errors
-/// The first thing wrong, with its line.
+/// Returns the first error with its line.
 pub fn check_family(text: &[u8]) -> Result<(), ReadError> {
     read_into(text, &mut Params::BLANK.clone(), None)
 }
 
-/// Reads a model file of an ordinary damper or of one over a setting. `params` are those at the start setting; `axis` has no grid where the damper is an
-/// ordinary one.
+/// Reads a model file of an ordinary or an adjustable damper. `params` are those at the start setting. `axis` has no
+/// grid for an ordinary damper.
 ///
 /// # Errors
-/// The first thing wrong, with its line; `params` and `axis` are then unchanged.
+/// Returns the first error with its line; `params` and `axis` then stay unchanged.
 pub fn read_family(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
-    // First into room of its own: what a caller keeps changes only where all of it can be read.
+    // Check first in separate memory, so that an error leaves the caller's data unchanged.
     check_family(text)?;
     read_checked(text, params, axis)
 }
 
-/// Reads a text that [`check_family`] accepted without room beside that of the caller.
+/// Reads a text that [`check_family`] accepted, directly into the caller's memory.
 ///
 /// # Errors
-/// The errors of [`read_family`]; the sets of the caller may then be filled in part.
+/// Returns the errors of [`read_family`]; the caller's data may then be incomplete.
 pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<(), ReadError> {
     axis.clear();
     let (grid, count, line) = grid_of(text)?;
@@ -162,7 +167,7 @@ pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result
     Ok(())
 }
 
-/// The grid that a text names, how many values it has, and its line; none where it names no setting.
+/// Finds the grid in a text. Returns its values, their number, and the line; no line if the text names no setting.
 fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadError> {
     let mut reader = Reader { rest: text, line: 1, announced: false };
     if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
@@ -172,7 +177,7 @@ fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadErr
     loop {
         reader.blank(true);
         let line = reader.line;
-        // What is no line of a model file is told by who reads all of it.
+        // The full reading reports a line with a syntax error.
         let Some(name) = reader.name() else { return Ok((grid, 0, None)) };
         reader.blank(false);
         if !reader.take(b'=') {
@@ -196,7 +201,7 @@ fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadErr
     }
 }
 
-/// Reads the text into values, which an error may leave changed.
+/// Reads the text into `read`, which an error may leave changed.
 ///
 /// Values that depend on a setting go to the `axis`, if there is one, and are only checked otherwise.
 #[inline(never)]
@@ -304,11 +309,11 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
     Ok(())
 }
 
-/// The name at fault in the file, if the error is about a name.
+/// Returns the name at fault in the file, if the error is about a name.
 ///
 /// It is an unknown parameter or element, or an element named twice.
 ///
-/// By bytes: the searches in texts of the standard library have panics that do not go away.
+/// The search uses bytes, because the text searches of the standard library contain panics that cannot be removed.
 pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
     let (from, to) = line_at(text, error.line)?;
     let line = text.get(from..to)?;
@@ -329,7 +334,7 @@ pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
     Some(found.strip_prefix(b"\xef\xbb\xbf").unwrap_or(found))
 }
 
-/// Where a line begins and ends, counted from 1.
+/// Returns the start and the end of a line, counted from 1.
 fn line_at(text: &[u8], line: u32) -> Option<(usize, usize)> {
     let mut number = 1;
     let mut from = 0;
@@ -344,7 +349,7 @@ fn line_at(text: &[u8], line: u32) -> Option<(usize, usize)> {
     (number == line).then_some((from, text.len()))
 }
 
-/// Calls `visit` with the words in quotes, remarks left out, until it says true; returns that word.
+/// Calls `visit` with the words in quotes, except in comments, until it returns true; returns that word.
 fn find_word<'a>(text: &'a [u8], mut visit: impl FnMut(&'a [u8]) -> bool) -> Option<&'a [u8]> {
     let (mut begins, mut is_remark) = (None, false);
     for (at, byte) in text.iter().enumerate() {
@@ -366,7 +371,7 @@ fn find_word<'a>(text: &'a [u8], mut visit: impl FnMut(&'a [u8]) -> bool) -> Opt
     None
 }
 
-/// How often a word stands in quotes.
+/// Counts how often a word appears in quotes.
 fn count_words(text: &[u8], wanted: &[u8]) -> usize {
     let mut count = 0;
     let _ = find_word(text, |word| {
@@ -388,13 +393,13 @@ struct Reader<'a> {
     announced: bool,
 }
 
-/// Whether a row is the list that may depend on a setting.
+/// Returns whether a row is the list that may depend on a setting.
 fn can_vary_list(row: Row) -> bool {
     List::try_from(row).is_ok_and(can_vary)
 }
 
 impl<'a> Reader<'a> {
-    /// Whether the value that comes next is one for each setting.
+    /// Returns whether the next value has one entry for each setting.
     fn is_over_setting(&self, row: Row) -> bool {
         let mut ahead = Reader { ..*self };
         if !ahead.take(b'[') {
@@ -407,13 +412,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A number of the setting, or its name or unit.
+    /// Reads one entry of the setting: a number, the name or the unit.
     fn setting(&mut self, index: usize, axis: Option<&mut Axis>) -> Result<(), ReadError> {
         let line = self.line;
         let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
         let wrong = |fault: Fault| at(Problem::Setting(fault.reason));
         if index == ENTRIES.len() {
-            // Read and checked before all else.
+            // The grid was read and checked before all else.
             self.skip_value();
             return Ok(());
         }
@@ -433,7 +438,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The values of a row over the setting. `varying` is its number among the numbers that depend on it.
+    /// Reads the values of a parameter for each setting. `varying` is its number among the parameters that depend on
+    /// the setting.
     fn over_setting(
         &mut self,
         row: Row,
@@ -494,7 +500,7 @@ impl<'a> Reader<'a> {
             }
             points = count;
             if index == 0 {
-                // Until the axis has all of them.
+                // These forces apply until the axis has all of them.
                 read.set_list(list, forces).map_err(of_table).map_err(of_line)?;
             }
             if let Some(axis) = axis.as_deref_mut() {
@@ -509,7 +515,7 @@ impl<'a> Reader<'a> {
         if index == settings { Ok(()) } else { Err(fault(Reason::SettingCount)) }
     }
 
-    /// Passes over a value and what stands behind it in its line.
+    /// Skips a value and the rest of its line.
     fn skip_value(&mut self) {
         let mut depth = 0i32;
         while let Some(c) = self.peek() {
@@ -538,7 +544,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value of a row of the table.
+    /// Reads the value of a row of the table.
     fn parameter(&mut self, row: Row, read: &mut Params) -> Result<(), ReadError> {
         let line = self.line;
         let at = |problem| ReadError { line, parameter: row.index as u16, problem };
@@ -596,7 +602,7 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// Passes over blanks and comments, and over line ends if `lines`.
+    /// Skips blanks and comments, and line ends if `lines`.
     fn blank(&mut self, lines: bool) {
         while let Some(c) = self.peek() {
             match c {
@@ -613,7 +619,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The longest run of bytes that `belongs` accepts.
+    /// Reads the longest run of bytes that `belongs` accepts.
     fn run(&mut self, belongs: impl Fn(u8) -> bool) -> &'a [u8] {
         let start = self.rest;
         let length = start.iter().position(|c| !belongs(*c)).unwrap_or(start.len());
@@ -622,14 +628,14 @@ impl<'a> Reader<'a> {
         run
     }
 
-    /// Reads to the end of the text and rejects tables that are named as a group of parameters: their parameters
-    /// would silently keep their defaults.
+    /// Reads to the end of the text and rejects tables with the name of a group of parameters: their parameters would
+    /// silently keep their defaults.
     fn refuse_element_tables(&mut self) -> Result<(), ReadError> {
         loop {
             self.blank(true);
             let line = self.line;
             let is_heading = self.take(b'[');
-            // Of a list of tables too.
+            // The heading of a list of tables has two brackets.
             self.take(b'[');
             self.blank(false);
             if is_heading
@@ -723,17 +729,17 @@ mod tests {
         assert_eq!(axis.forces(2), Some(&[-1900.0, 0.0, 3300.0][..]));
         let actuator = axis.actuator();
         assert_eq!((actuator.time, actuator.hysteresis), ([0.008, 0.0], 0.05));
-        // The parameters are those at the start.
+        // The parameters are those at the start setting.
         assert_eq!(params.number(number!("gas_force")), 82.5);
         assert_eq!(params.list(list!("fv_force")), [-1500.0, 0.0, 2500.0]);
         crate::family::Family::check(&params, &axis).unwrap();
-        // Where an ordinary damper is wanted it is none, and nothing is read.
+        // A reader of ordinary dampers rejects it and reads nothing.
         let mut plain = Params::new();
         let error = read(OVER_CURRENT.as_bytes(), &mut plain).unwrap_err();
         assert_eq!((error.line, error.problem), (9, Problem::Family));
         assert_eq!(name_at(OVER_CURRENT.as_bytes(), &error), Some(&b"setting"[..]));
         assert_eq!(plain, Params::new());
-        // An ordinary one is one without an axis.
+        // An ordinary damper leaves the axis empty.
         read_family(SMALL.as_bytes(), &mut params, &mut axis).unwrap();
         assert!(!axis.is_some() && axis.numbers().is_empty() && !axis.has_forces() && axis.name().is_empty());
         assert_eq!(params.number(number!("gas_force")), 12.5);
@@ -787,7 +793,7 @@ mod tests {
                 "{grid}: {error:?}"
             );
         }
-        // Nothing of it without a grid.
+        // Without a grid, an entry of the setting is an error.
         let error = wrong("format = 1\nelements = []\nsetting_time_up = 1\n");
         assert_eq!((error.line, error.problem), (3, Problem::Setting(Reason::SettingGrid)));
         let error = wrong("format = 1\nelements = []\ngas_force = [1, 2]\n");
@@ -813,7 +819,7 @@ mod tests {
                      gas_force = 151.93 # N\n\n[end]\n";
         let end = whole.find("[end]\n").unwrap();
         assert!(read(whole.as_bytes(), &mut Params::new()).is_ok());
-        // From where its parameters begin: each cut of the first value would be a damper too.
+        // Begin where the parameters begin. A file cut inside the first value would otherwise be a valid damper.
         for cut in whole.find("format").unwrap()..whole.len() {
             let refused = read(&whole.as_bytes()[..cut], &mut Params::new()).is_err();
             assert_eq!(refused, cut <= whole.rfind('[').unwrap(), "{cut} of {end}: {:?}", &whole[..cut]);
@@ -835,7 +841,7 @@ mod tests {
             let error = refused(&format!("{head}{rest}"));
             assert_eq!((error.line, error.problem), (line, Problem::ElementTable), "{rest}");
         }
-        // Before what else is wrong: with its elements in tables a file says nothing above them.
+        // This error comes before all others: a file with its elements in tables has nothing above them.
         assert_eq!(refused("[fv_curve]\n").problem, Problem::ElementTable);
         for rest in ["[fv_curves]\n", "# [fv_curve]\n", "[notes]\nwhy = \"[fv_curve]\"\n"] {
             assert!(read(format!("{head}{rest}").as_bytes(), &mut Params::new()).is_ok(), "{rest}");

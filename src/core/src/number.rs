@@ -1,14 +1,15 @@
-//! Decimal text to a number, correctly rounded, without the locale of the host and without a panic path.
+//! Conversion of decimal text to a number, correctly rounded, without the locale of the host and without a panic path.
 //!
-//! `strtod` obeys the locale (a German workstation expects a decimal comma) and `str::parse` brings panic paths, so
-//! the model file has a reader of its own. Exact for up to 19 significant digits; digits beyond them are dropped.
+//! `strtod` depends on the locale (a German workstation expects a decimal comma), and `str::parse` contains panic
+//! paths. The model file therefore has its own parser. It is exact for up to 19 significant digits and drops further
+//! digits.
 
-/// Limbs of 32 bits that hold every intermediate integer: 19 digits times 2^1300.
+/// Number of 32-bit limbs that hold every intermediate integer: 19 digits times 2^1300.
 const LIMBS: usize = 48;
-/// Decimal exponents beyond this are refused: no damper needs them.
+/// Largest decimal exponent; larger ones are rejected, because no damper needs them.
 const EXPONENT_BOUND: i32 = 300;
 
-/// Reads a decimal number such as `-1.5e3`, `+2`, `1_000.0`; `None` if the whole of `text` is not one.
+/// Reads a decimal number such as `-1.5e3`, `+2`, `1_000.0`; `None` if `text` as a whole is not a number.
 pub fn parse(text: &[u8]) -> Option<f64> {
     let (negative, digits) = match text.split_first()? {
         (b'-', rest) => (true, rest),
@@ -49,7 +50,7 @@ pub fn parse(text: &[u8]) -> Option<f64> {
     Some(if negative { -value } else { value })
 }
 
-/// The exponent: a short integer with an optional sign.
+/// Reads the exponent: a short integer with an optional sign.
 fn integer(text: &[u8]) -> Option<i32> {
     let (negative, digits) = match text.split_first()? {
         (b'-', rest) => (true, rest),
@@ -69,9 +70,9 @@ fn integer(text: &[u8]) -> Option<i32> {
     Some(if negative { -value } else { value })
 }
 
-/// mantissa · 10^exponent, rounded to nearest even.
+/// Computes mantissa · 10^exponent, rounded to nearest even.
 fn scale(mantissa: u64, exponent: i32) -> f64 {
-    // Below the smallest normal number there is nothing a damper could mean.
+    // Numbers below the smallest normal number have no meaning for a damper.
     if mantissa == 0 || exponent < -EXPONENT_BOUND - 20 {
         return 0.0;
     }
@@ -101,7 +102,7 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
         }
     }
     let limb = |i: usize| u128::from(big.get(i).copied().unwrap_or(0));
-    // The three highest limbs hold at least 65 significant bits; what lies below them only breaks ties.
+    // The three highest limbs contain at least 65 significant bits; the lower limbs only break ties.
     let high = limb(top) << 64 | limb(top.wrapping_sub(1)) << 32 | limb(top.wrapping_sub(2));
     for (i, limb) in big.iter().enumerate() {
         sticky |= i + 2 < top && *limb != 0;
@@ -123,7 +124,7 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
     value as f64 * two_to(first) * two_to(power - first)
 }
 
-/// big = value · 2^shift.
+/// Sets big = value · 2^shift.
 fn place(big: &mut [u32; LIMBS], value: u64, shift: usize) {
     let (limb, bit) = (shift / 32, shift % 32);
     let wide = u128::from(value) << bit;
@@ -146,7 +147,7 @@ fn multiply(big: &mut [u32; LIMBS], factor: u32) {
     }
 }
 
-/// Divides and returns the remainder; the divisor is 10 or 10^9, never 0.
+/// Divides in place and returns the remainder; the divisor is 10 or 10^9, never 0.
 fn divide(big: &mut [u32; LIMBS], divisor: u32) -> u32 {
     let divisor = u64::from(divisor.max(1));
     let mut remainder = 0u64;
@@ -195,7 +196,7 @@ mod tests {
             if value.is_finite() && value.abs() > 1e-280 && value.abs() < 1e280 {
                 same(&format!("{value:e}"));
             }
-            // A halfway case: 2^53 + odd, and numbers of everyday size.
+            // A halfway case: 2^53 + odd, and numbers of ordinary magnitude.
             same(&format!("{}", (seed >> 10) as f64 * 1e-6));
             same(&format!("{}", seed >> 9));
         }

@@ -1,14 +1,15 @@
-//! The one parameter table.
+//! The parameter table.
 //!
-//! Every element brings its rows (name, unit, default, bounds, meaning); the table is their sequence, in the order of the one list
-//! ([`crate::list`]). It drives the C setter, the model file, the bounds of the identification and the documentation.
+//! Every element defines its rows (name, unit, default, bounds, meaning). The table is their sequence in the order of
+//! the element list ([`crate::list`]). It defines the C setter, the model file, the bounds of the identification and
+//! the documentation.
 //!
-//! | module | what |
+//! | module | content |
 //! |---|---|
-//! | [`groups`] | the rows by element, and where each element acts |
-//! | [`row`] | the rows one after the other, and how one is found by its name |
-//! | [`id`] | which row or element is meant, checked when the code is compiled |
-//! | [`values`] | the values a user fills in |
+//! | [`groups`] | the rows by element, and the position of each element |
+//! | [`row`] | the rows in sequence, and the search by name |
+//! | [`id`] | typed identifiers of rows and elements, checked by the compiler |
+//! | [`values`] | the values that a user supplies |
 
 pub mod groups;
 pub mod id;

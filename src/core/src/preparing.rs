@@ -1,11 +1,11 @@
-//! Elements made ready from a parameter set, one like the other.
+//! Preparation of the elements from a parameter set, in one way for all.
 
 use crate::element::Prepare;
 use crate::fault::Fault;
 use crate::parameter::Params;
 use crate::tables::OwnedElement;
 
-/// Whether an element can be prepared. Not inlined: each takes its room on the stack and gives it back.
+/// Checks whether an element can be prepared. Not inlined, so that its stack space is freed on return.
 #[inline(never)]
 pub(crate) fn checked<E: Prepare>(params: &Params, place: usize) -> Result<(), Fault> {
     E::check(&params.view(place))
@@ -19,9 +19,9 @@ pub(crate) fn placed<E: Prepare>(element: &mut E, on: bool, params: &Params, pla
     }
 }
 
-/// Where an element is kept, small or large.
+/// Access to an element in a model, small or large.
 pub(crate) trait Keep<E> {
-    /// The element, to be changed.
+    /// Returns the element for modification.
     fn kept(&mut self) -> &mut E;
 }
 

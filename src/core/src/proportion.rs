@@ -1,20 +1,24 @@
-//! Whether the numbers of a damper go together in size.
+//! Check whether the numbers of a damper are in proportion to each other.
 //!
-//! With all forces, stiffnesses, masses and heats s times as large, and lengths, speeds and times as they were, a damper moves as before and its
-//! force is s times as large: every equation of the model has a force in each of its terms. So what is promised of dampers of the size of a
-//! passenger car's, in whose bounds the promises are searched, holds for those of any other size, as long as all of it is of that size. A set is
-//! allowed where there is one s by which every number that grows with the damper lies in the bounds of a car.
+//! Let all forces, stiffnesses, masses and heats be s times as large, and lengths, speeds and times unchanged. The
+//! damper then moves as before and its force is s times as large, because each term of every equation contains one
+//! force. The guarantees are tested within the bounds of passenger car dampers. They therefore hold for dampers of any
+//! size, if all their numbers are in proportion. A set is allowed if one s scales every number that grows with the
+//! damper into the bounds of a car.
 
 use crate::curve::STEEPEST;
 use crate::fault::{Fault, Reason};
 use crate::list;
 use crate::parameter::{Params, table};
 
+/// Checks whether the numbers of a set are in proportion.
+///
 /// # Errors
-/// The number that is too large or too small beside another one.
+/// Returns the number that is too large or too small compared with another.
 #[inline(never)]
 pub fn check(params: &Params) -> Result<(), Fault> {
-    // The smallest damper whose numbers may be as large as these, the largest whose may be as small, and the rows that say so.
+    // Smallest damper that allows numbers this large, largest damper that allows numbers this small, and the rows that
+    // set them.
     let (mut least, mut most) = (0.0f64, f64::INFINITY);
     let (mut too_large, mut too_small) = (None, None);
     for row in table().filter(|row| row.parameter.grows && params.counts(row)) {
@@ -40,11 +44,11 @@ pub fn check(params: &Params) -> Result<(), Fault> {
             }
         }
     }
-    // Rounding must not refuse what lies on a bound.
+    // Rounding must not reject a number on a bound.
     if least <= most * (1.0 + 1e-9) {
         return Ok(());
     }
-    // The one that no car's damper has is at fault; with both, either is.
+    // The number that no car damper has is at fault; if both are such numbers, the large one is reported.
     let at_fault = if least > 1.0 { too_large } else { too_small };
     at_fault.map_or(Ok(()), |row| Err(row.fault(Reason::OutOfProportion)))
 }

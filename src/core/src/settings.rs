@@ -1,4 +1,4 @@
-//! The settings of the step, as rows of the table; [`crate::integration::Integration`] is what becomes of them.
+//! The settings of the step as rows of the table, from which [`crate::integration::Integration`] is prepared.
 
 use crate::schema::{Describe, Parameter};
 

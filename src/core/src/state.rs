@@ -1,28 +1,28 @@
-//! What the damper remembers between steps, and what it answers.
+//! State of a damper between steps, and its output.
 
 use crate::element::ForceComponent;
 
-/// Most private states that a model may carry.
+/// Largest number of internal states of a model.
 pub const MAX_INTERNAL: usize = 8;
 
 /// State of one damper: plain numbers, owned and copied by the host. Hysteresis is always one of these continuous
-/// states, never a stored reversal point, so a copy is all that a rejected step or a saved run needs.
+/// states, never a stored reversal point. A rejected step or a saved run therefore needs only a copy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct State {
-    /// Displacement of the driven end, m (given by the host, or integrated from the initial position).
+    /// Displacement of the moving end, m (given by the host, or integrated from the initial position).
     pub displacement: f64,
-    /// Velocity of the driven end at the last step, m/s.
+    /// Velocity of the moving end at the last step, m/s.
     pub velocity: f64,
     /// Displacement of the internal mass, m.
     pub mass_displacement: f64,
     /// Velocity of the internal mass, m/s.
     pub mass_velocity: f64,
-    /// Private states of the elements.
+    /// Internal states of the elements.
     pub internal: [f64; 8],
-    /// Which states these are: see [`crate::layout`]; 0 where nobody wrote it.
+    /// Layout of the internal states: see [`crate::layout`]; 0 if no code has set it.
     pub layout: f64,
-    /// 0. Fourteen numbers are seven pairs, which processors read at once.
+    /// Always 0. Makes fourteen numbers: seven pairs, which processors load two at a time.
     pub reserved: f64,
 }
 
@@ -40,7 +40,7 @@ impl State {
         reserved: 0.0,
     };
 
-    /// Whether every number is finite.
+    /// Returns whether every number is finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
         let mut sum = (self.displacement + self.velocity) + (self.mass_displacement + self.mass_velocity);
@@ -51,29 +51,29 @@ impl State {
     }
 }
 
-/// Answer at one instant.
+/// Output at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Output {
     /// Damper force, N, tension positive.
     pub force: f64,
-    /// dF/dx over the displacement given, N/m. From a step: of that step's force, everything inside it included.
+    /// dF/dx over the displacement of the input, N/m. From a step: the total derivative of that step's force.
     pub d_force_d_displacement: f64,
-    /// dF/dv over the velocity given, N s/m.
+    /// dF/dv over the velocity of the input, N s/m.
     pub d_force_d_velocity: f64,
     /// Force of the primary damper (FV curve), N.
     pub primary_force: f64,
     /// Force of the springs on the internal mass, N.
     pub spring_force: f64,
-    /// Friction, presliding included, N.
+    /// Friction including presliding friction, N.
     pub friction_force: f64,
-    /// Gas force, gas spring included, N; negative where it pushes the rod out.
+    /// Gas force including the gas spring, N; negative if it pushes the rod out.
     pub gas_force: f64,
     /// Deflection of the series spring, m.
     pub series_deflection: f64,
     /// Force of the stops at the ends of the stroke, N.
     pub stop_force: f64,
-    /// Temperature of the oil that the forces belong to, °C.
+    /// Temperature of the oil at which the forces are computed, °C.
     pub oil_temperature: f64,
 }
 
@@ -92,7 +92,7 @@ impl Output {
         oil_temperature: 0.0,
     };
 
-    /// Whether every number is finite.
+    /// Returns whether every number is finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
         let forces = (self.force + self.d_force_d_displacement) + (self.d_force_d_velocity + self.primary_force);
@@ -102,7 +102,7 @@ impl Output {
 }
 
 impl Output {
-    /// Counts the force of an element beside the damper where it belongs, besides the total.
+    /// Adds the force of a parallel element to its component of the output, besides the total.
     pub(crate) fn count(&mut self, component: ForceComponent, force: f64) {
         match component {
             ForceComponent::Total => {}

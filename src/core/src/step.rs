@@ -1,19 +1,19 @@
-//! One host step at a fixed cost: a diagonally implicit Runge–Kutta method over a few substeps. Pure.
+//! One host step at a fixed cost: a diagonally implicit Runge–Kutta method over a few substeps, without side effects.
 //!
-//! In every stage the internal velocity u answers one scalar equation. With the stage's known parts X, V of
-//! displacement and velocity and g = γh,
+//! In every stage the internal velocity u solves one scalar equation. With the stage's known parts X, V of displacement
+//! and velocity and g = γh,
 //!
 //! ```text
 //! x_m = X + g u,   m (u − V) = g [k_s (x_in − x_m) + c_s (v_in − u) − F_p(x_m) − F_d(u)]
 //! ⇔  a u + g F_d(u) = r,   a = m + g (c_s + F_p') + g² (k_s + F_p'),
 //! ```
 //!
-//! where the springs on the mass are linearised about the predicted x_m (they are soft beside k_s); one of a table or of a
-//! higher power, whose line may end at the next point, about the x_m that they lead to. The left side
-//! rises strictly with u, so there is one answer whatever the stiffness, and the FV curve finds it in a fixed number
-//! of operations ([`crate::curve::Curve::solve`]). All methods are L-stable and stiffly accurate.
+//! The springs on the mass are linearized about the predicted x_m, because they are soft compared with k_s. A spring of
+//! a table or of a higher power is linearized again about the solution if its line does not hold there. The left side
+//! rises strictly with u, so the solution is unique for any stiffness. The FV curve finds it in a fixed number of
+//! operations ([`crate::curve::Curve::solve`]). All methods are L-stable and stiffly accurate.
 //!
-//! The cheap step is a method of its own: see [`cheap`].
+//! The cheap step is a separate method: see [`cheap`].
 
 mod beside;
 mod cheap;
@@ -40,7 +40,7 @@ use mass::{Drive, Mass, move_mass, move_mass_at_once};
 use primary::{Any, Faded, Plain, Primary};
 use tableau::{EULER, THREE_STAGE, Tableau};
 
-/// Steps longer than this, s, hide fast motion between their ends: a wheel hops in a tenth of a second.
+/// Longest step, s, that resolves fast motion: a wheel hops in a tenth of a second.
 pub const LONG_STEP: f64 = 0.01;
 
 /// Advances `from` to the end of the step, where the host's input is `to`.
@@ -48,8 +48,9 @@ pub const LONG_STEP: f64 = 0.01;
 /// Returns the new state and the force there with its exact derivatives over the displacement and the velocity of
 /// `to`.
 ///
-/// `dt = 0` is a static evaluation: the state comes back as it was, with the force at which the damper would settle.
-/// Where the host gives velocity alone, the derivative over velocity includes the displacement that it integrates to.
+/// With `dt = 0` it evaluates the equilibrium: the state does not change and the force is that of the damper at
+/// equilibrium. If the host gives only a velocity, the derivative over velocity includes the displacement integrated
+/// from it.
 #[inline]
 pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output) {
     let (mut state, mut output) = (State::ZERO, Output::ZERO);
@@ -68,21 +69,21 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
 
 /// Advances a state in place.
 ///
-/// Returns false, and leaves state and output unchanged, if the output is not finite. That takes an input or a state
-/// far outside the range of dampers.
+/// Returns false, and leaves state and output unchanged, if the output is not finite. Only an input or a state far
+/// outside the range of dampers causes this.
 #[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     move_on(model, state, to, dt, output, true)
 }
 
-/// The force of [`step_in_place`], to the bit, where nobody asks for its derivatives; `None` where it is not a finite number.
+/// Returns the force of [`step_in_place`], bitwise equal, without its derivatives; `None` if it is not finite.
 #[inline(always)]
 pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> Option<f64> {
     let mut output = Output::ZERO;
     move_on(model, state, to, dt, &mut output, false).then_some(output.force)
 }
 
-/// A step; without `derivatives` those of the answer are left to chance.
+/// Advances one step; without `derivatives` those of the output have no meaning.
 #[inline(always)]
 fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
     if !model.has_laid_out(state) {
@@ -92,13 +93,14 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
         }
-        // All is found in closed form from numbers whose fourth powers do not overflow.
+        // The solution is in closed form, from numbers whose fourth powers do not overflow.
         return true;
     }
     step_of_any_kind(model, state, *to, dt, output, derivatives)
 }
 
-/// A step from a state of other elements, which is laid out anew first; where there is no answer it stays as it was.
+/// Steps from a state of other elements, which is first converted. If the output is not finite, the state does not
+/// change.
 #[cold]
 #[inline(never)]
 fn move_on_laid_out(
@@ -117,7 +119,7 @@ fn move_on_laid_out(
     done
 }
 
-/// A step in place of a damper whose tables are borrowed, from a state that is laid out for it.
+/// Steps in place a damper whose tables are borrowed, from a state in its layout.
 #[inline(always)]
 pub(crate) fn step_borrowed(
     model: &Model<impl Tables>,
@@ -139,7 +141,7 @@ pub(crate) fn step_borrowed(
     keep_if_finite(&reached, &answer, state, output)
 }
 
-/// Keeps what a step reached where all of it is finite; else state and output stay as they were.
+/// Stores the result of a step if all of it is finite; otherwise state and output stay unchanged.
 #[inline(always)]
 fn keep_if_finite(reached: &State, answer: &Output, state: &mut State, output: &mut Output) -> bool {
     let finite = reached.is_finite() && answer.is_finite();
@@ -150,8 +152,8 @@ fn keep_if_finite(reached: &State, answer: &Output, state: &mut State, output: &
     finite
 }
 
-/// A step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers;
-/// beside the others the call is nothing.
+/// Takes a step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers.
+/// The cost of the call is negligible here.
 #[cold]
 #[inline(never)]
 fn step_of_any_kind(
@@ -198,25 +200,25 @@ fn step_by_its_method(
     }
 }
 
-/// Whether a step is one of three stages, as most are: that one is compiled for itself. All others share what lies around their stages, and those of
-/// five stages, of springs that bend and of a curve that fades their stages too ([`mass`]): each written out, with all around it, made a third of the
-/// library.
+/// Returns whether a step is a single step of three stages, as most are, which has its own compiled code. All other
+/// steps share the code around their stages. Steps of five stages, with nonlinear springs or with a fading curve also
+/// share the code of the stages ([`mass`]). Separate code for each made up a third of the library.
 #[inline(always)]
 fn is_common(model: &Model<impl Tables>, dt: f64) -> bool {
     let of = &model.integration;
     of.method == Method::ThreeStage && of.is_one(dt)
 }
 
-/// The method of a step in which no spring gets stiffer.
+/// Returns the method of a step in which no spring stiffens.
 fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
     let of = &model.integration;
     Tableau::for_method(of.method_of(dt, of.substeps(dt), || 1.0))
 }
 
-/// A step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]): the factor is known before
-/// the step.
+/// Takes a step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]). The factor is known
+/// before the step.
 ///
-/// The cheap step is another method than that through the force path, and does not come here.
+/// The cheap step differs from the method through the force path and does not use this function.
 #[inline(never)]
 fn step_of_a_fading_damper(
     model: &Model<impl Tables>,
@@ -233,7 +235,7 @@ fn step_of_a_fading_damper(
     }
 }
 
-/// A step of a damper with elements in its series or hydraulic path, with exact derivatives where they are asked for.
+/// Takes a step of a damper with elements in its series or hydraulic path, with exact derivatives if requested.
 #[inline(never)]
 fn step_through_paths(
     model: &Model<impl Tables>,
@@ -305,9 +307,9 @@ fn advance_paths_with(
     output.d_force_d_velocity = through.d_force_d_v + friction.d_force_d_v + preload.d_force_d_v + extras.d_force_d_v;
 }
 
-/// Ratio of the stiffness of rubber to that at rest, if it stores all energy at the start of a step.
+/// Estimates the ratio of the bushing's stiffness in the step to that at rest.
 ///
-/// The moving end has the higher of its two velocities.
+/// The bushing is assumed to store all kinetic energy at the start. The moving end has the higher of its two speeds.
 fn stiffer(e: &Elements<impl Tables>, from: &State, v: f64) -> f64 {
     if !e.paths.has_bushing() {
         return 1.0;
@@ -317,7 +319,7 @@ fn stiffer(e: &Elements<impl Tables>, from: &State, v: f64) -> f64 {
     e.paths.bushing.stiffer(from.displacement - from.mass_displacement, s.mass / s.stiffness * (speed * speed))
 }
 
-/// A cheap step in which some element takes its time, or in which a line does not hold.
+/// Repeats a cheap step in which an element needs a costly evaluation, or whose linearization does not hold.
 #[cold]
 #[inline(never)]
 fn cheap_step_in_full(model: &Model<impl Tables>, state: &mut State, to: Input, dt: f64, output: &mut Output) {
@@ -326,9 +328,10 @@ fn cheap_step_in_full(model: &Model<impl Tables>, state: &mut State, to: Input, 
     }
 }
 
-/// One cheap step of a damper whose only memory is its mass, as fast as it goes. Leaves the state and returns false where its
-/// lines do not hold and, with `AT_ONCE`, unless all elements answer at once; nothing is then called, and all stays in
-/// registers.
+/// Takes one cheap step of a damper whose only internal state is its mass, at the highest speed.
+///
+/// Returns false without a change if the linearization does not hold. With `AT_ONCE` it also does so unless every
+/// element has a direct solution. Then no function is called, and all values stay in registers.
 #[inline(always)]
 fn cheap_step<const AT_ONCE: bool>(
     model: &Model<impl Tables>,
@@ -340,7 +343,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let elements = &model.elements;
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let end = path.last();
-    // What does not wait for the mass comes first and is put away.
+    // Evaluate and store first all that does not depend on the mass.
     let outer = Motion { displacement: end.x, velocity: end.v, side_force: to.side_force, temperature: to.temperature };
     let before = cheap::Before {
         x: state.mass_displacement,
@@ -352,7 +355,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let at = before.springs_at(&end);
     let (friction, springs, preload);
     if AT_ONCE {
-        // Friction is the likeliest to decline.
+        // Friction is the most likely to have no direct solution.
         match elements.friction_at_once(&outer) {
             Some(answer) => friction = answer,
             None => return false,
@@ -375,7 +378,7 @@ fn cheap_step<const AT_ONCE: bool>(
         (friction.d_force_d_x + preload.d_force_d_x, friction.d_force_d_v + preload.d_force_d_v);
 
     let after = cheap::take(elements, &before, &end, at.displacement, springs);
-    // A spring that answers at once does not bend.
+    // A spring with a direct solution is linear.
     if !(after.holds() && (AT_ONCE || after.springs_hold(elements, &end, before.side))) {
         return false;
     }
@@ -390,7 +393,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let deflection = end.x - after.x;
     output.series_deflection = deflection;
     output.force = (s.stiffness * deflection + s.damping * (end.v - after.v)) + beside;
-    // The mass yields by dt k_s and dt c_s to displacement and velocity of the driven end.
+    // The mass yields by dt k_s and dt c_s to displacement and velocity of the moving end.
     let follows = s.damping + dt * s.stiffness;
     let per_impulse = dt * after.by_impulse;
     let by_x = s.stiffness - follows * (s.stiffness * per_impulse) + by_x_beside;
@@ -403,7 +406,7 @@ fn cheap_step<const AT_ONCE: bool>(
     true
 }
 
-/// One step of several dampers of one model, such as the corners of a car: to the bit what single steps give.
+/// Advances several dampers of one model, such as the corners of a car, bitwise equal to single steps.
 ///
 /// Stops at the shortest of the lists.
 pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: &mut [State], outputs: &mut [Output]) {
@@ -412,7 +415,9 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// A common step with its exact derivatives where they are asked for; `BENT`: with springs that bend. Not inlined, so that it has the registers to itself.
+/// Takes a common step, with exact derivatives if requested.
+///
+/// With `BENT` the springs are nonlinear. The function is not inlined, so that it can use all registers.
 #[inline(never)]
 fn answer<P: Primary, const BENT: bool>(
     model: &Model<impl Tables>,
@@ -425,7 +430,7 @@ fn answer<P: Primary, const BENT: bool>(
     answer_by::<P, true, BENT>(&THREE_STAGE, model, state, to, dt, output, derivatives);
 }
 
-/// Any step, in the same way.
+/// Takes a step by any method, with exact derivatives if requested.
 #[inline(never)]
 fn answer_by_table(
     method: &Tableau,
@@ -439,7 +444,8 @@ fn answer_by_table(
     answer_by::<Any, false, true>(method, model, state, to, dt, output, derivatives);
 }
 
-/// The answer of one way of stepping; where the host gives no displacement, its own at the end follows the velocity there.
+/// Takes a step by one variant. Without a displacement from the host, the displacement at the end depends on the
+/// velocity there.
 #[inline(always)]
 fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
@@ -459,15 +465,16 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
 
 /// Advances a state in place and passes every stage to `follow`.
 ///
-/// The derivatives of the output hold the internal mass constant and, unless `follow` asks for them, the internal
-/// states too. This is for a damper without elements in its series or hydraulic path, whose stages are of another
-/// kind: see [`advance_paths`].
+/// The derivatives of the output treat the internal mass as fixed, and the internal states too unless `follow` asks for
+/// derivatives. The function is for dampers without elements in the series or hydraulic path: their stages differ, see
+/// [`advance_paths`].
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = tableau(model, dt);
     advance_by::<Plain, _, _, false, true>(method, model, to, dt, follow, state, output);
 }
 
-/// By one method, in place. `COMMON`: where [`is_common`] says so; springs may then bend where it is `BENT`.
+/// Advances a state in place by one method. `COMMON`: [`is_common`] is true; the springs may then be nonlinear only
+/// with `BENT`.
 #[inline(always)]
 fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
@@ -521,7 +528,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
         by_x = inner.d_force_d_x;
         by_v = inner.d_force_d_v + primary.derivative;
     }
-    // Where it is in most steps it stands here, elsewhere it is called.
+    // Inline these calls in the most frequent step, and call them elsewhere.
     let Outer { friction, preload } = if COMMON && !BENT {
         Outer { friction: e.friction(&outer), preload: e.preload(&outer) }
     } else {
@@ -533,7 +540,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
     by_x += friction.d_force_d_x + preload.d_force_d_x;
     by_v += friction.d_force_d_v + preload.d_force_d_v;
     if e.has_beside() {
-        // Copies, so that nobody but this branch keeps them in memory.
+        // Copies, so that only this branch keeps them in memory.
         let (path, outer) = (path, outer);
         let sum = advance_extras(
             (method, substeps),
@@ -558,7 +565,7 @@ mod tests {
     use super::*;
     use std::vec::Vec;
 
-    /// The matrix of a method, the diagonal included.
+    /// Returns the matrix of a method including the diagonal.
     fn matrix(rows: &Tableau) -> Vec<Vec<f64>> {
         let entry = |i: usize, j: usize| match i.cmp(&j) {
             core::cmp::Ordering::Less => 0.0,
@@ -568,7 +575,7 @@ mod tests {
         (0..rows.stages).map(|i| (0..rows.stages).map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// How far a method is from the conditions up to an order.
+    /// Returns the largest residual of the order conditions up to an order.
     fn misses(method: Method, order: usize) -> f64 {
         let a = matrix(Tableau::for_method(method));
         let c: Vec<f64> = a.iter().map(|row| row.iter().sum()).collect();
@@ -604,7 +611,8 @@ mod tests {
         assert!(misses(Method::Fourth, 4) < 1e-13);
     }
 
-    /// Largest growth of an oscillation of any frequency, and how much of an infinitely stiff motion is left.
+    /// Returns the largest growth of an oscillation of any frequency, and the residual fraction of an infinitely stiff
+    /// motion.
     fn growth(method: Method) -> (f64, f64) {
         let a = matrix(Tableau::for_method(method));
         let after = |y: f64| {
@@ -624,7 +632,8 @@ mod tests {
         (most, after(1e9))
     }
 
-    /// On the imaginary axis, and with all poles to the right of it since every γ is above 0: in the whole left half.
+    /// On the imaginary axis. All poles lie to its right, because every γ is positive; so it holds in the whole left
+    /// half-plane.
     #[test]
     fn the_methods_are_l_stable() {
         for (most, left) in

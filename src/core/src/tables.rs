@@ -1,7 +1,7 @@
-//! The large tables that elements read, and who keeps them.
+//! The large tables that elements read, and their owners.
 //!
-//! A model owns its tables. A model that is made for one step at a setting between two of its grid borrows them from the family and keeps nothing large:
-//! see [`crate::family`]. The formulas of the elements are the same for both.
+//! A model owns its tables. A model at a setting between two grid values exists for one step. It borrows the tables
+//! from the family and stores nothing large: see [`crate::family`]. The formulas of the elements are the same for both.
 
 use crate::curve::{Above, Value};
 use core::fmt::Debug;
@@ -9,25 +9,27 @@ use core::ops::{Deref, DerefMut};
 
 /// A non-decreasing law of force over velocity: the FV curve.
 pub trait ForceLaw: Copy + Debug {
-    /// Force and derivative at a velocity.
+    /// Returns force and derivative at a velocity.
     fn evaluate(&self, u: f64) -> Value;
 
-    /// Force above that at standstill, with derivative and curvature.
+    /// Returns the force relative to that at standstill, with derivative and curvature.
     fn above_zero(&self, u: f64) -> Above;
 
-    /// Force at standstill.
+    /// Returns the force at standstill.
     fn at_zero(&self) -> f64;
 
-    /// The velocity u with `a u + f(u) = r` for `a > 0`, with force and derivative there: see [`crate::curve::Curve::solve`].
+    /// Returns the velocity u with `a u + f(u) = r` for `a > 0`, with force and derivative there.
+    ///
+    /// See [`crate::curve::Curve::solve`].
     fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value);
 
-    /// First and last velocity that the points cover.
+    /// Returns the first and the last velocity of the points.
     fn range(&self) -> (f64, f64);
 }
 
 /// A table that is only evaluated.
 pub trait Lookup: Copy + Debug {
-    /// Value and derivative at a place.
+    /// Returns value and derivative at a position.
     fn lookup(&self, u: f64) -> Value;
 }
 
@@ -42,21 +44,22 @@ pub struct Conducted {
 
 /// Conductance of a valve passage over the force.
 pub trait Conduction: Copy + Debug {
-    /// g at a force along a stroke, which has the sign `stroke`.
+    /// Returns g at the force h along a stroke; `stroke` is its sign.
     fn conducted(&self, curve: &impl ForceLaw, h: f64, stroke: f64) -> Conducted;
 }
 
-/// Who keeps the tables of a model.
+/// Owner of the tables of a model.
 pub trait Tables: Copy + Debug {
-    /// Whether stages are compiled for the elements that are on; else all share one, which makes the library smaller and a step slower.
+    /// Whether each common set of elements has its own compiled stages. Otherwise all share one, which makes the
+    /// library smaller and a step slower.
     const HAS_STAGES_OF_ITS_OWN: bool;
     /// The FV curve.
     type Fv: ForceLaw;
     /// The table of a spring.
     type Spring: Lookup;
-    /// The conductance of a late valve.
+    /// The conductance of a lagging valve.
     type Conductance: Conduction;
-    /// An element that is small.
+    /// A small element.
     type Kept<E: Copy + Debug + 'static>: Deref<Target = E> + Copy + Debug;
 }
 
@@ -81,6 +84,6 @@ impl<E> DerefMut for OwnedElement<E> {
     }
 }
 
-/// The model itself.
+/// The model itself as the owner.
 #[derive(Clone, Copy, Debug)]
 pub struct Owned;

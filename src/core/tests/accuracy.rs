@@ -1,11 +1,11 @@
-//! The accuracy contract over the corners of the test matrix, against an independent reference.
+//! The guaranteed accuracy over the corners of the test matrix, compared with an independent reference.
 
 mod common;
 use common::*;
 use dashpot_core::list;
 use dashpot_core::step::Method;
 
-/// Largest rms and largest single error, as shares of the largest force.
+/// Returns the largest rms error and the largest single error, relative to the largest force.
 fn worst(changes: &[(&str, f64)], dt: f64, velocity_only: bool) -> (f64, f64) {
     let model = model(changes);
     let mut worst = (0.0f64, 0.0f64);
@@ -34,7 +34,7 @@ fn a_millisecond_step_is_within_a_thousandth() {
     }
 }
 
-/// More of them would be as exact, at a price that the book does not say.
+/// More substeps would be as accurate, at a cost that differs from the book's figures.
 #[test]
 fn the_automatic_choice_takes_no_more_substeps_than_it_needs() {
     for (changes, substeps) in [(DEFAULT, 1), (SOFT, 1), (STIFF, 2)] {
@@ -62,7 +62,7 @@ fn velocity_alone_is_within_half_a_percent() {
 
 /// Masses and springs of every size, and curves with a third of the default damping.
 ///
-/// The automatic choice of method and substeps was measured over them.
+/// The automatic choice of method and substeps was fitted to them.
 #[test]
 fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
     let mut table = String::new();
@@ -86,7 +86,7 @@ fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
             let forces: Vec<f64> = params.list(list!("fv_force")).iter().map(|force| scale * force).collect();
             params.set_list(list!("fv_force"), &forces).unwrap();
             let model = dashpot_core::Model::new(&params).unwrap();
-            // Short enough for the classical method to be stable with the steepest of the curves.
+            // Short enough for the explicit reference method to be stable with the steepest of the curves.
             let rate = (scale * 7e3 / mass).max((stiffness / mass).sqrt());
             let parts = 200 + (1.5e-3 * rate) as usize;
             for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {

@@ -1,4 +1,4 @@
-//! The elements beside the damper that remember, and the stops: what each one is, seen from outside.
+//! The parallel elements with internal states, and the stops: behavior of each element.
 
 mod common;
 use common::*;
@@ -6,7 +6,7 @@ use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Reason, State, evaluate};
 use std::f64::consts::TAU;
 
-/// Displacement, force and time over a run at step `dt`, from the settled start of the motion.
+/// Returns displacement and force at each step of length `dt`, from the steady state at the start of the motion.
 fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64)> {
     let (x, v) = motion(0.0);
     let mut state = model.steady_state(&Input::motion(x, v));
@@ -20,7 +20,7 @@ fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize
         .collect()
 }
 
-/// Work over the last of `cycles` cycles.
+/// Computes the work over the last of `cycles` cycles.
 fn loop_area(model: &Model, amplitude: f64, frequency: f64, cycles: usize) -> f64 {
     let n = 2000;
     let points = run(model, &sine(amplitude, frequency), 1.0 / frequency / n as f64, cycles * n);
@@ -45,7 +45,7 @@ fn presliding_does_not_know_the_speed() {
 fn presliding_turns_over_as_the_exponential_of_travel() {
     let (level, length) = (50.0, 2e-4);
     let model = only(&["presliding_friction"], &[("presliding_force", level), ("presliding_length", length)]);
-    // At constant speed from the unbent contact: F = F_c (1 − exp(−x/z_0)), at any step.
+    // At constant speed from the undeflected contact, F = F_c (1 − exp(−x/z_0)) at any step.
     for (v, dt) in [(0.001, 1e-3), (0.05, 1e-3), (0.05, 1e-4)] {
         let mut state = State { velocity: v, ..State::ZERO };
         for i in 1..=50 {
@@ -66,7 +66,7 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
         &["gas_spring"],
         &[("gas_stiffness", k), ("gas_length", length), ("gas_adiabatic_index", index), ("gas_thermal_time", time)],
     );
-    // Slow: p V stays, fast: p V^γ stays.
+    // Slow: p V is constant. Fast: p V^γ is constant.
     for (frequency, e) in [(1e-4, 1.0), (30.0, index)] {
         let points = run(&model, &sine(0.05, frequency), 1.0 / frequency / 400.0, 400);
         let cold = (1.0 - 0.05 / length).powf(e - 1.0);
@@ -74,15 +74,15 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
             let ratio = 1.0 + x / length;
             let pressure = if e == 1.0 { 1.0 / ratio } else { cold * ratio.powf(-e) };
             let exact = k * length * (1.0 - pressure);
-            // A hundredth of the thermal time is one fast cycle.
+            // One fast cycle lasts a hundredth of the thermal time.
             assert!((force - exact).abs() < 0.015 * k * 0.05, "{frequency} Hz at {x}: {force} for {exact}");
         }
     }
-    // Between the two, heat that crosses the wall is lost: most where the motion takes as long as the wall.
+    // Between the two, heat through the wall dissipates energy, most when the period matches the thermal time.
     let area = |f: f64| loop_area(&model, 0.05, f, 4);
     let (slow, middle, fast) = (area(1e-3), area(1.0 / (TAU * time)), area(30.0));
     assert!(slow > 0.0 && middle > 3.0 * slow && middle > 3.0 * fast.abs(), "{slow} {middle} {fast}");
-    // Static is isothermal.
+    // The equilibrium is isothermal.
     let held = step(&model, &State::ZERO, &Input::motion(0.05, 0.0), 0.0).1;
     assert!((held.gas_force - k * length * (1.0 - 1.0 / (1.0 + 0.05 / length))).abs() < 1e-9);
 }
@@ -136,7 +136,7 @@ fn a_mass_inside_is_internal_mass() {
     for ((_, a), (_, b)) in run(&a, &sine(5e-3, 20.0), 5e-4, 200).iter().zip(&run(&b, &sine(5e-3, 20.0), 5e-4, 200)) {
         assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{a} {b}");
     }
-    // Without a series stiffness the driven end is the piston.
+    // Without a series stiffness the piston moves with the moving end.
     let (a, b) = (
         only(&["moving_mass"], &[("moving_mass", 2.0), ("moving_mass_place", 1.0)]),
         only(&["moving_mass"], &[("moving_mass", 2.0)]),
@@ -169,7 +169,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         }
         force
     };
-    // A contact that creeps has less friction at low speed, however long the way.
+    // A contact that creeps has less friction at low speed, even after a long motion.
     let creeping = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_creep", 1e-3)]);
     for v in [3e-4, 1e-3, 0.1] {
         let settled = creeping.steady_state(&Input::motion(0.0, v));
@@ -177,7 +177,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         assert!((output.force / (level * v / (v * v + 1e-6f64).sqrt()) - 1.0).abs() < 1e-6, "{v}: {}", output.force);
         assert!((moved.internal[0] / settled.internal[0] - 1.0).abs() < 1e-9);
     }
-    // Back from sliding: Dahl's contact turns over twice as fast as it bent, an elastic return just as fast.
+    // Back from sliding, Dahl's contact relaxes twice as fast as it deflected; an elastic return is equally fast.
     for (back, derivative) in [(0.0, 2.0), (1.0, 1.0)] {
         let model = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_return", back)]);
         let v = -0.01;
@@ -195,7 +195,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         let force = step(&model, &slid, &Input::motion(-travel, v), dt).1.force;
         assert!(((level - force) / (level * 0.02) / derivative - 1.0).abs() < 0.03, "{back}: {force}");
     }
-    // Half the length: a spring; two lengths: sliding.
+    // At half the length it is a spring, at two lengths it slides.
     assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
     assert!((at(&dahl, 0.5 * length) / (level * (1.0 - (-0.5f64).exp())) - 1.0).abs() < 2e-3);
     assert!((at(&elastic, 2.0 * length) / level - 1.0).abs() < 1e-2);
@@ -220,7 +220,7 @@ fn a_stop_of_oil_is_felt_on_the_way_in_alone_by_speed_or_its_square() {
         let model = of(flow);
         let (slow, fast) = (force(&model, 0.04, 0.5), force(&model, 0.04, 1.0));
         assert!((fast / slow - 2f64.powi(power)).abs() < 0.06, "{flow}: {slow} {fast}");
-        // The damping is stated at the depth of the progression and 1 m/s; contact is soft over half a millimetre.
+        // The damping refers to the depth of the progression and 1 m/s; the contact is soft over half a millimeter.
         assert!((fast / 3e3 - 1.0).abs() < 0.1, "{flow}: {fast}");
         assert_eq!(force(&model, 0.04, -1.0), 0.0);
         assert_eq!(force(&model, 0.029, 1.0), 0.0);
@@ -247,13 +247,13 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
             assert_eq!(force(-0.1, v), 0.0);
             assert_eq!(at(0.05, v).force, at(0.05, v).stop_force);
         }
-        // Statically the stiffening spring, less what the soft contact takes of its depth.
+        // At standstill: the stiffening spring, minus the soft onset of the contact.
         let static_force = |d: f64| 4e4 * d * (1.0 + d / 0.02);
         let d = 0.02;
         let soft = d * d / (d + 5e-4);
         assert!((force(0.03 + d, 0.0) - static_force(soft)).abs() < 1e-6);
         assert!((force(0.03 + d, 0.0) / static_force(d) - 1.0).abs() < 0.04);
-        // More on the way in than on the way out: the loss both ways, the oil on the way in.
+        // The force is larger on the way in than on the way out: the loss acts both ways, the oil only on the way in.
         assert!((force(0.05, -1.0) / force(0.05, 0.0) - 0.8).abs() < 1e-9);
         assert!(force(0.05, 1.0) > 1.2 * force(0.05, 0.0) + 0.9 * 3e3);
         let mut last = 0.0;
@@ -262,7 +262,7 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
             assert!(now >= last);
             last = now;
         }
-        // Slopes are continuous at the contact and at standstill.
+        // The derivatives are continuous at the contact and at standstill.
         for (x, v, dx, dv) in [(0.03, 0.5, 1e-9, 0.0), (0.05, 0.0, 0.0, 1e-9)] {
             let (a, b) = (at(x - dx, v - dv), at(x + dx, v + dv));
             assert!((a.d_force_d_displacement - b.d_force_d_displacement).abs() < 1.0, "{element} {x}");
@@ -273,7 +273,7 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
     }
 }
 
-/// The private states take the first free places in the order of the list, and eight are enough for any of these.
+/// The internal states have the first free indices in the order of the list.
 #[test]
 fn states_are_compact() {
     let model = only(&["moving_mass", "presliding_friction"], &[]);
@@ -283,7 +283,7 @@ fn states_are_compact() {
     assert!(!Reason::TooManyStates.text().is_empty());
 }
 
-/// The fourth-order step against a finer explicit solution, each element on with the default damper, at 1 ms.
+/// Compares the step at 1 ms with a finer explicit solution, for each element with the default damper.
 #[test]
 fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
     for (elements, changes) in [
@@ -304,17 +304,17 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
 
 /// Smooth elements show the order of the method.
 ///
-/// Presliding has the kink of |v| at every reversal; its order between reversals is 2.
+/// Presliding has a kink of |v| at every reversal; its order between reversals is 2.
 #[test]
 fn order_of_the_step_with_each_element() {
     for (elements, changes, orders) in [
         (&["gas_spring"][..], &[("gas_stiffness", 3e3), ("gas_thermal_time", 0.05)][..], [0.9, 1.9, 3.5, 2.8, 1.8]),
-        // Of second order where the growth of the acceleration, which lags by τ, has another sign than it.
+        // The order is 2 if the growth of the acceleration, which lags by τ, has another sign than the acceleration.
         (&["moving_mass"], &[("moving_mass_time", 1e-2)], [0.9, 1.9, 1.9, 1.9, 1.8]),
         (&["presliding_friction"], &[("presliding_length", 5e-3)], [0.9, 1.9, 3.0, 2.8, 1.8]),
     ] {
         let model = only(elements, changes);
-        // No reversal inside.
+        // There is no reversal inside.
         let motion = |t: f64| (0.3 * t + 0.01 * (20.0 * t).sin(), 0.3 + 0.2 * (20.0 * t).cos());
         let exact = reference_forces(&model, &motion, 8e-3, 30, 2000);
         for (method, order) in METHODS.into_iter().zip(orders) {
@@ -326,7 +326,7 @@ fn order_of_the_step_with_each_element() {
             };
             let (coarse, fine) = (error(1), error(2));
             let derivative = (coarse / fine).log2();
-            // Four orders of the path: the motion itself is a cubic inside a step.
+            // At most order 4, because the motion is a cubic inside each step.
             assert!(derivative > order || fine < 1e-9, "{elements:?} {method:?}: {coarse:.2e} {fine:.2e} {derivative}");
         }
     }

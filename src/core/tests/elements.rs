@@ -1,4 +1,4 @@
-//! What each element is, seen from outside: symmetry, peaks, limits, and silence when it is off.
+//! Behavior of each element: symmetry, peaks, limits, and no effect when it is off.
 
 mod common;
 use common::*;
@@ -29,7 +29,7 @@ proptest! {
         }
     }
 
-    /// The cheap step asks elements for an answer at once; where there is one, it is the full answer to the bit.
+    /// The cheap step uses the short form of elements. Where it exists, it equals the full form bitwise.
     #[test]
     fn a_quick_answer_is_the_full_answer(params in any_params(), x in -0.05..0.05f64, v in (-6.0..0.5f64).prop_map(|d| 10f64.powf(d)), sign in any::<bool>()) {
         let at = Motion { displacement: x, velocity: if sign { v } else { -v }, side_force: 300.0, temperature: 20.0 };
@@ -95,7 +95,7 @@ proptest! {
         let input = Input::motion(x, v);
         let stepped = step(&model, &model.steady_state(&Input::motion(0.0, 0.0)), &input, dt).1;
         let direct = evaluate(&model, &State::ZERO, &input).0;
-        // What flows past the valves is found by rounds, to a ten-millionth of the velocity.
+        // The bypass flow is solved iteratively, to a ten-millionth of the velocity.
         let grooved = p.is_on(element!("position_dependent_damping")) && p.number(number!("bypass_form")) == 1.0;
         let allowed = if grooved { 1e-6 } else { 1e-12 };
         prop_assert!((stepped.force - direct.force).abs() <= allowed * (1.0 + direct.force.abs()));
@@ -112,7 +112,7 @@ proptest! {
         prop_assert!((top - peak).abs() < 1e-3 * peak, "peak {top} for {peak}");
         prop_assert!((at / v - 1.0).abs() < 0.02, "peak at {at} for {v}");
         prop_assert!((force(&model, 30.0 * v) - coulomb).abs() < 1e-9 * peak);
-        // Where the exponentials are dropped nothing jumps.
+        // The force does not jump where the exponentials are dropped.
         let edge = v * (2.0f64 * 40.0).sqrt();
         prop_assert!((force(&model, edge * 1.000_001) - force(&model, edge * 0.999_999)).abs() < 1e-9 * peak);
     }
@@ -125,7 +125,7 @@ proptest! {
             ("stribeck_breakaway_velocity", 1e-4), ("stribeck_velocity", 0.1),
         ]);
         prop_assert_eq!(force(&model, 0.0), 0.0);
-        // Between the scales of rise and fall the peak is reached to tanh and exp of their ratio.
+        // Between the scales of rise and fall, the force reaches the peak up to tanh and exp of their ratio.
         prop_assert!((force(&model, 1e-3) - peak).abs() < 2e-4 * peak);
         prop_assert!((force(&model, 1.0) - level).abs() < 1e-9 * peak);
         let top = (1..10_000).map(|i| force(&model, i as f64 * 1e-4)).fold(0.0, f64::max);
@@ -161,7 +161,7 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     let target = 3000.0 * 0.2;
     for (method, tolerance) in [(Method::Euler, 0.05), (Method::Second, 2e-3), (Method::Fourth, 2e-5)] {
         let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
-        // From rest at a velocity that is held from the first step on.
+        // From rest, at a velocity that is constant from the first step on.
         let mut state = State { velocity: 0.2, ..model.steady_state(&Input::motion(0.0, 0.0)) };
         for i in 1..=20 {
             let t = i as f64 * 1e-3;
@@ -177,7 +177,7 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     }
 }
 
-/// Travel of a slow sine within which the force is all but nothing.
+/// Returns the distance of a slow sine over which the force is almost zero.
 fn travel_without_force(model: &Model) -> f64 {
     let (steps, dt) = (8000, 2.5e-4);
     let motion = sine(3e-3, 0.5);
@@ -186,8 +186,8 @@ fn travel_without_force(model: &Model) -> f64 {
     (1..steps).filter(|i| forces[*i].abs() < 3.0).map(|i| (from(i) - from(i - 1)).abs()).sum()
 }
 
-/// Play in an eye is where no force goes through it: where the damper, friction and all, pulls neither way. Play that
-/// the hydraulic force alone goes through is somewhere else.
+/// Play in an eye that carries the whole force occurs where the total force of the damper, including friction, is zero.
+/// Play in series with the hydraulic force alone occurs elsewhere.
 #[test]
 fn play_in_an_eye_is_where_the_force_is_nothing() {
     let play = |load: f64| {
@@ -204,13 +204,13 @@ fn play_in_an_eye_is_where_the_force_is_nothing() {
         }
         travel_without_force(&Model::new(&p).unwrap())
     };
-    // Twice in a cycle.
+    // The gap is crossed twice in a cycle.
     let (whole, hydraulic) = (play(1.0), play(0.0));
     assert!(whole > 2e-4 && whole < 5e-4, "{whole}");
     assert!(hydraulic < 0.3 * whole, "{hydraulic} beside {whole}");
 }
 
-/// A series spring that hardly yields makes no difference to whatever is behind it.
+/// With a very stiff series spring, it does not matter whether an element acts behind it or in parallel.
 #[test]
 fn behind_a_stiff_series_spring_friction_and_gas_act_as_beside_it() {
     let forces = |load: f64| {
@@ -223,13 +223,13 @@ fn behind_a_stiff_series_spring_friction_and_gas_act_as_beside_it() {
     let (whole, beside) = (forces(1.0), forces(0.0));
     let top = beside.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     for (i, (a, b)) in whole.iter().zip(&beside).enumerate().skip(200) {
-        // But where friction turns over.
+        // Except where friction reverses.
         let turns = (i % 2500) < 40 || (i % 2500) > 2460;
         assert!(turns || (a - b).abs() < 2e-3 * top, "{i}: {a}, {b}");
     }
 }
 
-/// A number of a form that is not chosen changes no force.
+/// A parameter of a form that is not chosen changes no force.
 #[test]
 fn numbers_of_other_forms_do_not_count() {
     for row in table().filter(|row| row.parameter.form.is_some()) {
@@ -263,7 +263,7 @@ fn numbers_of_other_forms_do_not_count() {
                         let values: Vec<f64> = params.list(list).iter().map(|v| (1.0 + share) * v).collect();
                         other.set_list(list, &values).unwrap();
                     }
-                    // Of derivatives and knees, in whose middle no damper is.
+                    // A value near the default: the mean of the bounds fits no damper's derivatives and knees.
                     Shape::Scalar => {
                         let number = Number::find(row.parameter.name).unwrap();
                         let near = number.default() * (0.5 + share);

@@ -1,10 +1,10 @@
-//! The examples in the documentation, those among them that must not compile. Cargo would run them after the count of skipped tests, so
-//! they are a test (`doctest = false`).
+//! Test of the examples in the documentation, including those that must not compile. Cargo would run them after the
+//! count of skipped tests, so this test runs them (`doctest = false`).
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The library of a crate that was compiled last: cargo keeps one for each set of options.
+/// Returns the library of a crate that was compiled last: cargo stores one for each set of options.
 fn library(folder: &Path, name: &str) -> PathBuf {
     let prefix = format!("lib{name}-");
     let files = std::fs::read_dir(folder).expect("the folder of this test").map(|entry| entry.expect("an entry"));
@@ -21,7 +21,7 @@ fn examples_compile_or_are_refused_as_they_say() {
     let folder = own.parent().expect("its folder");
     let mut rustdoc = Command::new(std::env::var_os("RUSTDOC").unwrap_or_else(|| "rustdoc".into()));
     rustdoc.current_dir(env!("CARGO_MANIFEST_DIR"));
-    // A library that is compiled either way can be linked into a program that aborts.
+    // Only a library compiled for both panic strategies can be linked into a program that aborts.
     rustdoc.args(["--test", "src/lib.rs", "--crate-name", "dashpot_core", "--edition", "2024", "-C", "panic=abort"]);
     rustdoc.arg("-L").arg(format!("dependency={}", folder.display()));
     for name in ["dashpot_core", "libm"] {

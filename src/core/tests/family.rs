@@ -1,4 +1,6 @@
-//! A family is at every setting the ordinary damper of the interpolated numbers, whatever its elements; its actuator moves it between them.
+//! At every setting a family equals the ordinary damper of the interpolated numbers, for all elements.
+//!
+//! Its actuator moves it between the settings.
 
 mod common;
 use common::{any_params, params, paths, sine, told};
@@ -12,13 +14,13 @@ use proptest::prelude::*;
 
 const GRID: [f64; 5] = [0.0, 0.4, 0.8, 1.2, 1.6];
 
-/// Forces of the FV table that grow with the setting: slowly near standstill, more at speed.
+/// Scales the forces of the FV table with the setting: little near standstill, more at speed.
 fn forces(params: &Params, size: f64) -> Vec<f64> {
     let (v, f) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     v.iter().zip(f).map(|(v, f)| f * (1.0 + size * (0.3 + v.abs() / (0.2 + v.abs())))).collect()
 }
 
-/// The axis over which forces and these numbers grow, with hardly two intervals alike.
+/// Makes an axis over which the forces and these numbers grow, with unequal intervals.
 fn over(params: &Params, numbers: &[Number]) -> Axis {
     let mut axis = Axis::NONE;
     axis.set_grid(&GRID).unwrap();
@@ -33,7 +35,7 @@ fn over(params: &Params, numbers: &[Number]) -> Axis {
     axis
 }
 
-/// Numbers of the elements that are on and of the form that is chosen.
+/// Returns the parameters of the elements that are on and of the chosen form.
 fn numbers_of(params: &Params) -> Vec<Number> {
     table()
         .filter(|row| row.element().is_some() && params.counts(row) && matches!(row.parameter.shape, Shape::Scalar))
@@ -41,15 +43,18 @@ fn numbers_of(params: &Params) -> Vec<Number> {
         .collect()
 }
 
-/// A family on the heap: it is large.
+/// Makes a family on the heap, because it is large.
 fn family(params: &Params, axis: &Axis) -> Result<Box<Family>, dashpot_core::Fault> {
     let mut family = Box::new(Family::OFF);
     family.set(params, axis)?;
     Ok(family)
 }
 
-/// The largest difference of the forces of a family at a constant setting and of the ordinary damper there, and the largest force. Where every
-/// step begins from the ordinary damper's state, a damper that hardly anything damps does not make chaos of a rounding.
+/// Returns the largest difference between the forces of a family at a constant setting and of the ordinary damper
+/// there, and the largest force.
+///
+/// With `begins_anew` every step begins from the ordinary damper's state. Otherwise rounding errors may grow without
+/// bound in an almost undamped damper.
 fn apart(family: &Family, model: &Model, setting: f64, dt: f64, begins_anew: bool) -> (f64, f64) {
     let model = model.with_integration(family.model().integration());
     let motion = sine(0.02, 4.0);
@@ -114,7 +119,7 @@ fn a_constant_setting_is_the_ordinary_damper_of_the_interpolated_numbers() {
             let mut axis = over(&params, &numbers);
             let curve = params.is_on(element!("fv_curve")) && params.number(number!("fv_form")) == 0.0;
             if !curve {
-                // Forces of a table that nobody reads are no part of the damper.
+                // Forces of an unused table are no part of the damper.
                 let mut without = Axis::NONE;
                 without.set_grid(&GRID).unwrap();
                 for number in &numbers {
@@ -176,7 +181,7 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
             assert!((now - last) * v >= -1e-9, "turns at {k} mA, {v} m/s");
             last = now;
         }
-        // Outside it is clamped.
+        // Outside the grid the setting is clamped.
         assert_eq!((force(-1.0), force(5.0)), (force(0.0), force(1.6)));
         let derivative = |setting: f64| {
             family
@@ -189,13 +194,13 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
                 (before - after).abs() < 0.02 * (before.abs() + after.abs()) + 0.1,
                 "{before} {after} at {setting}, {v}"
             );
-            // No flat place on the grid: a controller finds a gain there.
+            // The force is not level on the grid, so that a controller finds a gain there.
             assert!(v.abs() < 0.1 || derivative(setting).abs() > 10.0, "{} at {setting}, {v}", derivative(setting));
         }
     }
 }
 
-/// The force of straight lines through the points.
+/// Interpolates linearly between the points.
 fn between(v: &[f64], f: &[f64], at: f64) -> f64 {
     let i = v.iter().filter(|v| **v <= at).count().clamp(1, v.len() - 1);
     f[i - 1] + (f[i] - f[i - 1]) * (at - v[i - 1]) / (v[i] - v[i - 1])
@@ -204,7 +209,7 @@ fn between(v: &[f64], f: &[f64], at: f64) -> f64 {
 proptest! {
     #![proptest_config(drawn(150))]
 
-    /// Whatever the damper, whatever of it grows with the setting: a family is the ordinary damper at a constant one.
+    /// A family with any elements and any varying parameters equals the ordinary damper at a constant setting.
     #[test]
     fn any_family_is_the_ordinary_damper_at_a_constant_setting(params in any_params(), setting in 0.0..1.6f64, which in any::<u64>()) {
         let numbers: Vec<Number> = numbers_of(&params)
@@ -229,7 +234,8 @@ proptest! {
         prop_assert!(off <= 1e-7 * largest.max(1.0), "{off} of {largest} N: {}", told(&params));
     }
 
-    /// However the setting changes while the damper moves, it only takes energy: what depends on it stores none.
+    /// Any changes of the setting during the motion only dissipate energy, if no parameter that depends on it stores
+    /// energy.
     #[test]
     fn changes_of_the_setting_return_no_energy(
         params in any_params(),
@@ -243,7 +249,7 @@ proptest! {
             params.enable(dashpot_core::parameter::Element::find(element).unwrap(), kept);
         }
         let (v, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
-        // An odd curve: with a force at rest the setting would store energy in it.
+        // The curve is odd: with a force at rest the setting would store energy in it.
         let positive: Vec<f64> = v.iter().copied().filter(|v| *v > 0.0).collect();
         let symmetric: Vec<f64> = positive.iter().rev().map(|v| -v).chain([0.0]).chain(positive.iter().copied()).collect();
         let odd: Vec<f64> = symmetric.iter().map(|at| 0.5 * (between(&v, &f, *at) - between(&v, &f, -at))).collect();
@@ -263,12 +269,13 @@ proptest! {
         let (mut work, mut gross, mut last) = (0.0, 0.0, 0.0);
         for i in 1..=4 * per_cycle {
             let (x, v) = motion(f64::from(i) * dt);
-            // At random, or the worst that a controller could do: soft while the damper resists, firm where it turns.
+            // Random changes, or the worst case of a controller: soft while the damper resists, firm when the force
+            // assists the motion.
             let setting = if follows { if v * last > 0.0 { 0.0 } else { 1.6 } } else { changes[i as usize % 64] };
             let before = state.displacement;
             let mut output = Output::ZERO;
             prop_assert!(family.step_in_place(&mut state, &mut delay, &Input::motion(x, v), Some(setting), dt, &mut output, true));
-            // The force of a switched damper jumps, and works with its value at the end of the step.
+            // The force of a switched damper jumps, and its value at the end of the step does the work.
             let done = output.force * (state.displacement - before);
             work += done;
             gross += done.abs();
@@ -292,7 +299,7 @@ fn what_stores_energy_is_told() {
     }
 }
 
-/// A family with all that an actuator has.
+/// Makes a family with all parameters of an actuator.
 fn moved(params: &Params) -> Axis {
     let mut axis = over(params, &[number!("gas_force"), number!("series_damping")]);
     for (index, value) in [0.4, 8e-3, 20e-3, 5e-3, 200.0, 100.0, 0.03].into_iter().enumerate() {
@@ -329,7 +336,7 @@ fn the_valve_follows_a_command_in_its_time_up_and_down() {
     }
 }
 
-/// A run that is continued from a copy repeats the first to the bit, dead time and hysteresis included.
+/// A run that continues from a copy repeats the first bitwise, including dead time and hysteresis.
 #[test]
 fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
     let params = params(&[]);
@@ -362,7 +369,7 @@ fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
     assert_eq!(all[199..], rest);
 }
 
-/// Tiny steps of the family and the integral of its rates are the same motion.
+/// Tiny steps of the family and the integral of its state derivatives give the same motion.
 #[test]
 fn rates_are_what_the_steps_integrate() {
     let params = params(&[("internal_mass", 5.0), ("series_stiffness", 5e5)]);
@@ -458,14 +465,14 @@ fn partials_of_a_family_are_differences_of_its_rates() {
         assert!(near(by_setting.rate[i], seen, 1.0), "rate {i} by setting: {} {seen}", by_setting.rate[i]);
     }
     assert_eq!(by_setting.force, 0.0);
-    // Without an actuator the command acts at once.
+    // Without an actuator the command acts immediately.
     let axis = over(&p, &[number!("gas_force")]);
     let at_once = self::family(&p, &axis).unwrap();
     let state = at_once.steady_state(&Input::motion(0.0, 0.18), Some(0.7));
     let (_, by_setting) = at_once.partials(&state, &input, Some(0.7));
     let force = |setting: f64| at_once.evaluate(&state, &input, Some(setting)).0.force;
     assert!(near(by_setting.force, (force(0.7 + 1e-5) - force(0.7 - 1e-5)) / 2e-5, 1.0), "{}", by_setting.force);
-    // What the ordinary damper there says of the rest.
+    // All other derivatives equal those of the ordinary damper at this setting.
     let model = Model::new(&axis.params_at(&p, 0.7)).unwrap();
     let (wanted, got) =
         (partials(&model, &model.laid_out(&state), &input), at_once.partials(&state, &input, Some(0.7)).0);
@@ -477,7 +484,7 @@ fn partials_of_a_family_are_differences_of_its_rates() {
     assert!(near(output.force, force(0.7), 1.0));
 }
 
-/// A model that runs may become a family and an ordinary damper again: what the elements remember goes with the state.
+/// A running model may become a family and an ordinary damper again: the internal states follow their elements.
 #[test]
 fn a_state_of_the_ordinary_damper_is_one_of_the_family() {
     let mut p = params(&[]);
@@ -523,7 +530,7 @@ fn what_is_no_family_is_rejected_with_the_number_at_fault() {
     assert_eq!(reason(axis.set_forces(1, &[0.0, 1.0, 2.0])), Reason::CurveLengths);
     assert_eq!(axis.check().unwrap_err(), list!("fv_force").fault(Reason::SettingCount));
     axis.set_forces(1, &[0.0, 1.0]).unwrap();
-    // The table has another number of velocities.
+    // The table has another number of velocities than of forces.
     assert_eq!(Family::check(&p, &axis).unwrap_err(), list!("fv_force").fault(Reason::CurveLengths));
     axis.set_grid(&[0.0, 1.0]).unwrap();
     let mut falling = forces(&p, 1.0);
@@ -545,7 +552,7 @@ fn what_is_no_family_is_rejected_with_the_number_at_fault() {
     assert_eq!(Family::check(&p, &Axis::NONE).unwrap_err().reason, Reason::SettingGrid);
 }
 
-/// The API of whoever has a damper for each setting, such as a fit.
+/// Interface for code with one damper per setting, such as a fit.
 #[test]
 fn a_family_through_dampers_is_each_of_them_at_its_setting() {
     let grid = [0.0, 0.5, 1.6];

@@ -1,4 +1,4 @@
-//! Each method converges with its order where the damper is smooth.
+//! Each method converges with its order for a smooth damper.
 
 mod common;
 use common::*;
@@ -9,8 +9,7 @@ use dashpot_core::{list, number};
 
 /// A model with smooth elements of both force paths.
 ///
-/// Their own heat damps with the temperature of the stage before, which is of the first order and far below these
-/// errors.
+/// The damping uses the temperature of the previous stage. This error is of first order and far below the others.
 fn smooth_paths() -> Model {
     let mut params = smooth_params();
     for element in ["bushing", "oil_compressibility", "frequency_selective_damping", "temperature_fade"] {
@@ -23,7 +22,7 @@ fn smooth_paths() -> Model {
     Model::new(&params).unwrap()
 }
 
-/// A damper without kinks: a straight FV curve, a cubic spring, no dry friction. Its stiff motion is slow enough for
+/// A damper without kinks: a linear FV curve, a cubic spring, no dry friction. Its stiff motion is slow enough for
 /// steps of a millisecond to show their order.
 fn smooth() -> Model {
     Model::new(&smooth_params()).unwrap()
@@ -56,7 +55,7 @@ fn error_falls_with_the_order_of_the_method_through_the_paths() {
 
 fn falls(model: Model) {
     let motion = sine(0.02, 4.0);
-    // Short enough for the stiffest part, the bushing, to show the order of each.
+    // Short enough to show the order of each method for the stiffest part, the bushing.
     let (coarse, steps) = (5e-4, 500);
     let exact = reference_forces(&model, &motion, coarse, steps, 200);
     let methods = [
@@ -84,7 +83,7 @@ fn falls(model: Model) {
 
 #[test]
 fn substeps_and_shorter_steps_are_the_same_refinement() {
-    // On a motion that the cubic path carries exactly, n substeps are n steps.
+    // For a motion that the cubic path reproduces exactly, n substeps equal n steps.
     let model = smooth();
     let motion = |t: f64| (0.02 * t + 3.0 * t * t * t, 0.02 + 9.0 * t * t);
     for method in METHODS {

@@ -1,4 +1,4 @@
-//! Friction, series compliance and FV curve together only take energy.
+//! Friction, series compliance and FV curve together only dissipate energy.
 
 mod common;
 use common::*;
@@ -17,8 +17,8 @@ proptest! {
 
     /// Over closed cycles the work done on the damper is not negative.
     ///
-    /// The initial energy of series spring and mass, and the error of measuring work at the ends of steps, are
-    /// allowed for.
+    /// The test allows for the initial energy of series spring and mass, and for the error of measuring work at the
+    /// ends of steps.
     #[test]
     fn no_cycle_returns_more_than_it_took(
         params in any_params(),
@@ -28,19 +28,19 @@ proptest! {
     ) {
         let mut params = params;
         for element in dashpot_core::parameter::names() {
-            // More than all that is below would be too many states: those stay as they were drawn.
+            // Further elements with states would exceed the number of states, so these stay as they were drawn.
             let drawn = WITH_STATES.contains(&element) && params.is_on(Element::find(element).unwrap());
             let keep = !["parallel_spring", "gas_preload", "gas_spring", "lagged_polynomial"].contains(&element);
             params.enable(Element::find(element).unwrap(), keep && (drawn || !WITH_STATES.contains(&element)));
         }
-        // A bushing that hardens within a millimetre rings faster than steps can tell its work.
+        // A bushing that hardens within a millimeter oscillates too fast for its work to be measured at the steps.
         params.set(number!("bushing_hardening"), 1.0).unwrap();
-        // A FV curve through the origin takes energy by itself; an offset would be a preload.
+        // An FV curve through the origin only dissipates energy; an offset would be a preload.
         let (u, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
         let odd: Vec<f64> = (0..u.len()).map(|i| 0.5 * (f[i] - at(&u, &f, -u[i]))).collect();
         params.set_list(list!("fv_force"), &odd).unwrap();
         params.set(number!("fv_interpolation"), 1.0).unwrap();
-        // Friction that falls below the Coulomb level by a negative peak is no friction.
+        // A Stribeck peak below the Coulomb level would not be friction.
         let (peak, level) = (params.number(number!("stribeck_breakaway_force")), params.number(number!("stribeck_coulomb_force")));
         params.set(number!("stribeck_breakaway_force"), peak.max(level)).unwrap();
 
@@ -63,8 +63,8 @@ proptest! {
                 (cycle_work, held) = (work, stored(&model, &params, &state));
             }
         }
-        // The trapezoid of the work errs by the square of the steps per cycle.
-        // Where the FV curve jumps by tens of kilonewtons, oil and air throw the mass about between two samples.
+        // The trapezoidal rule for the work has an error quadratic in the step per cycle. Where the FV curve jumps by
+        // tens of kilonewtons, oil and air accelerate the mass strongly between two samples.
         let thrown = if model.elements().has_paths() { 0.05 } else { 0.0 };
         let blur = (40.0 / (per_cycle * per_cycle) as f64 + thrown) * gross;
         prop_assert!(work >= -blur, "three cycles returned {work} J of {gross} J at {dt} s, {frequency} Hz, {amplitude} m: {}", told(&params));
@@ -73,10 +73,10 @@ proptest! {
     }
 }
 
-/// Energy in the springs and masses.
+/// Computes the energy in the springs and masses.
 ///
-/// They are the series spring with its gap and rubber, the oil column, and all that moves with the piston and with
-/// the moving end.
+/// They are the series spring with its gap and bushing, the oil column, and all masses that move with the piston or the
+/// moving end.
 fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
     let e = &model.elements().paths;
     let series = &e.series_compliance;
@@ -104,13 +104,13 @@ fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State)
     sum
 }
 
-/// What a force that grows with a deflection did up to there.
+/// Computes the work of a force that grows with a deflection, from 0 to that deflection.
 fn under(force: impl Fn(f64) -> f64, to: f64) -> f64 {
     const PIECES: i32 = 1000;
     (0..PIECES).map(|k| force(to * (f64::from(k) + 0.5) / f64::from(PIECES)) * to / f64::from(PIECES)).sum()
 }
 
-/// Force of the oil column at a deflection, air included: y of q = y/k + d y/(y + F_a) by halving.
+/// Computes the force of the oil column at a deflection including air: y of q = y/k + d y/(y + F_a) by bisection.
 fn column(params: &dashpot_core::Params, q: f64) -> f64 {
     let number = |id| params.number(id);
     let side = |share: f64| if q < 0.0 { share } else { 1.0 };
@@ -131,13 +131,13 @@ fn column(params: &dashpot_core::Params, q: f64) -> f64 {
     low.copysign(q)
 }
 
-/// Straight interpolation.
+/// Interpolates linearly.
 fn at(u: &[f64], f: &[f64], v: f64) -> f64 {
     let i = u.partition_point(|u| *u <= v).clamp(1, u.len() - 1);
     f[i - 1] + (f[i] - f[i - 1]) * (v - u[i - 1]) / (u[i] - u[i - 1])
 }
 
-/// The cheap step of the thesis's model loses energy to the method, never gains it.
+/// The free motion of the thesis's model loses energy in every step, with every method.
 #[test]
 fn free_motion_dies_with_every_method() {
     let mut p = params(&[]);
@@ -159,15 +159,15 @@ fn free_motion_dies_with_every_method() {
     }
 }
 
-/// Energy supplied at the moving end, as a method itself counts it.
+/// Energy supplied at the moving end, as the method itself sums it.
 ///
-/// It is the force of each stage over the stroke in which that stage moves the moving end. These strokes sum to the
-/// stroke of the step.
+/// It is the force of each stage times the stroke of the moving end in that stage. These strokes sum to the stroke of
+/// the step.
 struct PutIn {
     work: f64,
-    /// Displacement of the driven end before the substep.
+    /// Displacement of the moving end before the substep.
     from: f64,
-    /// Of each stage: what it moves, and its force.
+    /// For each stage: its stroke and its force.
     stages: Vec<(f64, f64)>,
 }
 
@@ -188,14 +188,14 @@ impl Follow for PutIn {
     }
 }
 
-/// An undamped mass, thrown to and fro near its own frequency by steps that hardly resolve it.
+/// Drives an undamped mass back and forth near its natural frequency, by steps that hardly resolve it.
 ///
-/// Its amplitude depends on the step, since a method changes its frequency. The energy of its swing is what the
-/// moving end has supplied. That holds for the algebraically stable methods. The others have no such bound, but free
-/// motion decays with them too.
+/// Its amplitude depends on the step, because a method shifts its frequency. The energy of its oscillation is at most
+/// the energy that the moving end has supplied. This holds for the algebraically stable methods. The others have no
+/// such bound, but free motion decays with them too.
 ///
-/// The first spring is that of a case that the search finds (seed 1001, case 5001): 76 kN with the method of second order, 40 kN
-/// in steps of 1/32.
+/// The first spring is that of a case found by the search (seed 1001, case 5001). The second-order method gave 76 kN
+/// there, and steps of 1/32 gave 40 kN.
 #[test]
 fn a_mass_that_swings_with_the_drive_holds_no_more_than_was_put_in() {
     let (speed, mass) = (0.875_444_094_218_036, 0.5);
@@ -228,7 +228,8 @@ fn a_mass_that_swings_with_the_drive_holds_no_more_than_was_put_in() {
             }
         }
     }
-    // It does swing: with more than the mass has at twice the speed of the driven end, which is all that one throw gives.
+    // It does oscillate: with more energy than the mass has at twice the speed of the moving end, the effect of one
+    // reversal.
     let throw = 2.0 * mass * speed * speed;
     assert!(furthest > 20.0 * throw, "{furthest} J");
 }

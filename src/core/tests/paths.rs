@@ -1,4 +1,4 @@
-//! The elements of the series and the hydraulic path: what each one is, seen from outside.
+//! The elements of the series and the hydraulic path: behavior of each element.
 
 mod common;
 use common::*;
@@ -9,7 +9,7 @@ use dashpot_core::{Input, Model, Output, Reason, State, evaluate};
 use dashpot_core::{element, list, number};
 use std::f64::consts::TAU;
 
-/// Input and answer at each step.
+/// Returns input and output at each step.
 fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64, Output)> {
     let (x, v) = motion(0.0);
     let mut state = model.steady_state(&Input::motion(x, v));
@@ -23,7 +23,7 @@ fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize
         .collect()
 }
 
-/// The FV curve and these elements alone, the curve straight: 2000 N s/m.
+/// Makes a model of a linear FV curve, 2000 N s/m, and these elements alone.
 fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p: Params = params(changes);
     p.disable_all();
@@ -37,7 +37,7 @@ fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 
 const C: f64 = 2000.0;
 
-/// First harmonic of the force over velocity amplitude: in phase with velocity, and with displacement.
+/// Computes the first harmonic of the force over that of the motion: in phase with velocity, and with displacement.
 fn gain(model: &Model, amplitude: f64, frequency: f64) -> (f64, f64) {
     let w = TAU * frequency;
     let n = 1000;
@@ -67,12 +67,13 @@ fn air_softens_small_forces_alone() {
     let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
     let air = straight(&["aeration"], &[]);
     let off = |a: f64, frequency: f64| 1.0 - gain(&air, a, frequency).0 / gain(&oil, a, frequency).0;
-    // 0.1 mm at 50 N, 20 mm at 2.5 kN.
+    // The forces are 50 N at 0.1 mm and 2.5 kN at 20 mm.
     let (small, large) = (off(1e-4, 40.0), off(2e-2, 10.0));
     assert!(small > 0.2 && large < 0.05, "{small} {large}");
 }
 
-/// The soft stroke of the chamber under pressure: with none in compression, that stroke is as hard as oil alone.
+/// The soft stroke belongs to the chamber under pressure: without air in compression, that stroke is as stiff as oil
+/// alone.
 #[test]
 fn air_in_the_rebound_chamber_softens_rebound_alone() {
     let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
@@ -92,12 +93,12 @@ fn air_in_the_rebound_chamber_softens_rebound_alone() {
     assert!(off(&one, 1.0) > 0.2 && off(&one, -1.0).abs() < 0.1, "{} {}", off(&one, 1.0), off(&one, -1.0));
 }
 
-/// Free travel, m, series stiffness, N/m, and softness of the contact, N, of [`with_play`].
+/// Play, m, series stiffness, N/m, and softness of the contact, N, of [`with_play`].
 const PLAY: f64 = 4e-4;
 const PLAY_STIFFNESS: f64 = 3e6;
 const PLAY_FORCE: f64 = 10.0;
 
-/// A spring of 1e5 N/m behind an eye with play under a load.
+/// Makes a spring of 1e5 N/m in series with an eye with play under a load.
 fn with_play(load: f64) -> Model {
     let mut p = params(&[
         ("free_play_gap", PLAY),
@@ -117,7 +118,7 @@ fn with_play(load: f64) -> Model {
 #[test]
 fn free_play_is_a_dead_band_of_its_length() {
     let model = with_play(0.0);
-    // Between large forces of both signs the deflection is the spring's and the whole gap.
+    // Between large forces of both signs, the deflection is that of the spring plus the whole gap.
     for x in [0.02, 0.05] {
         let (a, b) = (model.steady_state(&Input::motion(x, 0.0)), model.steady_state(&Input::motion(-x, 0.0)));
         let force = 1e5 * a.mass_displacement;
@@ -151,7 +152,7 @@ fn a_load_shifts_the_force_at_which_the_gap_opens_and_nothing_else() {
 
 #[test]
 fn friction_in_a_bushing_loses_the_same_at_any_rate() {
-    // Rod held at the mass: the loss of a cycle of deflection, at a hundred times the rate.
+    // With the mass fixed: the energy lost in a deflection cycle, at ten times the rate.
     let loss = |frequency: f64| {
         let model = with(
             &["bushing"],
@@ -207,7 +208,8 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
             let points = run(&model, &sine(0.02, 1.0 / (TAU * 0.02)), 2e-4, 1600);
             let most = points.iter().map(|p| sign * p.2.force).fold(0.0, f64::max);
             assert!(most > 999.0 && most < 1012.0, "{most}");
-            // The void when the stroke turns, from the excess of its speed over the one that the cap drives: 0.5 m/s.
+            // The void at the reversal is the integral of the excess of the speed over that which the cap drives: 0.5
+            // m/s.
             let (mut void, mut lost, dt) = (0.0f64, 0.0, 2e-4);
             // The capped stroke and the one after it.
             let first = if side == 1.0 { 1 } else { 315 };
@@ -216,7 +218,7 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
                 if speed > 0.0 {
                     void = (void + (speed - 0.5) * dt).max(0.0);
                 } else if speed < -0.02 && pull > speed * C + 20.0 {
-                    // The void closes: no force at all, or the cap against the motion.
+                    // The void closes: with zero force, or with the cap against the motion.
                     let held = kept * 1000.0;
                     assert!((pull - held).abs() < 25.0 || lost > 0.9 * void, "at {v}: {pull}");
                     lost += (kept * 0.5 - speed) * dt;
@@ -225,7 +227,8 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
             assert!(void > 1e-3 && (lost / void - 1.0).abs() < 0.05, "void {void}, dead stroke {lost}");
         }
     }
-    // A cap that is never reached changes nothing; by one method, since the automatic choice asks what is on.
+    // A cap above all forces changes nothing. The method is fixed, because the automatic choice depends on the
+    // elements.
     let by = ("method", 4.0);
     let (free, capped) = (
         with(&["oil_compressibility"], &[by]),
@@ -239,7 +242,7 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
     }
 }
 
-/// Force of a straight damper with a passage of this flow at 1 kN beside its valves, at speed v: F/C + q √(F/1 kN) = v.
+/// Returns the force of a linear damper at speed v with a parallel passage of this flow at 1 kN: F/C + q √(F/1 kN) = v.
 fn beside_a_passage(flow: f64, v: f64) -> f64 {
     // A quadratic in √F.
     let (a, b) = (1.0 / C, flow / 1000f64.sqrt());
@@ -259,7 +262,7 @@ fn a_groove_adds_flow_where_it_is() {
     let model = straight(&["position_dependent_damping"], &groove);
     let force = |x: f64, v: f64| evaluate(&model, &State::ZERO, &Input::motion(x, v)).0.force;
     for v in [0.2, 0.5, 1.0] {
-        // Below 20 N the orifice is straight, which at these forces is a part in some thousands.
+        // Below 20 N the orifice is linear; at these forces the effect is one part in some thousands.
         assert!((force(0.0, v) / beside_a_passage(0.2, v) - 1.0).abs() < 2e-3, "{v}: {}", force(0.0, v));
         assert!((force(0.05, v) / (C * v) - 1.0).abs() < 1e-6);
         assert!((force(0.0, -v) / (C * -v) - 1.0).abs() < 1e-9);
@@ -274,8 +277,8 @@ fn an_oil_column_is_softer_where_it_is_longer() {
             &["oil_compressibility"],
             &[("oil_stiffness", k), ("oil_shortening", shortening), ("oil_chambers", chambers)],
         );
-        // A stroke so short that the place is the same: 20 mm out, both strokes; the derivative of force over distance where
-        // the valves have not yet followed is k/ℓ.
+        // The stroke about 20 mm of extension is so short that the displacement hardly changes. Before the valves
+        // follow, the derivative of force over displacement is k/ℓ in both strokes.
         for (sign, length) in [1.0, -1.0].into_iter().zip(at_rebound_end) {
             let x0 = 0.02;
             let start = State { displacement: x0, ..model.steady_state(&Input::motion(x0, 0.0)) };
@@ -348,7 +351,7 @@ fn gas_in_a_void_gives_way_as_it_expands() {
         let (mut void, mut largest) = (0.0f64, 0.0f64);
         for (_, v, output) in &points {
             let pull = sign * output.force;
-            // What the valves do not pass at that force goes into the void or comes from it.
+            // Flow that the valves do not pass at that force enters or leaves the void.
             void = (void + (sign * v - pull / C) * dt).max(0.0);
             largest = largest.max(void);
             if void > 1e-4 {
@@ -376,7 +379,7 @@ fn viscosity_follows_vogel() {
         let viscosity = (b / (temperature + offset) - b / (reference + offset)).exp();
         assert!((force / (0.5 * C) / viscosity - 1.0).abs() < 1e-9);
     }
-    // Far below the reference the law has no sense; the force stays finite.
+    // Far below the reference the law has no meaning, but the force stays finite.
     let at = Input { temperature: -200.0, ..Input::motion(0.0, 0.5) };
     assert!(step(&model, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force < 0.5 * C * 21.0);
 }
@@ -391,7 +394,7 @@ fn fade_follows_the_temperature_given_and_the_heat_made() {
         assert!((output.force / (0.5 * C) - (-a * (temperature - 20.0)).exp()).abs() < 1e-9);
         assert_eq!(output.oil_temperature, temperature);
     }
-    // Of a force that is laminar by half, half fades.
+    // If half of a force is laminar, only half fades.
     let half = straight(&["temperature_fade"], &[("fade_coefficient", a), ("fade_laminar_force", 0.5 * C)]);
     let at = Input { temperature: 90.0, ..Input::motion(0.0, 0.5) };
     let force = step(&half, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force;
@@ -419,12 +422,12 @@ fn frequency_selective_damping_is_firm_when_slow_and_soft_when_fast() {
         let exact = C * (1.0 - a + a / (1.0 + r * r));
         assert!((gain(&filter, 0.02, frequency).0 / exact - 1.0).abs() < 2e-3, "{frequency} Hz");
     }
-    // The same peak velocity, 0.3 m/s.
+    // The peak velocity is always 0.3 m/s.
     let stroke = straight(&["frequency_selective_damping"], &[("fsd_form", 1.0), ("fsd_share", a), ("fsd_time", tau)]);
     let at = |frequency: f64| gain(&stroke, 0.3 / TAU / frequency, frequency).0 / C;
     let (slow, fast) = (at(0.2), at(15.0));
     assert!(slow > 0.95 && fast < 1.0 - 0.8 * a, "{slow} {fast}");
-    // A passage that is shut in slow strokes and open in fast ones.
+    // A passage that is closed in slow strokes and open in fast ones.
     let passage = straight(
         &["frequency_selective_damping"],
         &[("fsd_form", 2.0), ("fsd_flow", 0.1), ("fsd_time", tau), ("fsd_force", 20.0)],
@@ -451,7 +454,7 @@ fn a_late_valve_takes_more_while_speed_rises() {
                 ("valve_hysteresis_share", 0.2),
             ],
         );
-        // Up and down through the opening force, at two rates.
+        // Speed rises and falls through the opening force, at two frequencies.
         let difference = |frequency: f64| {
             let n = 2000;
             let amplitude = 0.6 / (TAU * frequency);
@@ -466,7 +469,8 @@ fn a_late_valve_takes_more_while_speed_rises() {
         };
         let (slow, fast) = (difference(0.2), difference(8.0));
         assert!(fast > 30.0, "{ratio}: {fast}");
-        // Time alone vanishes when slow; a valve that closes at less than it opens keeps a part.
+        // The effect of the time constant vanishes in slow motion. A valve that closes at a lower force than it opens
+        // keeps a part.
         assert!(if ratio == 1.0 { slow < 0.1 * fast } else { slow > 20.0 }, "{ratio}: {slow}");
     }
 }
@@ -490,15 +494,15 @@ fn a_valve_with_play_has_a_loop_however_slow_the_motion() {
             let i = (from..to).min_by(|a, b| (points[*a].1 - v).abs().total_cmp(&(points[*b].1 - v).abs()));
             points[i.unwrap()].2.force
         };
-        // Speed rises in the first quarter of a cycle and falls in the second; below the opening force
-        // there is no loop.
+        // Speed rises in the first quarter of a cycle and falls in the second. Below the opening force there is no
+        // loop.
         let (up, down) = ((n, n + n / 4), (n + n / 4, n + n / 2));
         [0.3, 0.05].map(|v| at(up.0, up.1, v) - at(down.0, down.1, v))
     };
     for frequency in [0.05, 1.0] {
         let [above, below] = loops(frequency);
-        // On a straight curve F_h p = F²: F_h is half the play above F while speed rises, and below while it falls; the play
-        // at 600 N is P F/(F + P).
+        // On a linear curve F_h p = F². F_h is half the play above F while speed rises, and half the play below while
+        // it falls. The play at 600 N is P F/(F + P).
         assert!((above - 85.7).abs() < 5.0, "{frequency} Hz: {above}");
         assert!(below.abs() < 3.0, "{frequency} Hz: {below}");
     }
@@ -519,7 +523,8 @@ fn series_elements_without_series_are_refused_and_too_many_states_too() {
     assert_eq!(Model::new(&p).unwrap_err().reason, Reason::TooManyStates);
 }
 
-/// The settled state is an equilibrium: its rates are zero but for the speed of the mass and what never settles.
+/// The steady state is an equilibrium: its state derivatives are zero, except for moving masses and states without a
+/// rest.
 #[test]
 fn settled_states_rest() {
     for (name, params) in paths() {
@@ -539,7 +544,7 @@ fn settled_states_rest() {
     }
 }
 
-/// A state copied and restored goes on bit for bit, and nothing is lost between the kernel's own step and evaluation.
+/// A copied state continues bitwise equal, and the output of a step agrees with the evaluation at its end.
 #[test]
 fn a_step_ends_where_evaluation_finds_it() {
     for (name, params) in paths() {
@@ -554,7 +559,8 @@ fn a_step_ends_where_evaluation_finds_it() {
                 assert_eq!((next, output), again);
                 let direct = evaluate(&model, &next, &Input::motion(x, v)).0;
                 let force = output.force.abs().max(100.0);
-                // A void without an oil column has force and closing in one equation, which turns on micrometres.
+                // Without an oil column, one equation determines the force and the closing of a void; it is sensitive
+                // to micrometers.
                 let void = params.is_on(element!("cavitation"));
                 assert!(
                     void || (output.force - direct.force).abs() < 1e-6 * force,
@@ -568,7 +574,7 @@ fn a_step_ends_where_evaluation_finds_it() {
     }
 }
 
-/// A valve that the method would carry beyond open, and a control chamber beyond full, stay where they end; the derivatives know it.
+/// A valve or a control chamber that the method would move beyond its range is clamped, with exact derivatives.
 #[test]
 fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
     let late: &[(&str, f64)] = &[("valve_hysteresis_share", 0.75)];
@@ -589,16 +595,16 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
         let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         let mut ends = 0;
         for i in 0..400 {
-            // To and fro at uneven speeds.
+            // Back and forth at irregular speeds.
             let v = 0.6 * (1.7 * f64::from(i)).sin();
             let input = |x: f64, v: f64| Input::motion(x, v);
             let x = 0.003 * (0.9 * f64::from(i)).sin();
             let (next, output) = step(&model, &state, &input(x, v), 2e-3);
             let at = next.internal[0];
             assert!((least..=1.0).contains(&at), "{elements:?} {i}: {at}");
-            // What is beyond its range when the last stage begins ends near there.
+            // A state that was beyond its range before the last stage ends near the limit.
             ends += usize::from(at > 0.9 || at < least + 0.1);
-            // Where differences themselves agree, the derivative is theirs.
+            // Where two differences agree, the derivative must equal them.
             let force = |h: f64| step(&model, &state, &input(x, v + h), 2e-3).1.force;
             let central = |h: f64| (force(h) - force(-h)) / (2.0 * h);
             let (coarse, fine) = (central(1e-6), central(5e-7));
@@ -612,14 +618,15 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
     }
 }
 
-/// Follows nothing.
+/// An observer that does nothing.
 struct Nobody;
 
 impl FollowPaths for Nobody {
     fn paths_stage(&mut self, _: &dyn StageDerivatives) {}
 }
 
-/// A damper that fades as a whole takes the plain step; the paths come to the same, since their equation then is its own.
+/// A damper that fades as a whole uses the plain step. The step through the paths agrees, because its equation is the
+/// same.
 #[test]
 fn a_fading_damper_steps_as_through_the_paths() {
     let (mut apart, mut steps) = (0, 0);
@@ -644,7 +651,8 @@ fn a_fading_damper_steps_as_through_the_paths() {
                     let mut wanted = Output::ZERO;
                     advance_paths(&model, &mut through, &input, dt, &mut Nobody, &mut wanted);
                     let off = (got.force - wanted.force).abs() / (1.0 + wanted.force.abs());
-                    // After a substep that the paths have taken again in pieces, where it seemed thrown.
+                    // The difference is larger after a substep that the paths repeated in pieces because of an apparent
+                    // overshoot.
                     assert!(off < 1e-2, "{method:?} {substeps} {dt} {series}: {} for {}", got.force, wanted.force);
                     apart += usize::from(off > 1e-8);
                     steps += 1;

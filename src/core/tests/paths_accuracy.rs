@@ -1,4 +1,4 @@
-//! The accuracy contract with each element of the coupled paths on, against a finer explicit solution.
+//! The guaranteed accuracy with each element of the coupled paths on, compared with a finer explicit solution.
 
 mod common;
 use common::*;
@@ -18,7 +18,7 @@ fn a_millisecond_step_is_within_a_thousandth_on_the_other_paths() {
     check_millisecond_step(1);
 }
 
-/// Every other path, so that both halves run side by side.
+/// Checks every other path, so that both halves run in parallel.
 fn check_millisecond_step(half: usize) {
     let mut table = String::new();
     let mut missed = 0;
@@ -27,7 +27,7 @@ fn check_millisecond_step(half: usize) {
         let mut worst = (0.0f64, 0.0f64);
         for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {
             let motion = sine(amplitude, peak / (TAU * amplitude));
-            // The explicit solution cannot follow a void that closes; a step of a hundredth can.
+            // The explicit solution cannot follow a void that closes; steps of a hundredth of a millisecond can.
             let exact =
                 if params.is_on(element!("cavitation")) || name == "aeration" || name == "less air in compression" {
                     let fine = model.with_integration(Integration::fixed(Method::Fourth, 1));
@@ -39,17 +39,17 @@ fn check_millisecond_step(half: usize) {
             table += &format!("{name}: {amplitude} m {peak} m/s: rms {rms:.1e} largest {largest:.1e}\n");
             worst = (worst.0.max(rms), worst.1.max(largest));
         }
-        // A void that closes is a hammer blow: the sample on which it falls is as right as its instant.
+        // A void that closes causes an impact. Its sample depends on the exact instant.
         let allowed = if params.is_on(element!("cavitation")) { (5e-3, 2e-2) } else { (1e-3, 1e-2) };
         missed += usize::from(worst.0 > allowed.0 || worst.1 > allowed.1);
     }
     assert!(missed == 0, "{missed} missed:\n{table}");
 }
 
-/// A name, an element, and the numbers that make its form.
+/// Name, element, and the parameters of its form.
 type Form = (&'static str, &'static str, &'static [(&'static str, f64)]);
 
-/// Elements and forms of them, by two of which a pair is made.
+/// Elements and forms from which the pairs are made.
 const PAIRED: &[Form] = &[
     ("play", "free_play", &[]),
     ("bushing", "bushing", &[]),
@@ -73,7 +73,7 @@ const PAIRED: &[Form] = &[
     ("gas", "gas_spring", &[]),
 ];
 
-/// How many pairs there are with this spring and mass, and how far each that misses the promise is from it.
+/// Returns the number of pairs with this spring and mass, and the relative error of each pair beyond the guarantee.
 fn pairs_beyond(stiffness: f64, mass: f64) -> (usize, Vec<(f64, String)>) {
     let (mut count, mut beyond) = (0, Vec::new());
     for (i, (first, one, by_one)) in PAIRED.iter().enumerate() {
@@ -107,11 +107,11 @@ fn pairs_beyond(stiffness: f64, mass: f64) -> (usize, Vec<(f64, String)>) {
 #[test]
 fn pairs_of_elements_are_within_it_behind_the_default_spring() {
     let (_, beyond) = pairs_beyond(3e6, 0.5);
-    // Air in an oil that is softer than the default series spring: 1.3 thousandths.
+    // The exception is air in an oil that is softer than the default series spring: 1.3 thousandths.
     assert!(beyond.iter().all(|(share, _)| *share < 1.3) && beyond.len() <= 1, "{beyond:#?}");
 }
 
-/// The figures of the book.
+/// Measures the figures of the book.
 #[test]
 #[ignore = "a measurement: prints which pairs of elements miss the promise behind four springs"]
 fn pairs_behind_four_springs() {

@@ -1,7 +1,7 @@
 //! Hosts whose displacement is not the integral of their velocity.
 //!
-//! They advance it with the velocity of one end of the step, the new one (semi-implicit: MuJoCo's Euler, game
-//! engines) or the old one. Every element acts there as it does in a host that samples a motion.
+//! They advance it with the velocity of one end of the step: the new one (semi-implicit: MuJoCo's Euler, game engines)
+//! or the old one. Every element behaves as in a host that samples a motion.
 
 mod common;
 use common::*;
@@ -9,7 +9,7 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use std::f64::consts::TAU;
 
-/// Which velocity advances the displacement.
+/// Velocity that advances the displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Advances {
     New,
@@ -19,7 +19,7 @@ enum Advances {
 const HOSTS: [Advances; 2] = [Advances::New, Advances::Old];
 const STEP: f64 = 1e-3;
 
-/// Forces in a host with the velocities of the motion.
+/// Returns the forces in a host with the velocities of the motion.
 fn in_host(model: &Model, motion: &impl Fn(f64) -> (f64, f64), host: Advances, steps: usize) -> Vec<f64> {
     let (mut x, mut v) = motion(0.0);
     let mut state = model.steady_state(&Input::motion(x, v));
@@ -35,7 +35,7 @@ fn in_host(model: &Model, motion: &impl Fn(f64) -> (f64, f64), host: Advances, s
         .collect()
 }
 
-/// 2 kg act as 2 kg, whatever advances the displacement: the component of the force along the acceleration, over whole cycles.
+/// 2 kg act as 2 kg for either host: the component of the force along the acceleration, over whole cycles.
 #[test]
 fn two_kilograms_act_as_two_kilograms() {
     for (inside, time) in [(0.0, 2e-4), (1.0, 2e-4), (0.0, 1e-4), (0.0, 1e-3)] {
@@ -59,7 +59,7 @@ fn two_kilograms_act_as_two_kilograms() {
     }
 }
 
-/// At a constant acceleration nothing is late.
+/// At a constant acceleration the force of the mass has no lag.
 #[test]
 fn a_constant_acceleration_gives_the_mass_to_the_slack() {
     let model = only(&["moving_mass"], &[]);
@@ -70,7 +70,7 @@ fn a_constant_acceleration_gives_the_mass_to_the_slack() {
     }
 }
 
-/// All elements and forms, alone and together.
+/// Returns all elements and forms, alone and together.
 fn cases() -> Vec<(String, Params)> {
     let mut all: Vec<(String, Params)> = paths().into_iter().map(|(name, p)| (name.to_owned(), p)).collect();
     for name in dashpot_core::parameter::names() {
@@ -84,16 +84,16 @@ fn cases() -> Vec<(String, Params)> {
     all
 }
 
-/// Tolerance for a spool with a mass, without series compliance.
+/// Tolerance of the force for all elements except the spool without series compliance.
 ///
-/// It responds to the mean velocity of the displacement at once: half a step of lag decides how far it opens, and the
-/// force peaks with it. Everything else has the first tolerance.
+/// The spool responds immediately to the mean velocity of the displacement, so it has the second tolerance. Half a step
+/// of lag determines its opening and the peak of the force.
 const WITHIN: f64 = 0.03;
 const SPOOL_WITHIN: f64 = 0.2;
 
-/// The force of such a host lies between the extremes of the sampled motion within a step and a half.
+/// The force in such a host lies between the extremes of the sampled motion within one and a half steps.
 ///
-/// Its displacement leads or lags by half a step, and so may the force.
+/// Its displacement leads or lags by half a step, and the force may do so too.
 #[test]
 fn every_element_is_no_more_than_a_step_early_or_late() {
     const FINER: usize = 50;

@@ -1,8 +1,8 @@
 //! A damper of another size, in proportion, has forces of that size.
 //!
-//! So what the other tests find for dampers in the bounds of a passenger car's holds for all that are allowed. Oil,
-//! voids and valves have small forces of their own (a leakage, a laminar flow, a contact) that do not scale. With
-//! those the search of the C interface draws dampers of all sizes.
+//! The other tests check dampers within the bounds of a passenger car's, so their results hold for all allowed dampers.
+//! Oil, voids and valves contain small forces (a leakage, a laminar flow, a contact) that do not scale. With those
+//! elements, the search of the C interface draws dampers of all sizes.
 
 mod common;
 
@@ -12,11 +12,11 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params, Reason, element, number};
 use proptest::prelude::*;
 
-/// The set with all that grows with the damper `size` times as large; `None` where the table has no such numbers.
+/// Scales all parameters that grow with the damper by `size`; `None` if the table does not allow the result.
 fn of_size(params: &Params, size: f64) -> Option<Params> {
     let mut other = *params;
     for row in table() {
-        // Its largest value is no force.
+        // Its largest value means no limit and is not scaled.
         let laminar = row.parameter.name == "fade_laminar_force" && params.get(&row)[0] < row.parameter.high;
         if !row.parameter.grows && !laminar {
             continue;
@@ -36,7 +36,7 @@ proptest! {
     #[test]
     fn a_damper_of_another_size_moves_alike(
         params in any_params(),
-        // Powers of four, so that rounding is the same in both and the smallest difference is one of the model.
+        // Powers of four, so that rounding is equal in both, and every difference comes from the model.
         size in prop::sample::select(vec![1.0 / 256.0, 1.0 / 16.0, 4.0, 64.0]),
         amplitude in 0.0005..0.05f64,
         frequency in 0.5..20.0f64,
@@ -95,7 +95,7 @@ fn a_number_of_another_size_is_named() {
     assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);
 }
 
-/// Numbers that may be too small for a spring or in a wrong order, but not out of proportion.
+/// These numbers may be too small for a spring or in a wrong order, but they are not out of proportion.
 #[test]
 fn what_a_car_may_have_goes_together() {
     for low in [true, false] {
@@ -111,7 +111,7 @@ fn what_a_car_may_have_goes_together() {
     }
 }
 
-/// Tiny dampers are not held against numbers of a form that they do not use.
+/// Parameters of a form that is not chosen do not count for the proportion.
 #[test]
 fn numbers_of_other_forms_have_no_part_in_it() {
     let mut params = of_size(&Params::new(), 1.01e-3).unwrap();

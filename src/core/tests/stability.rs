@@ -1,4 +1,4 @@
-//! No parameter set inside the bounds, no step and no motion makes the step diverge.
+//! The step does not diverge for any parameter set inside the bounds, any step length and any motion.
 
 mod common;
 use common::*;
@@ -8,10 +8,11 @@ use dashpot_core::{element, list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-/// Steps through `motion` and holds the force against what energy allows.
+/// Steps through `motion` and compares the force with an energy bound.
 ///
-/// With H = m u²/2 + k_s e²/2 + ∫F_p the mass gains √H at most as fast as the driven end moves: the deflection e cannot
-/// exceed the length of the path, plus what the parallel spring and the offset of the FV curve hold. Twice that is allowed.
+/// With H = m u²/2 + k_s e²/2 + ∫F_p, √H grows at most in proportion to the speed of the moving end. The deflection e
+/// is thus at most the length of the path, plus a part from the parallel spring and the FV curve's offset. The test
+/// allows twice that.
 fn run(
     params: &dashpot_core::Params,
     motion: &[(f64, f64)],
@@ -27,7 +28,7 @@ fn run(
     for (x, v) in motion {
         let input = if velocity_only { Input::velocity(*v) } else { Input::motion(*x, *v) };
         let (next, output) = step(&model, &state, &input, dt);
-        // The cubic path is no longer than this.
+        // Upper bound of the length of the cubic path.
         length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
         state = next;
         prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", told(params));
@@ -42,7 +43,7 @@ fn run(
             );
         }
     }
-    // Held, the motion dies; where it has died, it has died at the static answer.
+    // With a fixed end the motion decays; afterwards the force is the static one.
     let hold = Input::motion(state.displacement, 0.0);
     for _ in 0..1000 {
         state = step(&model, &state, &hold, 1e-2).0;
@@ -50,7 +51,8 @@ fn run(
     let (end, output) = step(&model, &state, &hold, 1e-2);
     prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", told(params));
     let still = (0..8).all(|i| (end.internal[i] - state.internal[i]).abs() <= 1e-12 * state.internal[i].abs());
-    // Beyond 50 mm of deflection the step takes the parallel spring as straight (see `step`). A bent contact stays bent.
+    // Beyond 50 mm of deflection the step linearizes the parallel spring (see `step`). A deflected contact stays
+    // deflected.
     let bends = params.is_on(element!("presliding_friction"));
     if !bends && end.mass_velocity.abs() < 1e-12 && still && output.series_deflection.abs() < 0.05 {
         let wanted = model.static_output(&hold);
@@ -74,10 +76,10 @@ proptest! {
         dt in (-5.0..-2.0f64).prop_map(|d| 10f64.powf(d)),
         velocity_only in any::<bool>(),
     ) {
-        // Alone, the velocity must not carry the damper further than a damper is long.
+        // With velocity alone, the total displacement must not exceed the length of a damper.
         let travel: f64 = motion.iter().map(|(_, v)| v.abs() * dt).sum();
         let scale = if velocity_only { (0.1 / travel).min(1.0) } else { 1.0 };
-        // A jump that the series spring answers with 100 kN is as far as a damper's data can be wrong.
+        // A jump to which the series spring responds with 100 kN is the largest plausible error in a damper's input.
         let jump = (1e5 / params.number(number!("series_stiffness")) / 0.2).min(1.0);
         let motion: Vec<_> = motion.iter().map(|(x, v)| (x * jump, v * scale)).collect();
         run(&params, &motion, dt, velocity_only)?;
@@ -95,7 +97,7 @@ proptest! {
         run(&params, &points, dt, false)?;
     }
 
-    /// The stiffest corner that the bounds allow, at every method and number of substeps.
+    /// The stiffest corner of the bounds, for several methods and numbers of substeps.
     #[test]
     fn stiff_corner(
         k in (5.0..8.0f64).prop_map(|d| 10f64.powf(d)),
@@ -130,10 +132,10 @@ fn steps_of_any_length_stay_finite() {
     }
 }
 
-/// Two chambers, of which the one that takes over is twenty times as long, behind an FV curve with 19 kN at rest.
+/// Two chambers behind an FV curve with 19 kN at rest; the chamber that takes over is twenty times as long.
 ///
-/// With the column's deflection as its state, the step in which the force turned returned -24 kN instead of 9 kN, and
-/// 0.6 GN eight steps later.
+/// With the column's deflection as its state, the step at the reversal of the force returned -24 kN instead of 9 kN.
+/// Eight steps later it returned 0.6 GN.
 #[test]
 fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     let mut p = params(&[
@@ -175,7 +177,7 @@ fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     }
 }
 
-/// A far first guess on a hardening spring: oil that holds 10 kJ at rest lets the mass follow any jump.
+/// A distant first guess on a hardening spring: oil that stores 10 kJ at rest lets the mass follow any jump.
 #[test]
 fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     let mut p = params(&[
@@ -200,8 +202,8 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
 
 /// A column with one chamber forty times as long as the other, behind a strongly damped series path.
 ///
-/// The damping hides the effect of the column and of a delayed valve. The method of fourth order combined its stages
-/// to 1325 m of oil, and four steps later the mass left at 18 km/s.
+/// The damping masks the effect of the column and of a delayed valve. The fourth-order method combined its stages to
+/// 1325 m of oil, and four steps later the mass had 18 km/s.
 #[test]
 fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     let mut p = params(&[
@@ -253,11 +255,11 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// A column under 15 kN, and strokes of 60 mm between two instants of rest, in which it shrinks to a tenth and
+/// A column under 15 kN in strokes of 60 mm between two instants of rest, in which its length falls to a tenth and
 /// returns.
 ///
-/// With the velocities of the stages, the cheapest method did not move it at all, and its force rose with its load.
-/// The method of fourth order reached 9 MN.
+/// With the velocities of the stages, the cheapest method did not move the column at all, and its force rose with its
+/// load. The fourth-order method reached 9 MN.
 #[test]
 fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves() {
     for (shortening, chambers) in [(10.0, 0.0), (-50.0, 0.0), (10.0, 1.0), (-15.0, 1.0)] {
@@ -286,7 +288,9 @@ fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves()
     }
 }
 
-/// At 12 octaves above the opening force the conductance of the valve ends: its last cubic overshot there, and the force grew without bound.
+/// The table of the valve's conductance ends 12 octaves above the opening force.
+///
+/// Its last cubic overshot there, and the force grew without bound.
 #[test]
 fn a_valve_with_play_stays_finite_where_the_table_of_its_conductance_ends() {
     let mut p = params(&[

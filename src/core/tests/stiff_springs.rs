@@ -1,6 +1,6 @@
 //! Derivatives of long steps with nonlinear springs nearly as stiff as the series spring.
 //!
-//! There the place about which a step linearizes a spring moves with its inputs, and so does the slope of that line.
+//! There the position about which a step linearizes a spring depends on the inputs, and so does the slope of that line.
 
 mod common;
 use common::METHODS;
@@ -10,13 +10,13 @@ use dashpot_core::{list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-/// Largest error of a derivative, as a fraction of it and of the scale of a stiff step.
+/// Largest error of a derivative, relative to its value plus a small part of a stiff step's scale.
 const ALLOWED: f64 = 5e-3;
 
-/// The series spring: as soft as the springs on the mass are stiff.
+/// Series stiffness, N/m: about as large as the stiffness of the springs on the mass.
 const SERIES: f64 = 3e5;
 
-/// One-sided differences with Richardson's correction.
+/// Computes one-sided differences with Richardson's correction.
 fn one_sided(f: &dyn Fn(f64) -> f64, width: f64) -> [f64; 2] {
     let at = f(0.0);
     [-width, width].map(|h| {
@@ -25,7 +25,7 @@ fn one_sided(f: &dyn Fn(f64) -> f64, width: f64) -> [f64; 2] {
     })
 }
 
-/// Distance of a value from the interval between both one-sided differences.
+/// Returns the distance of a value from the interval between both one-sided differences.
 fn distance(value: f64, [left, right]: [f64; 2]) -> f64 {
     (left.min(right) - value).max(value - left.max(right)).max(0.0)
 }

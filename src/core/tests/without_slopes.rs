@@ -1,4 +1,4 @@
-//! A step that nobody asks for derivatives goes where one with them goes, to the bit.
+//! A step without derivatives gives bitwise the result of a step with derivatives.
 
 mod common;
 use common::*;

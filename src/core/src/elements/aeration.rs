@@ -1,4 +1,4 @@
-//! Air in the oil: a soft stroke after every reversal, until the force has pressed the bubbles together.
+//! Air in the oil: the column is soft after every reversal, until the force has compressed the bubbles.
 
 use crate::element::Prepare;
 use crate::elements::soft_gap::SoftGap;
@@ -49,13 +49,13 @@ impl Prepare for Aeration {
 }
 
 impl Aeration {
-    /// The law of the chamber that stands under pressure; `side` is the force, or the deflection, which has its sign.
+    /// Returns the law of the chamber under pressure; `side` is the force or the deflection, which have the same sign.
     #[inline(always)]
     pub(crate) fn under(&self, side: f64) -> SoftGap {
         if side < 0.0 { self.compression } else { self.rebound }
     }
 
-    /// Whether the column is as soft on the one side as on the other.
+    /// Returns whether the column is equally soft on both sides.
     pub(crate) fn is_even(&self) -> bool {
         self.rebound.gap == self.compression.gap
     }

@@ -1,4 +1,4 @@
-//! Rubber bushing in line with the damper: it hardens, and gives back less than it took.
+//! Rubber bushing in series with the damper: it hardens, and returns less energy than it absorbs.
 
 use crate::dual::{Dual, Real};
 use crate::element::Prepare;
@@ -6,16 +6,18 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y with the straight series spring's force φ.
+/// F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y with the force φ of the linear series spring.
 ///
-/// Behind free play the deflection d is that of the spring, φ/k_s, here and in the stop; the branches below are bent by that of
-/// the whole path.
+/// With free play in series, the deflection d in this law and in the stop is that of the spring, φ/k_s. The relaxing
+/// branches below follow the deflection of the whole path.
 ///
-/// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is what the deflection d goes beyond the stop at L, which adds the stiffness k_e.
+/// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is the part of the deflection d beyond the stop at L, which adds the
+/// stiffness k_e.
 ///
-/// *Losses*: beside the spring a branch of stiffness k_1 that gives way in time (Maxwell) and with deflection, as friction in
-/// the filler does (Berg, Veh. Syst. Dyn. 30, 1998), dz/dt = dd/dt − z/τ − |dd/dt| z/d_f; and one of stiffness k_2 that gives
-/// way in a longer time, dy/dt = dd/dt − y/τ_2, since rubber relaxes over decades.
+/// *Losses*: two branches are parallel to the spring. One of stiffness k_1 relaxes in time (Maxwell) and with
+/// deflection, like friction in the filler (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt = dd/dt − z/τ − |dd/dt| z/d_f. The
+/// other, of stiffness k_2, relaxes in a longer time, dy/dt = dd/dt − y/τ_2, because rubber relaxes over decades of
+/// time.
 #[derive(Clone, Copy, Debug)]
 pub struct Bushing {
     /// 1/d_h.
@@ -36,8 +38,8 @@ pub struct Bushing {
     per_slow_time: f64,
 }
 
-/// Relaxing branches after an implicit stage: z and y, their derivatives over the rate of the deflection, and over
-/// their known parts.
+/// The relaxing branches after an implicit stage: z and y with their derivatives over the rate of the deflection and
+/// over their known parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxed {
     pub at: [f64; 2],
@@ -49,7 +51,7 @@ impl Relaxed {
     pub const NONE: Relaxed = Relaxed { at: [0.0; 2], by_rate: [0.0; 2], by_known: [0.0; 2] };
 }
 
-/// Rate of the deflection over which the friction sets in, m/s.
+/// Rate of the deflection up to which the friction sets in gradually, m/s.
 const TURNING: f64 = 2e-3;
 
 impl Describe for Bushing {
@@ -130,19 +132,19 @@ impl Prepare for Bushing {
 }
 
 impl Bushing {
-    /// 1/τ + |dd/dt|/d_f, with a friction that sets in softly.
+    /// Computes 1/τ + |dd/dt|/d_f, with a friction that sets in gradually.
     #[inline(always)]
     fn gives_way<R: Real>(&self, rate: R) -> R {
         (rate * rate * rate.abs().plus(TURNING).inverse() * self.per_slip).plus(self.per_time)
     }
 
-    /// dz/dt and dy/dt at a rate of the deflection.
+    /// Computes dz/dt and dy/dt at a rate of the deflection.
     #[inline(always)]
     pub(crate) fn rates<R: Real>(&self, rate: R, [z, y]: [R; 2]) -> [R; 2] {
         [rate - z * self.gives_way(rate), rate - y * self.per_slow_time]
     }
 
-    /// z and y after an implicit stage that are `known` at its start.
+    /// Computes z and y after an implicit stage that starts from `known`.
     #[inline(always)]
     pub(crate) fn stage<const SLOW: bool>(&self, rate: f64, known: [f64; 2], g: f64) -> Relaxed {
         let gives_way = self.gives_way(Dual::<1>::along(rate, 0));
@@ -162,18 +164,18 @@ impl Bushing {
         relaxed
     }
 
-    /// (k_1 z + k_2 y)/k_s.
+    /// Computes (k_1 z + k_2 y)/k_s.
     #[inline(always)]
     pub(crate) fn relaxing<R: Real>(&self, [z, y]: [R; 2]) -> R {
         z * self.share + y * self.slow_share
     }
 
-    /// Ratio of the stiffness of the rubber at its largest deflection to that at rest.
+    /// Returns the ratio of the rubber's stiffness at its largest deflection to that at rest.
     ///
-    /// The rubber then stores the energy of `deflection` and, over ½ k_s, that of a `moving` mass in m². The stop is
-    /// not included, because no deflection goes beyond the stiffness that it adds.
+    /// The rubber then stores the energy of `deflection` and that of a `moving` mass. `moving` is the mass's kinetic
+    /// energy over ½ k_s, in m². The stop is not included, because its stiffness never exceeds the constant k_e.
     ///
-    /// With d_h as the unit a deflection d holds ½ k_s (d² + ½ d⁴) and is 1 + 3 d² times as stiff.
+    /// With d_h as the unit, a deflection d stores ½ k_s (d² + ½ d⁴), and the stiffness ratio is 1 + 3 d².
     pub(crate) fn stiffer(&self, deflection: f64, moving: f64) -> f64 {
         let unit = self.per_length * self.per_length;
         let square = deflection * deflection * unit;
@@ -181,14 +183,14 @@ impl Bushing {
         1.0 + 3.0 * (libm::sqrt(1.0 + 2.0 * held) - 1.0)
     }
 
-    /// The hardened force and stiffness of a spring with `force` and `stiffness`; `k` is k_s.
+    /// Computes the hardened force and stiffness of a spring with `force` and `stiffness`; `k` is k_s.
     #[inline(always)]
     pub(crate) fn hardened<R: Real>(&self, k: R, force: R, stiffness: R) -> (R, R) {
         let deflection = force * k.inverse();
         let square = (deflection * self.per_length) * (deflection * self.per_length);
         let (mut hard, mut factor) = (force * square.plus(1.0), (square * 3.0).plus(1.0));
         if self.stop_share > 0.0 {
-            // (r − 1) = (r⁴ − 1)/((r + 1)(r² + 1)) with r = (1 + x⁴)^¼: nothing cancels.
+            // (r − 1) = (r⁴ − 1)/((r + 1)(r² + 1)) with r = (1 + x⁴)^¼ avoids cancellation.
             let x = deflection * (1.0 / self.stop);
             let cube = x * x * x.abs();
             let root = (x.abs() * cube).plus(1.0).sqrt();

@@ -9,24 +9,24 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Toward the capped side (p = σ F_h, σ = 1 for rebound, −1 for compression) the oil carries at most the cap C.
+/// In the capped direction (p = σ F_h, σ = 1 for rebound, −1 for compression) the oil transmits at most the cap C.
 ///
-/// The excess of the stroke opens a void, of depth e as a stroke.
+/// The excess of the stroke opens a void. Its depth e is measured as a stroke.
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
 /// de/dt = R(p − C)/r − R(T − p)/r · e/(e + e_0)
-/// T = C while the driven end moves in the capped direction, κ C on its return
+/// T = C while the moving end moves in the capped direction, κ C on its return
 /// ```
 ///
-/// R is a ramp and r a resistance so small that the force keeps to C or T within a hundredth of C at 1 m/s. While a
-/// void lasts the valves pass what the pressure T drives through them, so it closes by flow and by motion. κ = 1 is a void
-/// behind which the gas keeps pushing, κ = 0 one on whose return the rod moves freely. Gas in the void sets its pressure: it
-/// opens at a share α of the cap, and C and T are multiplied by 1 − (1 − α)/(1 + e/e_1) as it expands; α = 1 is a
-/// void of vapour alone.
+/// R is a ramp. The resistance r is so small that the force keeps to C or T within a hundredth of C at 1 m/s. While a
+/// void lasts, the valves pass the flow that the pressure T drives through them, so flow and motion close the void.
+/// With κ = 1 the gas keeps pushing behind the void; with κ = 0 the rod moves freely on the return. Gas in the void
+/// sets its pressure: the void opens at a fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 −
+/// α)/(1 + e/e_1); α = 1 is a void of vapor alone.
 ///
-/// *Foot valve*: the force of the driven stroke is whole, but beyond the speed v_f the valve does not refill the chamber
-/// behind the piston; the return begins with a dead stroke.
+/// *Foot valve*: the force of the first stroke is not limited. Beyond the speed v_f the valve does not refill the
+/// chamber behind the piston, and the return begins with a dead stroke.
 ///
 /// ```text
 /// u = w − σ c,   de/dt = a R(σ v − v_f) − c,   c = R(−p)/r · e/(e + e_0)
@@ -43,7 +43,7 @@ pub struct Cavitation {
     pub(crate) sign: f64,
     /// 1 − κ.
     lost: f64,
-    /// Force over which the ramp sets in.
+    /// Width of the onset of the ramp, as a force.
     rounding: f64,
     /// 1/r.
     per_resistance: f64,
@@ -53,21 +53,22 @@ pub struct Cavitation {
     per_expansion: f64,
 }
 
-/// r is C over so many metres per second.
+/// r is C divided by this speed, m/s.
 const SLACK: f64 = 100.0;
-/// The ramp sets in over this share of C; of 1 N for a foot valve.
+/// Width of the onset of the ramp relative to C; relative to 1 N for a foot valve.
 const ROUNDING: f64 = 2e-3;
-/// Speed of the driven end over which T changes, m/s.
+/// Speed of the moving end over which T changes, m/s.
 const TURNING: f64 = 3e-3;
 /// e_0: a void smaller than this, m, closes more slowly.
 const CLOSED: f64 = 1e-5;
-/// Speed over which the foot valve falls behind, m/s.
+/// Width of the onset of the refill deficit, as a speed above v_f, m/s.
 const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
-/// Longest void at rest, m. No damper has such a stroke. Without it a lasting force at the cap leaves one of 10^12 m, which never closes.
+/// Longest void at rest, m; no damper has such a stroke. Without the limit a lasting force at the cap would give a void
+/// of 10^12 m, which never closes.
 const LONGEST: f64 = 1.0;
-/// Most steps for the void at the end of a stage, all of them halves, and the relative change that is the last.
+/// Largest number of steps for the void at the end of a stage, enough for bisection alone, and the relative tolerance.
 const STEPS: usize = 80;
 const CLOSE: f64 = 1e-9;
 
@@ -157,13 +158,13 @@ impl Prepare for Cavitation {
     }
 }
 
-/// A void is never less than closed.
+/// Clamps a void to values of at least 0.
 #[inline(always)]
 fn opened<R: Real>(void: R) -> R {
     if void.value() > 0.0 { void } else { R::constant(0.0) }
 }
 
-/// x where it is positive, set in over a width.
+/// Returns x where it is positive and 0 elsewhere, with a smooth onset over a width.
 #[inline(always)]
 fn softly<R: Real>(x: R, width: f64) -> R {
     let at = x.value();
@@ -176,7 +177,7 @@ fn softly<R: Real>(x: R, width: f64) -> R {
     }
 }
 
-/// e/(e + e_0).
+/// Computes e/(e + e_0).
 #[inline(always)]
 fn share_open<R: Real>(void: R) -> R {
     let e = opened(void);
@@ -184,7 +185,7 @@ fn share_open<R: Real>(void: R) -> R {
 }
 
 impl Cavitation {
-    /// What gas in the void leaves of C and T: 1 − (1 − α)/(1 + e/e_1).
+    /// Returns the factor of gas in the void on C and T: 1 − (1 − α)/(1 + e/e_1).
     #[inline(always)]
     fn expanded<R: Real>(&self, void: R) -> R {
         if self.short_at_onset == 0.0 {
@@ -193,7 +194,7 @@ impl Cavitation {
         (-((opened(void) * self.per_expansion).plus(1.0).inverse() * self.short_at_onset)).plus(1.0)
     }
 
-    /// T/C: what the return leaves of the cap; `velocity` is that of the driven end.
+    /// Returns T/C, the fraction of the cap that remains on the return; `velocity` is that of the moving end.
     #[inline(always)]
     fn kept<R: Real>(&self, velocity: R) -> R {
         if self.is_foot_valve {
@@ -203,9 +204,9 @@ impl Cavitation {
         (-(returning * (0.5 * self.lost))).plus(1.0)
     }
 
-    /// Excess of the pressure over the cap, p − C, and distance to the closing pressure, T − p.
+    /// Returns the excess of the pressure over the cap, p − C, and its distance to the closing pressure, T − p.
     ///
-    /// `expanded` is the remaining part of both after the expansion of the gas.
+    /// `expanded` is the factor of the expanded gas on both limits.
     #[inline(always)]
     fn beyond_and_short<R: Real>(&self, pressure: R, kept: R, expanded: R) -> (R, R) {
         if self.is_foot_valve {
@@ -215,13 +216,13 @@ impl Cavitation {
         (pressure - cap, cap * kept - pressure)
     }
 
-    /// R(x)/r, smooth.
+    /// Computes R(x)/r with a smooth onset.
     #[inline(always)]
     fn ramp<R: Real>(&self, x: R) -> R {
         softly(x, self.rounding) * self.per_resistance
     }
 
-    /// Foot valve: rate at which the void opens without the oil's doing.
+    /// Foot valve: returns the rate at which the refill deficit opens the void.
     #[inline(always)]
     pub(crate) fn lags<R: Real>(&self, velocity: R) -> R {
         if !self.is_foot_valve {
@@ -231,7 +232,7 @@ impl Cavitation {
         softly(beyond, LAGGING) * self.unfilled
     }
 
-    /// What the oil makes of the void: de/dt less what lags behind, at a hydraulic force.
+    /// Returns the part of de/dt that depends on the hydraulic force, without the refill deficit.
     #[inline(always)]
     pub(crate) fn rate<R: Real>(&self, force: R, velocity: R, void: R) -> R {
         self.rate_at(force * self.sign, self.kept(velocity), void)
@@ -243,7 +244,8 @@ impl Cavitation {
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
-    /// The void that carries a lasting force: gas in it expands until the cap is as high. 0 where none has to, or none can.
+    /// Returns the void under a lasting force: gas in it expands until the cap equals the force. Returns 0 if no void
+    /// forms or none can carry the force.
     pub(crate) fn rests(&self, force: f64) -> f64 {
         let share = force * self.sign / self.cap;
         if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {
@@ -253,7 +255,8 @@ impl Cavitation {
         if void < LONGEST { void } else { 0.0 }
     }
 
-    /// The void at the end of an implicit stage that is `known` with what lags behind: e − g de/dt = E.
+    /// Computes the void at the end of an implicit stage from its `known` part E, including the refill deficit: e − g
+    /// de/dt = E.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
         let (pressure, kept) = (force * self.sign, self.kept(velocity));
@@ -274,17 +277,17 @@ impl Cavitation {
         if half.value() > 0.0 { product * (half + root).inverse() } else { root - half }
     }
 
-    /// Solves the stage if the cap grows with the void.
+    /// Solves the stage for a cap that grows with the void.
     ///
     /// e − g de/dt rises with e, because the opening cap and the closing pressure both grow. It is negative at the
-    /// lower end of the bracket and positive at the upper, so there is one root. Newton's steps that do not halve the
-    /// residual are replaced by bisection (rtsafe: Press & al., *Numerical Recipes*, 9.4).
+    /// lower end of the bracket and positive at the upper, so there is one root. Newton steps that do not halve the
+    /// previous step are replaced by bisection (rtsafe: Press et al., *Numerical Recipes*, 9.4).
     fn stage_with_gas<R: Real>(&self, pressure: R, kept: R, known: R, g: f64) -> R {
         let (p, k) = (Dual::<1>::constant(pressure.value()), Dual::constant(kept.value()));
         let target = known.value();
         let opens = softly(p.value - self.cap * (1.0 - self.short_at_onset), self.rounding) * self.per_resistance * g;
         let (mut low, mut high) = (target.min(0.0), target.max(0.0) + opens);
-        // Where the ramps are straight and nothing closes, y = 1 + e/e_1 answers y² − b y = c.
+        // Where the ramps are linear and nothing closes, y = 1 + e/e_1 satisfies y² − b y = c.
         let b = 1.0 + self.per_expansion * (target + g * self.per_resistance * (p.value - self.cap));
         let c = g * self.per_resistance * self.cap * self.short_at_onset * self.per_expansion;
         let root = libm::sqrt(0.25 * b * b + c);
@@ -310,7 +313,7 @@ impl Cavitation {
                 break;
             }
         }
-        // One more step, which knows how the end depends on what it started from.
+        // One more step with derivatives of the solution over the inputs.
         let end = R::constant(void);
         let missed = end - self.rate_at(pressure, kept, end) * g - known;
         end - missed * (1.0 / derivative)

@@ -36,7 +36,7 @@ impl Force for CoulombFriction {
     }
 }
 
-/// level · tanh(steepness · v): dry friction that all elements with a level share.
+/// Computes level · tanh(steepness · v), the dry friction of all elements with a friction level.
 #[inline(always)]
 pub fn smooth_sign(level: f64, steepness: f64, v: f64) -> Response {
     let t = tanh(steepness * v);

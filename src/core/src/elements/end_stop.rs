@@ -3,18 +3,18 @@
 use crate::element::Response;
 use crate::math::tanh;
 
-/// With the depth d beyond the clearance and the speed s into the stop,
+/// Force of a stop with the depth d beyond the clearance and the speed s into the stop:
 ///
 /// ```text
 /// P = k d̃ (1 + d̃/p) (1 + η tanh(s/s_0)) + c ½ (d̃/p) (1 + d̃/p) f(s),   d̃ = d²/(d + d_0)
 /// f = s₊²/(s₊ + s_0), or s₊²/v_1 through an orifice
 /// ```
 ///
-/// a stiffening spring that gives back less than it took, and oil that is pressed out on the way in only. Slopes are
-/// continuous everywhere: d̃ sets in softly over d_0, the oil over s_0. v_1 is 1 m/s.
+/// The spring stiffens and returns less energy than it absorbs. Oil is displaced only on the way in. The derivatives
+/// are continuous: d̃ sets in smoothly over d_0, the oil over s_0. v_1 is 1 m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct EndStop {
-    /// Travel at which it is met.
+    /// Displacement at which the contact begins.
     pub clearance: f64,
     /// k.
     pub stiffness: f64,
@@ -24,21 +24,21 @@ pub struct EndStop {
     pub loss: f64,
     /// c.
     pub damping: f64,
-    /// Whether the oil goes through an orifice.
+    /// Whether the oil flows through an orifice.
     pub is_orifice: bool,
 }
 
-/// d_0: a contact is soft for so many metres.
+/// d_0: length of the soft onset of the contact, m.
 const CONTACT: f64 = 5e-4;
-/// s_0: the speed, m/s, over which the losses change sign.
+/// s_0: speed, m/s, over which the losses change sign.
 const TURNING: f64 = 0.02;
 
 impl EndStop {
-    /// A stop that is not there.
+    /// The value without a stop.
     pub const OFF: EndStop =
         EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0, is_orifice: false };
 
-    /// The push P at travel `x` towards the stop and speed `s` into it, with its derivatives over both.
+    /// Computes the force P at displacement `x` toward the stop and speed `s` into it, with its derivatives over both.
     pub fn push(&self, x: f64, s: f64) -> Response {
         let beyond = x - self.clearance;
         if beyond <= 0.0 {

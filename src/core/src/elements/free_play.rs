@@ -1,4 +1,4 @@
-//! Free play (backlash) in an eye or mount, in line with the series spring.
+//! Free play (backlash) in an eye or mount, in series with the series spring.
 
 use crate::dual::Real;
 use crate::element::Prepare;
@@ -9,19 +9,19 @@ use crate::schema::{Describe, Parameter, View};
 
 /// d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)]: between its contacts the eye moves freely by 2 g.
 ///
-/// It is in the middle of the gap at F_1, and d(0) = 0. The series damping acts in proportion to the stiffness there is, so
-/// it vanishes in the gap.
+/// F_1 is the force in the middle of the gap, and d(0) = 0. The series damping is proportional to the current
+/// stiffness, so it vanishes in the gap.
 #[derive(Clone, Copy, Debug)]
 pub struct FreePlay {
     gap: SoftGap,
     /// F_1, N.
     load: f64,
-    /// Where the gap has its middle, without what the series spring yields to the load, m.
+    /// Deflection of the gap alone at the load F_1, without that of the series spring, m.
     middle: f64,
 }
 
 impl FreePlay {
-    /// F(d) and dF/dd with a series spring of this stiffness.
+    /// Computes F(d) and dF/dd with a series spring of this stiffness.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, stiffness: R, deflection: R) -> (R, R) {
         if self.load == 0.0 {
@@ -32,7 +32,7 @@ impl FreePlay {
         (force.plus(self.load), derivative)
     }
 
-    /// Most that it yields beyond the series spring, m.
+    /// Returns the largest deflection beyond that of the series spring, m.
     pub(crate) fn furthest(&self) -> f64 {
         self.gap.gap + self.middle.abs()
     }

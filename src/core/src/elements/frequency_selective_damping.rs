@@ -7,19 +7,19 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Three forms. F is counted from the force at standstill, which no stroke makes: it keeps its size.
+/// Three forms of the force. F is relative to the force at standstill, which does not change.
 ///
-/// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p: the share a follows with a lag.
+/// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p: the fraction a follows with a lag.
 ///
-/// *Stroke*: a bypass that closes while a control chamber fills within a stroke: F_h = F (1 − a (1 − y)),
-/// τ dz/dt = tanh(w/u_0) − z, y = smooth step of z tanh(w/u_0) from 0 to 1. After a reversal z is of the other stroke's
-/// sign, so the bypass is open until z has changed over.
+/// *Stroke*: a bypass closes while a control chamber fills within a stroke: F_h = F (1 − a (1 − y)), τ dz/dt =
+/// tanh(w/u_0) − z. Here y is the smooth step of z tanh(w/u_0) from 0 to 1. After a reversal z still has the sign of
+/// the previous stroke, so the bypass is open until z changes sign.
 ///
-/// *Bypass*: oil flows past the valves while the control chamber of the stroke fills, as a velocity
-/// q_s (1 − y) r(F_h)/r(1 kN) with the law r of a passage that is laminar below F_l (see [`crate::paths::bypass`]) and
-/// y = |z|, the filling of the chamber whose stroke it is: τ dz/dt = tanh(F_h/F_0) (1 − |z|), the faster the more pressure
-/// drives it. That of the other stroke empties through a check valve in τ/10, and either does where no force is left: below
-/// about F_0/20.
+/// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. Its velocity is q_s (1 − y)
+/// r(F_h)/r(1 kN). The law r is that of a passage that is laminar below F_l (see [`crate::paths::bypass`]). The filling
+/// y = |z| is that of the chamber of the current stroke. It follows τ dz/dt = tanh(F_h/F_0) (1 − |z|), faster at a
+/// higher pressure. The chamber of the other stroke empties through a check valve in τ/10. Below about F_0/20 both
+/// chambers empty.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,
@@ -104,30 +104,30 @@ impl Prepare for FrequencySelectiveDamping {
     }
 }
 
-/// How much faster than it fills the chamber of the other stroke empties.
+/// Ratio of the rate at which the chamber of the other stroke empties to that at which a chamber fills.
 const EMPTIES: f64 = 10.0;
-/// Share of F_0 below which no pressure is left that keeps a chamber full.
+/// Fraction of F_0 below which the pressure no longer keeps a chamber full.
 const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {
-    /// Whether its state is a force: in the filter form.
+    /// Returns whether its state is a force, as in the filter form.
     pub(crate) fn holds_force(&self) -> bool {
         !self.is_stroke && !self.is_bypass
     }
 
-    /// Where its state lies: a filling between the one chamber full and the other.
+    /// Returns the range of its state: a filling between one chamber full and the other full.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.holds_force() { (f64::NEG_INFINITY, f64::INFINITY) } else { (-1.0, 1.0) }
     }
 
-    /// Bypass form: how fast z grows towards ±1, per τ.
+    /// Bypass form: computes the rate at which z grows toward ±1, times τ.
     #[inline(always)]
     fn grows<R: Real>(&self, force: R) -> R {
         (force * self.per_force).tanh()
     }
 
-    /// Bypass form: how fast it falls towards 0 while it grows so; `z` or anything of its sign.
+    /// Bypass form: computes the rate at which z falls toward 0 meanwhile; `z` or any number of its sign.
     #[inline(always)]
     fn falls<R: Real>(&self, force: R, grows: R, z: R) -> R {
         let size = grows.abs();
@@ -138,31 +138,31 @@ impl FrequencySelectiveDamping {
         size + (of_idle * of_idle).plus(1.0).inverse() * EMPTIES
     }
 
-    /// Bypass form: where z settles.
+    /// Bypass form: computes the steady state of z.
     #[inline(always)]
     pub(crate) fn settles(&self, force: f64) -> f64 {
         let grows = self.grows(force);
         grows / self.falls(force, grows, force)
     }
 
-    /// Bypass form: rate of z, 1/s.
+    /// Bypass form: computes dz/dt, 1/s.
     #[inline(always)]
     pub(crate) fn fills<R: Real>(&self, force: R, z: R) -> R {
         let grows = self.grows(force);
         (grows - z * self.falls(force, grows, z)) * self.per_time
     }
 
-    /// Bypass form: z after an implicit stage that is `known` at its start.
+    /// Bypass form: computes z after an implicit stage that starts from `known`.
     #[inline(always)]
     pub(crate) fn filled<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
         let grows = self.grows(force);
-        // The sign of z is that of the sum, whichever chamber it is.
+        // The sign of z is that of the sum for either chamber.
         let sum = known + grows * per;
         sum * (self.falls(force, grows, sum) * per).plus(1.0).inverse()
     }
 
-    /// Bypass form: flow, m/s.
+    /// Bypass form: computes the flow, m/s.
     #[inline(always)]
     pub(crate) fn passes<R: Real>(&self, force: R, z: R) -> R {
         let open = law(force, self.laminar) * self.flow;
@@ -170,13 +170,13 @@ impl FrequencySelectiveDamping {
         if closed.value() <= 0.0 { open } else { open - open * closed }
     }
 
-    /// What the state is drawn to: F, or tanh(w/u_0).
+    /// Returns the value toward which the state relaxes: F, or tanh(w/u_0).
     #[inline(always)]
     pub(crate) fn target<R: Real>(&self, force: R, w: R) -> R {
         if self.is_stroke { (w * self.per_velocity).tanh() } else { force }
     }
 
-    /// F_h at a state.
+    /// Computes F_h at a state.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, force: R, w: R, state: R) -> R {
         if !self.is_stroke {
@@ -205,12 +205,12 @@ mod tests {
         for force in [-2000.0, -300.0, 300.0, 2000.0] {
             let z = bypass.settles(force);
             assert!(z * force.signum() > 0.95, "{force}: {z}");
-            // An endless implicit step ends where it settles, and there nothing moves.
+            // An infinitely long implicit step ends at the steady state, where the state derivative is 0.
             assert!((bypass.filled(force, 0.0, 1e9) - z).abs() < 1e-6);
             assert!(bypass.fills(force, z).abs() < 1e-12);
-            // The more force, the faster.
+            // A larger force fills the chamber faster.
             assert!(bypass.fills(force, 0.0).abs() > bypass.fills(0.5 * force, 0.0).abs());
-            // Of the other stroke it empties faster than it fills.
+            // The chamber of the other stroke empties faster than a chamber fills.
             assert!(bypass.fills(force, -z).abs() > 5.0 * bypass.fills(force, 0.0).abs());
         }
         assert_eq!(bypass.settles(0.0), 0.0);

@@ -99,7 +99,8 @@ impl Prepare for FvCurve {
 }
 
 impl FvCurve {
-    /// The thesis's comparison model: straight lines from the origin with two rebound knees and one compression knee.
+    /// Sets the thesis's comparison model: straight lines from the origin with two rebound knees and one compression
+    /// knee.
     fn set_piecewise(&mut self, p: &View<Self>) -> Result<(), Fault> {
         check_order(p)?;
         let (v, f) = knees(p);
@@ -107,7 +108,7 @@ impl FvCurve {
     }
 }
 
-/// How the FV curve of a parameter set runs between its points.
+/// Returns the interpolation of a parameter set's FV curve between its points.
 pub fn fv_interpolation(params: &Params) -> Interpolation {
     if params.number(number!("fv_form")) == 1.0 {
         Interpolation::Linear
@@ -116,7 +117,7 @@ pub fn fv_interpolation(params: &Params) -> Interpolation {
     }
 }
 
-/// The value of `fv_interpolation` that stands for a way to run between points.
+/// Returns the value of `fv_interpolation` for an interpolation.
 pub fn choice_of_interpolation(interpolation: Interpolation) -> f64 {
     match interpolation {
         Interpolation::MonotoneCubic => 0.0,
@@ -125,7 +126,7 @@ pub fn choice_of_interpolation(interpolation: Interpolation) -> f64 {
     }
 }
 
-/// The interpolation that a value of `fv_interpolation` stands for.
+/// Returns the interpolation for a value of `fv_interpolation`.
 fn interpolation_of_choice(choice: f64) -> Interpolation {
     if choice == 1.0 {
         Interpolation::Linear
@@ -136,13 +137,14 @@ fn interpolation_of_choice(choice: f64) -> Interpolation {
     }
 }
 
-/// The fault of a table.
+/// Makes the fault of a table.
 fn of_table(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
     p.fault(row, reason)
 }
 
-/// The fault of derivatives and knees. Slopes are bounded by the table, so that only knees beside each other are left.
+/// Makes the fault of derivatives and knees. The parameter bounds limit the derivatives, so the only other fault is
+/// that two knees are too close.
 fn of_knees(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
     p.fault(row, reason)
@@ -153,7 +155,7 @@ fn check_order(p: &View<FvCurve>) -> Result<(), Fault> {
     if vr2 <= vr1 { Err(p.fault(REBOUND_V[1], Reason::Order)) } else { Ok(()) }
 }
 
-/// Points of the curve of derivatives and knees.
+/// Returns the points of the curve given by derivatives and knees.
 pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
     let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
     let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
@@ -161,38 +163,38 @@ pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
     let vc1 = p.number(own!("fv_compression_v1"));
     let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
     let fr2 = fr1 + cr2 * (vr2 - vr1);
-    // One more point beyond each last knee carries the last derivative outwards.
+    // A further point beyond each last knee continues the last derivative outward.
     let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
     let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
     (v, f)
 }
 
 impl FvCurve {
-    /// F_d and its derivative at internal velocity `v`.
+    /// Computes F_d and its derivative at internal velocity `v`.
     #[inline(always)]
     pub fn evaluate(&self, v: f64) -> Value {
         self.0.evaluate(v)
     }
 
-    /// F_d(v) − F_d(0), with derivative and curvature; see [`Curve::above_zero`].
+    /// Computes F_d(v) − F_d(0), with derivative and curvature; see [`Curve::above_zero`].
     #[inline(always)]
     pub fn above_zero(&self, v: f64) -> Above {
         self.0.above_zero(v)
     }
 
-    /// F_d(0): 0 unless the curve has an offset.
+    /// Returns F_d(0): 0 unless the curve has an offset.
     #[inline(always)]
     pub fn at_zero(&self) -> f64 {
         self.0.at_zero()
     }
 
-    /// The internal velocity `u` with `a u + F_d(u) = r`; see [`Curve::solve`].
+    /// Computes the internal velocity `u` with `a u + F_d(u) = r`; see [`Curve::solve`].
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         self.0.solve::<STEPS>(a, r)
     }
 
-    /// Velocities that the table covers; beyond them it is prolonged straight.
+    /// Returns the range of velocities in the table; beyond it the curve is extrapolated linearly.
     pub fn range(&self) -> (f64, f64) {
         self.0.range()
     }

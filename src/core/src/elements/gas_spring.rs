@@ -1,4 +1,4 @@
-//! Gas spring: how the gas force changes as the rod moves in and out, between isothermal (slow) and adiabatic (fast).
+//! Gas spring: change of the gas force with the rod displacement, between isothermal (slow) and adiabatic (fast).
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -10,9 +10,8 @@ use crate::schema::{Describe, Parameter, View};
 
 /// F = k L (1 − p/p_0) with the gas volume V/V_0 = ξ = 1 + x/L. The constant part, −p_0 A_rod, is `gas_preload`.
 ///
-/// The state is z = p V^γ/(p_0 V_0^γ) − 1, which adiabatic motion keeps. With the gas temperature θ = T/T_0 =
-/// (1 + z) ξ^(1−γ), heat through the wall, dT/dt = (T_0 − T)/τ at constant volume, makes it
-/// dz/dt = (ξ^(γ−1) − 1 − z)/τ.
+/// The state is z = p V^γ/(p_0 V_0^γ) − 1, which is constant in adiabatic motion. The gas temperature is θ = T/T_0 = (1
+/// + z) ξ^(1−γ). Heat through the wall, dT/dt = (T_0 − T)/τ at constant volume, gives dz/dt = (ξ^(γ−1) − 1 − z)/τ.
 #[derive(Clone, Copy, Debug)]
 pub struct GasSpring {
     /// k L.
@@ -21,14 +20,15 @@ pub struct GasSpring {
     per_length: f64,
     /// γ − 1.
     excess: f64,
-    /// Of the powers of a small change of ξ in ξ^(γ−1), the last first: each is that of the one before, times this.
+    /// Binomial series of ξ^(γ−1) in a small change of ξ, last term first: ratio of each coefficient to the previous
+    /// one.
     series: [f64; 4],
     /// 1/τ.
     per_time: f64,
 }
 
-/// The gas is not compressed further than to this share of its volume. From there the pressure runs on straight, so that it
-/// never falls, and the gas is drawn to the temperature that it has there: gas of no volume has none.
+/// Smallest gas volume, as a fraction of that at x = 0. Below it the pressure is extrapolated linearly, so that it
+/// keeps rising. The steady-state temperature stays that of the smallest volume, because gas without volume has none.
 const SMALLEST: f64 = 0.05;
 
 impl Describe for GasSpring {
@@ -63,7 +63,7 @@ impl Prepare for GasSpring {
     }
 }
 
-/// The gas at one place of the rod: 1/ξ and ξ^(γ−1) of ξ held above the smallest, and how far it is below that.
+/// The gas at one rod displacement: 1/ξ and ξ^(γ−1) with ξ clamped to the smallest volume, and the part below it.
 struct Gas {
     below: f64,
     per_inside: f64,
@@ -94,12 +94,12 @@ impl GasSpring {
         Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
 
-    /// [`GasSpring::rests`] at a place that is probably close to one that is known.
+    /// Computes [`GasSpring::rests`] at a displacement that is probably close to a known one.
     #[inline(always)]
     fn rests_near(&self, known: &Gas, x: f64) -> (f64, f64) {
         let inside = 1.0 + x * self.per_length;
         let change = inside * known.per_inside - 1.0;
-        // So close to the smallest volume one of them may be held above it.
+        // Near the smallest volume, one of the two may be clamped.
         if known.per_inside > (1.0 - NEAR) / SMALLEST || change.abs() > NEAR {
             return self.rests(&self.gas(x));
         }
@@ -111,20 +111,20 @@ impl GasSpring {
         (value, self.excess * value * self.per_length / inside)
     }
 
-    /// What 1 + z is drawn to, ξ^(γ−1), and its derivative.
+    /// Returns the steady state of 1 + z, ξ^(γ−1), and its derivative.
     #[inline(always)]
     fn rests(&self, at: &Gas) -> (f64, f64) {
         let rises = if at.below < 0.0 { 0.0 } else { self.excess * at.value * at.per_inside * self.per_length };
         (at.value, rises)
     }
 
-    /// The derivative of that derivative.
+    /// Returns the second derivative of the steady state.
     #[inline(always)]
     fn bends(&self, at: &Gas, rises: f64) -> f64 {
         if at.below < 0.0 { 0.0 } else { (self.excess - 1.0) * rises * at.per_inside * self.per_length }
     }
 
-    /// The pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)) as a share of p_0, and its derivative.
+    /// Returns the pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)), relative to p_0, and its derivative.
     #[inline(always)]
     fn pressure(&self, at: &Gas) -> (f64, f64) {
         let value = at.per_inside / at.value;
@@ -133,10 +133,11 @@ impl GasSpring {
     }
 }
 
-/// What the state takes of the rates at start and end and of the difference between them, by the moments of a relaxation.
+/// Returns the weights of the target's derivatives at start and end and of its change in the relaxed state.
 ///
-/// From both ends' values and derivatives, as the path itself: p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d of the
-/// difference d and the derivatives s and e over the step.
+/// The arguments are the moments of a relaxation. The target is a cubic between both ends' values and derivatives, like
+/// the path. Its coefficients p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d. Here d is the difference of the values,
+/// and s and e are the derivatives over the step.
 #[inline(always)]
 fn weights([_, first, second, third]: [f64; 4]) -> [f64; 3] {
     let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
@@ -167,7 +168,7 @@ impl StatefulForce for GasSpring {
         true
     }
 
-    /// Exact but for the terms beyond the cubic, as along the path of the driven end.
+    /// Exact except for terms of the target beyond the cubic, as along the path of the moving end.
     fn propagate_on_mass(&self, from: Dual<2>, travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         let (kept, takes) = relaxation(travel.time * self.per_time);
         let end = from + travel.moved;
@@ -189,7 +190,7 @@ impl StatefulForce for GasSpring {
         self.rests(&self.gas(at.displacement)).0 - 1.0
     }
 
-    /// Exact but for the terms beyond the cubic of what it is drawn to on the way.
+    /// Exact except for terms of the target beyond the cubic.
     #[inline(always)]
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let h = path.length();
@@ -222,7 +223,7 @@ mod tests {
     fn a_small_change_of_volume_is_as_exact_as_a_power() {
         for excess in [0.01, 0.1, 0.3, 0.4, 0.67] {
             let spring = GasSpring::new(2.5, 0.4, 1.0 + excess, 1.0);
-            // Volumes from far below the smallest to the fourfold, and changes on both sides of what is near.
+            // Volumes from far below the smallest to four times the reference, and changes on both sides of `NEAR`.
             for volume in [-0.5, 0.0, 0.049, 0.05, 0.0503, 0.0508, 0.051, 0.06, 0.3, 1.0, 4.0] {
                 for change in [-0.5, -0.0157, -0.0156, -1e-3, -1e-9, 0.0, 1e-9, 1e-3, 0.0156, 0.0157, 0.5] {
                     let place = |volume: f64| (volume - 1.0) / spring.per_length;
@@ -244,7 +245,7 @@ mod tests {
 
     #[test]
     fn derivatives_of_a_step_are_those_of_differences() {
-        // The gas takes the temperature of its wall within the step, and the rod goes through a third of its volume.
+        // The gas reaches the wall temperature within the step, and the rod displaces a third of the gas volume.
         let spring = GasSpring::new(250.0, 0.4, 1.6, 1.0 / 300.0);
         let (v0, dt, z) = (-20.0, 5e-3, 0.1);
         let carried = |x1: f64, v1: f64| {

@@ -1,14 +1,14 @@
-//! Gas that warms with the damper: it pushes the rod out harder.
+//! Gas that warms with the damper, so that it pushes the rod out with a larger force.
 
 use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = −c (T − T_0) with the temperature T that the host gives; T_0 is that of the gas force.
+/// F = −c (T − T_0) with the temperature T from the host; T_0 is the reference temperature of the gas force.
 ///
-/// The pressure of a gas that is shut in grows with its absolute temperature, 0.34 % a kelvin at 20 °C, and oil that expands
-/// leaves it less room, which is as much again in a mono-tube (Dixon, *The Shock Absorber Handbook*, 2007, ch. 5).
+/// The pressure of an enclosed gas grows with its absolute temperature, 0.34 % per kelvin at 20 °C. Oil that expands
+/// compresses the gas, which doubles the effect in a monotube (Dixon, *The Shock Absorber Handbook*, 2007, ch. 5).
 #[derive(Clone, Copy, Debug)]
 pub struct GasWarming {
     rate: f64,

@@ -1,4 +1,4 @@
-//! Polynomial FV curve behind a first-order lag: one of the models the thesis compares itself with.
+//! Polynomial FV curve with a first-order lag: one of the thesis's comparison models.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -11,8 +11,8 @@ use crate::schema::{Describe, Own, Parameter, View};
 
 /// T(|v|) dy/dt + y = Σ a_k v^k, F = y.
 ///
-/// The time constant ramps from `lag_slow` at and below speed `lag_v1` to `lag_fast` at and above `lag_v2`; the thesis
-/// found that a jump instead of the ramp makes the model unstable.
+/// The time constant ramps from `lag_slow` at and below speed `lag_v1` to `lag_fast` at and above `lag_v2`. According
+/// to the thesis, a jump instead of the ramp makes the model unstable.
 #[derive(Clone, Copy, Debug)]
 pub struct LaggedPolynomial {
     a: [f64; MAX_TERMS],
@@ -24,7 +24,7 @@ pub struct LaggedPolynomial {
 
 const V2: Own<LaggedPolynomial, One> = Own::named("lag_v2");
 const MAX_TERMS: usize = 12;
-/// Parts of a step in which the rate is taken as constant.
+/// Number of parts of a step with a constant rate in each.
 const PARTS: usize = 4;
 
 impl Describe for LaggedPolynomial {
@@ -63,7 +63,7 @@ impl Prepare for LaggedPolynomial {
 }
 
 impl LaggedPolynomial {
-    /// Σ a_k v^k and its derivative.
+    /// Computes Σ a_k v^k and its derivative.
     fn polynomial(&self, v: f64) -> (f64, f64) {
         let (mut value, mut derivative) = (0.0, 0.0);
         for a in self.a.iter().rev() {
@@ -73,7 +73,7 @@ impl LaggedPolynomial {
         (value, derivative)
     }
 
-    /// y after the step.
+    /// Computes y after the step.
     #[inline(always)]
     fn after<R: Real>(&self, path: &Path, x1: R, v1: R, y: f64) -> R {
         let [p0, p1, p2] = path.travel(x1, v1).velocity();
@@ -92,7 +92,7 @@ impl LaggedPolynomial {
             let rate = (first.1 + middle.1 * 4.0 + last.1) * sixth;
             let r = rate.value();
             let (kept, takes) = relaxation(r);
-            // Slope of a moment: M_k/r − M_k + M_{k+1}.
+            // Derivative of a moment: M_k/r − M_k + M_{k+1}.
             let take = |k: usize| rate.chain(takes[k], takes[k] / r - takes[k] + takes[k + 1]);
             let rise = last.0 - first.0;
             let bend = (first.0 + last.0 - middle.0 * 2.0) * 2.0;
@@ -102,7 +102,7 @@ impl LaggedPolynomial {
         y
     }
 
-    /// Time constant and its derivative over velocity.
+    /// Returns the time constant and its derivative over velocity.
     fn time_constant(&self, v: f64) -> (f64, f64) {
         let speed = v.abs();
         if speed <= self.v1 {
@@ -134,10 +134,10 @@ impl StatefulForce for LaggedPolynomial {
         self.polynomial(at.velocity).0
     }
 
-    /// Exact part by part, for the mean rate of a part and the parabola through its targets.
+    /// Exact in each part for its mean rate and the parabola through its targets.
     ///
-    /// However much the time constant changes on the way, y stays between its start and its targets. (A Runge–Kutta
-    /// method that is stable for every constant rate need not be for one that changes a thousandfold.)
+    /// However much the time constant changes, y stays between its start value and its targets. (A Runge–Kutta method
+    /// that is stable for every constant rate need not be stable for a rate that changes a thousandfold.)
     fn propagate(&self, path: &Path, y: f64, derivatives: bool) -> Option<EndState> {
         let (x1, v1) = path.end();
         let after = if derivatives {

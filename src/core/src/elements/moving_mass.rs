@@ -1,6 +1,6 @@
 //! Moving mass between load cell and damper, or oil in a long passage.
 //!
-//! The first is eye, clamp and tube, where the load cell moves with them. The second is accelerated by the piston.
+//! In the first case eye, clamp and tube move with the load cell. In the second the piston accelerates the oil.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -12,11 +12,11 @@ use crate::schema::{Describe, Parameter, View};
 
 /// F = M (v − z)/τ, dz/dt = (v − z)/τ.
 ///
-/// Hosts give displacement and velocity but no acceleration, so the mass, at velocity z, is drawn along by a stiff
-/// damper M/τ. It only ever takes energy, and lags behind a mass without it by τ.
+/// Hosts give displacement and velocity but no acceleration. A stiff damper M/τ therefore pulls the mass, which has the
+/// velocity z. The damper only dissipates energy; the force lags that of an ideal mass by τ.
 ///
-/// *Inside*: M moves with the piston, behind the series stiffness, as a part of the internal mass; oil of the mass m in a
-/// passage of the area a counts as M = m (A/a)². Without a series stiffness the piston moves like the driven end.
+/// *Inside*: M moves with the piston, behind the series stiffness, as a part of the internal mass. Oil of mass m in a
+/// passage of area a counts as M = m (A/a)². Without a series stiffness the piston moves with the moving end.
 #[derive(Clone, Copy, Debug)]
 pub struct MovingMass {
     is_inside: bool,
@@ -59,7 +59,7 @@ impl Prepare for MovingMass {
 }
 
 impl MovingMass {
-    /// Gives a mass inside to the internal mass that there is.
+    /// Adds a moving mass inside the damper to the internal mass.
     pub(crate) fn join(&mut self, internal: &mut f64) {
         if self.is_inside {
             *internal += self.damping / self.per_time;
@@ -67,20 +67,21 @@ impl MovingMass {
         }
     }
 
-    /// The velocity over a step as p_0 + p_1 θ + p_2 θ² between the host's velocities at its two ends.
+    /// Returns the velocity over a step as p_0 + p_1 θ + p_2 θ² between the host's velocities at both ends.
     ///
-    /// Inertia comes from velocities: the displacement, whose mean velocity over the step gives the curvature p_2, adds no more to it than the
-    /// velocities bear out by the growth of the acceleration since the start of the step, where it was (v_0 − z)/τ. A host that samples a
-    /// motion keeps its order. A semi-implicit host advances displacement with the velocity of one end, and so gives a curvature of three
-    /// times the change of velocity: 2 kg would act as −2 or as 6 kg.
+    /// Inertia follows from velocities. The displacement sets the curvature p_2 through the mean velocity of the step.
+    /// The curvature is at most the growth of the acceleration since the start of the step, where it was (v_0 − z)/τ. A
+    /// host that samples a motion keeps its order. A semi-implicit host advances displacement with the velocity of one
+    /// end. Its displacement therefore implies a curvature of three times the change of velocity: 2 kg would act as −2
+    /// or as 6 kg.
     ///
-    /// Where a displacement of nanometres decides between the two, derivatives are one-sided: those of straight velocities, or of the growth where
-    /// that is as small.
+    /// If a displacement of nanometers decides between the cases, derivatives are one-sided. They are those of the
+    /// linear velocity, or of the growth if that is as small.
     #[inline(always)]
     fn velocity<R: Real>(&self, path: &Path, z: f64, x1: R, v1: R) -> [R; 3] {
         let [start, _, by_displacement] = path.travel(x1, v1).velocity();
         let change = v1 - start;
-        // The step's own integral of the velocity tells nothing that the velocity does not.
+        // The host's displacement is only integrated from the velocity, so it contains no further information.
         if path.is_integrated() {
             return [start, change, R::constant(0.0)];
         }
@@ -102,7 +103,7 @@ impl MovingMass {
     }
 }
 
-/// Displacements nearer than this, m, are one: a host's own arithmetic knows them no better, and no next iterate lies so near.
+/// Displacements closer than this, m, count as equal: below the precision of a host and the distance of its iterates.
 const NEAR: f64 = 1e-9;
 
 impl StatefulForce for MovingMass {
@@ -123,7 +124,7 @@ impl StatefulForce for MovingMass {
         at.velocity
     }
 
-    /// Exact for the velocity of [`MovingMass::velocity`], a polynomial of second order.
+    /// Exact for the velocity of [`MovingMass::velocity`], a polynomial of second degree.
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (kept, takes) = relaxation(path.length() * self.per_time);
         let (x1, v1) = path.end();

@@ -6,26 +6,29 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h: the valves see the velocity w that the oil column leaves of the piston's u.
+/// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h: the valves see the piston velocity u minus that absorbed by the oil
+/// column.
 ///
-/// ℓ is the length of the column relative to that at x = 0. The rebound chamber gets shorter with extension: ℓ = 1 − λ x.
-/// With two chambers the one under pressure yields: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression stroke.
+/// ℓ is the length of the column relative to that at x = 0. The rebound chamber becomes shorter with extension: ℓ = 1 −
+/// λ x. With two chambers the chamber under pressure yields: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression
+/// stroke.
 ///
-/// The state of one chamber is q: moved under pressure it keeps that, however far. That of two chambers is what the column
-/// has taken up of the piston's stroke, s = ∫ ℓ dq from 0 at the place x:
+/// The state of one chamber is q, which stays constant while the chamber moves under constant pressure. The state of
+/// two chambers is the absorbed part of the piston's stroke, s = ∫ ℓ dq from 0 at the displacement x:
 ///
 /// ```text
 /// ds/dt = u − w + v ∂s/∂x
 /// ```
 ///
-/// With q as their state a stage would solve ℓ(q) (q − Q)/g = u − w, which falls with q where the longer chamber takes over and
-/// has three answers there; and what the methods put together from stages on both sides of rest lies on neither.
+/// With q as their state a stage would solve ℓ(q) (q − Q)/g = u − w. That falls with q where the longer chamber takes
+/// over, and has three solutions there. Stages on both sides of rest would also combine to a state that fits neither
+/// side.
 ///
-/// In compression k_o is r_o times that in rebound: in a twin tube the oil below the piston, which the rod's area loads
-/// alone, yields more to the force than that above it.
+/// In compression k_o is r_o times that in rebound. In a twin tube only the rod's area loads the oil below the piston,
+/// so it yields more to the force than the oil above.
 ///
-/// Cylinder expansion is in it: 1/k_o = 1/k_oil + 1/k_tube, and no test on a rig can tell the two apart. The series
-/// compliance differs from both in that springs on the mass pass through it but not through the oil.
+/// The cylinder expansion is included: 1/k_o = 1/k_oil + 1/k_tube; no rig test can separate the two. The series
+/// compliance differs from both: the force of springs on the mass passes through it but not through the oil.
 #[derive(Clone, Copy, Debug)]
 pub struct OilCompressibility {
     /// 1/k_o in rebound, and in compression.
@@ -36,9 +39,9 @@ pub struct OilCompressibility {
     changes: f64,
 }
 
-/// q_c is the deflection of the stiffer chamber under so many newtons: far below every force that a damper is judged by.
+/// q_c is the deflection of the stiffer chamber under this force, N: far below all forces that matter.
 const CHANGES: f64 = 50.0;
-/// Least ℓ.
+/// Smallest ℓ.
 const SHORTEST: f64 = 0.1;
 
 impl Describe for OilCompressibility {
@@ -75,7 +78,7 @@ impl Describe for OilCompressibility {
 }
 
 impl Prepare for OilCompressibility {
-    /// Ten times stiffer than most oil: hardly noticed beside the air it then carries.
+    /// Ten times stiffer than most oil, so that its effect is small compared with that of the air in it.
     const OFF: Self =
         OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false, changes: 1.0 };
 
@@ -92,26 +95,26 @@ impl Prepare for OilCompressibility {
 }
 
 impl OilCompressibility {
-    /// 1/k_o of the chamber that stands under pressure; `side` is the force, or the deflection, which has its sign.
+    /// Returns 1/k_o of the chamber under pressure; `side` is the force or the deflection, which have the same sign.
     #[inline(always)]
     pub(crate) fn compliance(&self, side: f64) -> f64 {
         let [rebound, compression] = self.compliance;
         if side < 0.0 { compression } else { rebound }
     }
 
-    /// Whether the column is as stiff on the one side as on the other.
+    /// Returns whether the column is equally stiff on both sides.
     pub(crate) fn is_even(&self) -> bool {
         let [rebound, compression] = self.compliance;
         rebound == compression
     }
 
-    /// Whether the place matters.
+    /// Returns whether the stiffness depends on the displacement.
     #[inline(always)]
     pub(crate) fn has_length(&self) -> bool {
         self.shortening != 0.0
     }
 
-    /// ℓ of the rebound chamber and, with two, of that of compression.
+    /// Returns ℓ of the rebound chamber and, with two chambers, that of the compression chamber.
     #[inline(always)]
     fn lengths<R: Real>(&self, x: R) -> [R; 2] {
         let within = |length: R| if length.value() > SHORTEST { length } else { R::constant(SHORTEST) };
@@ -120,33 +123,33 @@ impl OilCompressibility {
         [rebound, if self.has_two_chambers { within(away.plus(1.0)) } else { rebound }]
     }
 
-    /// By how much more the deflection's size counts than that below q_c: ∫ q/√(q² + q_c²) dq from 0.
+    /// Computes ∫ q/√(q² + q_c²) dq from 0: |q| − q_c for deflections far above q_c.
     #[inline(always)]
     fn size<R: Real>(&self, deflection: R) -> R {
         (deflection * deflection).plus(self.changes * self.changes).sqrt().plus(-self.changes)
     }
 
-    /// Whether the state is s and not q.
+    /// Returns whether the state is s and not q.
     #[inline(always)]
     pub(crate) fn counts_stroke(&self) -> bool {
         self.has_two_chambers && self.has_length()
     }
 
-    /// ℓ of one chamber.
+    /// Returns ℓ of a single chamber.
     #[inline(always)]
     pub(crate) fn length<R: Real>(&self, x: R) -> R {
         let [length, _] = self.lengths(x);
         length
     }
 
-    /// s.
+    /// Computes s.
     #[inline(always)]
     pub(crate) fn taken_up<R: Real>(&self, x: R, deflection: R) -> R {
         let [rebound, compression] = self.lengths(x);
         ((rebound + compression) * deflection + (rebound - compression) * self.size(deflection)) * 0.5
     }
 
-    /// ∂s/∂x with q held.
+    /// Computes ∂s/∂x at constant q.
     #[inline(always)]
     pub(crate) fn taken_up_by_place<R: Real>(&self, x: R, deflection: R) -> R {
         let [rebound, compression] = self.lengths(x).map(|length| length.value() > SHORTEST);
@@ -155,7 +158,7 @@ impl OilCompressibility {
         deflection * (by_rebound + by_compression) + self.size(deflection) * (by_rebound - by_compression)
     }
 
-    /// The deflection of a column that has taken up s: the one root of (a + b) q + (a − b)(√(q² + q_c²) − q_c) = 2 s.
+    /// Returns the deflection q for the state s, the only root of (a + b) q + (a − b)(√(q² + q_c²) − q_c) = 2 s.
     #[inline(always)]
     pub(crate) fn deflection<R: Real>(&self, x: R, taken_up: R) -> R {
         let [rebound, compression] = self.lengths(x);

@@ -11,7 +11,7 @@ use crate::tables::{Lookup, Owned, Tables};
 /// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
 #[derive(Clone, Copy, Debug)]
 pub struct ParallelSpring<T: Tables = Owned> {
-    /// By power of |x|: the coefficient in F_p / x and in F_p', so that both run side by side.
+    /// For each power of |x|: the coefficients in F_p / x and in F_p', so that both are evaluated in parallel.
     k: [[f64; 2]; 4],
     /// Whether there is more than the linear and the quadratic term.
     has_higher: bool,
@@ -19,7 +19,7 @@ pub struct ParallelSpring<T: Tables = Owned> {
     has_lookup: bool,
 }
 
-/// The coefficients, by power of |x|.
+/// Coefficients by power of |x|.
 const POWERS: [Own<ParallelSpring, One>; 4] = [
     Own::named("spring_linear"),
     Own::named("spring_quadratic"),
@@ -91,7 +91,7 @@ impl Prepare for ParallelSpring {
     }
 }
 
-/// The fault of a table.
+/// Makes the fault of a table.
 fn of_table(p: &View<ParallelSpring>, reason: Reason) -> Fault {
     let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
     p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
@@ -120,12 +120,12 @@ impl<T: Tables> Force for ParallelSpring<T> {
 }
 
 impl<T: Tables> ParallelSpring<T> {
-    /// Borrows the table of this spring.
+    /// Returns this spring with another, possibly borrowed, table.
     pub(crate) fn with_table<U: Tables>(&self, lookup: U::Spring) -> ParallelSpring<U> {
         ParallelSpring { k: self.k, has_higher: self.has_higher, lookup, has_lookup: self.has_lookup }
     }
 
-    /// Its table.
+    /// Returns the table.
     pub(crate) fn table(&self) -> &T::Spring {
         &self.lookup
     }
@@ -137,7 +137,7 @@ impl<T: Tables> ParallelSpring<T> {
         self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
     }
 
-    /// The linear and the quadratic term.
+    /// Computes the linear and the quadratic term.
     #[inline(always)]
     fn even(&self, x: f64) -> Response {
         let [k1, k2, ..] = self.k;
@@ -145,7 +145,7 @@ impl<T: Tables> ParallelSpring<T> {
         Response { force: x * secant, d_force_d_x: by_x, d_force_d_v: 0.0 }
     }
 
-    /// All terms and the table, out of the way of the many springs that have neither.
+    /// Computes all terms and the table. Not inlined, because most springs have neither.
     #[inline(never)]
     fn bent(&self, x: f64) -> Response {
         let r = x.abs();

@@ -6,13 +6,14 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// A zone of the stroke, p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the driven end's displacement x, in two
-/// forms.
+/// A zone of the stroke in two forms.
+///
+/// Its profile is p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the moving end's displacement x.
 ///
 /// *Factor*: F_d is multiplied by s(x) = 1 − a p(x).
 ///
-/// *Groove*: oil flows past the piston beside the valves, as a velocity q_b p(x) r(F_h)/√(1 kN), the root but for
-/// forces of a few newtons; see [`crate::paths::bypass`].
+/// *Groove*: oil bypasses the valves with the velocity q_b p(x) r(F_h)/√(1 kN), a square root of the force except for a
+/// few newtons; see [`crate::paths::bypass`].
 #[derive(Clone, Copy, Debug)]
 pub struct PositionDependentDamping {
     pub(crate) is_groove: bool,
@@ -21,7 +22,7 @@ pub struct PositionDependentDamping {
     centre: f64,
     half_width: f64,
     per_blend: f64,
-    /// Whether it acts in compression and in rebound.
+    /// Whether the zone acts in compression and in rebound.
     acts: [bool; 2],
 }
 
@@ -78,32 +79,32 @@ impl Prepare for PositionDependentDamping {
 }
 
 impl PositionDependentDamping {
-    /// s(x) on the stroke.
+    /// Computes s(x) on the stroke.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, x: R, rebound: bool) -> R {
         if self.acts[usize::from(rebound)] { self.window(x) } else { R::constant(1.0) }
     }
 
-    /// s(x) on the compression and on the rebound stroke.
+    /// Computes s(x) on the compression and on the rebound stroke.
     #[inline(always)]
     pub(crate) fn factors<R: Real>(&self, x: R) -> [R; 2] {
         let window = self.window(x);
         self.acts.map(|acts| if acts { window } else { R::constant(1.0) })
     }
 
-    /// Flow through the groove at 1 kN, m/s, on the stroke.
+    /// Computes the flow through the groove at 1 kN, m/s, on the stroke.
     #[inline(always)]
     pub(crate) fn groove<R: Real>(&self, x: R, rebound: bool) -> R {
         if self.acts[usize::from(rebound)] { self.zone(x) * self.flow } else { R::constant(0.0) }
     }
 
-    /// s(x) where it acts.
+    /// Computes s(x) on a stroke on which it acts.
     #[inline(always)]
     fn window<R: Real>(&self, x: R) -> R {
         (-(self.zone(x) * self.share)).plus(1.0)
     }
 
-    /// p(x).
+    /// Computes p(x).
     #[inline(always)]
     fn zone<R: Real>(&self, x: R) -> R {
         let from = x.plus(-self.centre);

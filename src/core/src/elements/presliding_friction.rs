@@ -1,4 +1,5 @@
-//! Presliding friction: contacts that bend before they slide (Dahl; effect of seal lip and guide after every reversal).
+//! Presliding friction: contacts that deflect before they slide (Dahl). Seal lip and guide cause it after every
+//! reversal.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -10,8 +11,8 @@ use crate::schema::{Describe, Parameter, View};
 
 /// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
 ///
-/// The force reverses within a few z_0 of travel, whatever the velocity. n = 1 is Dahl's contact, which slips from
-/// the first; a larger n deflects elastically first. With an elastic return a deflected contact does not slip while
+/// The force reverses within a displacement of a few z_0 at any velocity. n = 1 is Dahl's contact, which slips from the
+/// start; with a larger n it deflects elastically first. With an elastic return a deflected contact does not slip while
 /// it is released (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²): below the velocity v_c the contact creeps, and the
 /// friction of a long slow motion is less than F_c.
 #[derive(Clone, Copy, Debug)]
@@ -79,25 +80,26 @@ impl Prepare for PreslidingFriction {
     }
 }
 
-/// Steps of the contact inside one stretch of travel where its law has no closed form.
+/// Number of steps of the contact in one stretch of motion if its law has no closed form.
 const PARTS: usize = 4;
-/// Speed, as a share of the creep, above which creep is nothing: it shortens the travel by half the square of this.
+/// Speed relative to the creep velocity above which creep is neglected. The relative error of the slip is half the
+/// inverse square of this.
 const FAST: f64 = 1e6;
 
 /// Distance from the level, as a fraction of it, within which the law is linear: its square is the error.
 const NEAR: f64 = 1e-3;
 
-/// ζ^power for ζ ≥ 0.
+/// Computes ζ^exponent for ζ ≥ 0.
 fn raised<R: Real>(size: R, exponent: f64) -> R {
     let at = size.value();
     let value = if at > 0.0 { power(at, exponent) } else { 0.0 };
     size.chain(value, if at > 0.0 { exponent * value / at } else { 0.0 })
 }
 
-/// Solution of dζ/dσ = r − c ζ after the slip σ.
+/// Solves dζ/dσ = r − c ζ over the slip σ.
 fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
     let through = decay * slip;
-    // (1 − e^−cσ)/cσ: the fraction of the slip that counts.
+    // (1 − e^−cσ)/cσ: the effective fraction of the slip.
     let fraction = if through.value() > 1e-4 {
         (-(-through).exp()).plus(1.0) * through.inverse()
     } else {
@@ -107,8 +109,9 @@ fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
 }
 
 impl PreslidingFriction {
-    /// dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0: where ζ ends. It never crosses the value it is drawn to, so a
-    /// contact is never bent further than its law allows, however long the slip.
+    /// Solves dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0, and returns the final ζ.
+    ///
+    /// ζ never crosses its steady state, so the deflection of a contact stays within its law for any slip.
     #[inline(never)]
     fn bend<R: Real>(&self, bent: R, r: R, slip: R) -> R {
         let (mut bent, mut slip) = (bent, slip);
@@ -117,7 +120,7 @@ impl PreslidingFriction {
             if unbent.value() * bent.value() >= 0.0 {
                 return unbent;
             }
-            // What is left of the slip once the contact is straight.
+            // Remaining slip after the deflection has returned to zero.
             (slip, bent) = (unbent * r.inverse(), R::constant(0.0));
         }
         if self.power == 0.0 {
@@ -129,9 +132,9 @@ impl PreslidingFriction {
             let derivative = if size > 0.0 { level / (size * (1.0 + self.power)) } else { 0.0 };
             r.chain(level.copysign(r.value()), derivative)
         };
-        // A step without motion has no level.
+        // A step without motion has no steady state.
         if level.value() != 0.0 && (bent.value() - level.value()).abs() <= NEAR * level.value().abs() {
-            // Slipping: |level|^(n−1) = r/level.
+            // The contact slips: |level|^(n−1) = r/level.
             let decay = (r * level.inverse()) * (1.0 + self.power);
             return level + (bent - level) * (-(decay * slip)).exp();
         }
@@ -139,8 +142,8 @@ impl PreslidingFriction {
         let below = bent.value() < level.value();
         let highest = max(bent.value().abs(), level.value().abs());
         for _ in 0..PARTS {
-            // ζ decays at |ζ|^(n−1), taken in the middle of the part: at its start a straight contact would not decay at all, and the force
-            // would jump at n = 1, whose closed form is exact.
+            // The decay rate of ζ is |ζ|^(n−1), evaluated in the middle of the part. At its start, an undeflected
+            // contact would not decay at all, and the force would jump at n = 1, whose closed form is exact.
             let start = bent.abs();
             let halfway = relaxed(bent, r, raised(start, self.power), part * 0.5);
             let middle = if halfway.value().abs() > highest { R::constant(highest) } else { halfway.abs() };
@@ -154,7 +157,7 @@ impl PreslidingFriction {
 
     /// Propagates the state over a stretch of the path in one direction.
     ///
-    /// The arguments are its travel, the velocities at its start, middle and end, and its time.
+    /// The arguments are its displacement, the velocities at its start, middle and end, and its time.
     #[inline(always)]
     fn along<R: Real>(&self, bent: R, moved: R, velocity: [R; 3], time: R) -> R {
         let moved = moved * self.per_length;
@@ -167,10 +170,10 @@ impl PreslidingFriction {
         self.creeps(bent, moved, velocity, time)
     }
 
-    /// Propagates the state over a stretch on which creep counts.
+    /// Propagates the state over a stretch in which creep matters.
     #[inline(never)]
     fn creeps<R: Real>(&self, bent: R, moved: R, [first, middle, last]: [R; 3], time: R) -> R {
-        // By Simpson's rule.
+        // Integrate by Simpson's rule.
         let creeps = |v: R| (v * v).plus(self.creep_squared).sqrt();
         let sum = creeps(first) + creeps(middle) * 4.0 + creeps(last);
         let slip = sum * (time * (self.per_length / 6.0));
@@ -181,12 +184,12 @@ impl PreslidingFriction {
         self.bend(bent, moved * slip.inverse(), slip)
     }
 
-    /// ζ after the step.
+    /// Computes ζ after the step.
     #[inline(always)]
     fn after<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let Travel { moved, v0: first, v1: last, time, .. } = *travel;
         let mean = moved * (1.0 / time);
-        // The velocity lies between these three (Bézier): where they have one sign the end does not turn.
+        // The velocity lies between these three values (Bézier). If they have the same sign, the end does not reverse.
         let between = (mean * 3.0 - first - last).value();
         let (a, b, c) = (first.value(), last.value(), between);
         if min(min(a, b), c) >= 0.0 || max(max(a, b), c) <= 0.0 {
@@ -196,18 +199,18 @@ impl PreslidingFriction {
         self.turns(travel, bent)
     }
 
-    /// Propagates the state over a motion that may reverse, stretch by stretch.
+    /// Propagates the state over a motion that may reverse, one stretch after the other.
     #[inline(never)]
     fn turns<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let velocity = travel.velocity();
         let [p0, p1, p2] = velocity;
         let speed = |theta: R| p0 + (p1 + p2 * theta) * theta;
         let (none, all) = (R::constant(0.0), R::constant(1.0));
-        // Where p_0 + p_1 θ + p_2 θ² changes its sign, without cancellation.
+        // Zeros of p_0 + p_1 θ + p_2 θ², computed without cancellation.
         let half = p1 * -0.5;
         let square = half * half - p0 * p2;
         let mut turns = [none; 2];
-        // Below this the motion is nothing, and derivatives of its roots would overflow.
+        // Below this the motion is negligible, and the derivatives of the roots would overflow.
         if square.value() > 1e-200 {
             let root = square.sqrt();
             let q = if half.value() < 0.0 { half - root } else { half + root };
@@ -267,8 +270,8 @@ impl StatefulForce for PreslidingFriction {
 
     /// Exact for n = 1.
     ///
-    /// In travel instead of time the contact has a law of its own state alone. The path inside the step matters only
-    /// by its reversals.
+    /// As a function of displacement instead of time, the law of the contact depends on its own state alone. Only the
+    /// reversals of the path inside the step matter.
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (x1, v1) = path.end();
         let bent = z * self.per_length;
@@ -294,7 +297,7 @@ impl StatefulForce for PreslidingFriction {
         [z, z * self.stiffness]
     }
 
-    /// At rest every bend stays; before any motion there is none.
+    /// Returns 0 at rest, where any deflection is an equilibrium: before any motion there is no deflection.
     fn equilibrium(&self, at: &Motion) -> f64 {
         if at.velocity == 0.0 {
             return 0.0;
@@ -303,7 +306,7 @@ impl StatefulForce for PreslidingFriction {
         (self.length * power(share, 1.0 / (1.0 + self.power))).copysign(at.velocity)
     }
 
-    /// At rest the bend is what the way there left.
+    /// Returns the steady deflection; at rest it results from the displacement since `from`.
     fn equilibrium_from(&self, from: f64, z: f64, at: &Motion) -> f64 {
         if !self.is_path_dependent(at) {
             return self.equilibrium(at);
@@ -333,7 +336,8 @@ mod tests {
         }
     }
 
-    /// A fit that stands at n = 1 takes the derivative over n there: a jump of the force would hold it there, with an interval of nothing.
+    /// A fit that starts at n = 1 uses the derivative over n there. A jump of the force would keep it there, with an
+    /// interval of zero width.
     #[test]
     fn force_does_not_jump_where_power_is_one() {
         for returns_elastically in [false, true] {
@@ -375,7 +379,8 @@ mod tests {
         {
             for (v0, v1) in [(0.0, 0.1), (0.1, 0.0), (0.2, 0.3), (-0.2, -0.3), (-1.0, -0.01), (1e-5, 2e-5), (0.1, -0.1)]
             {
-                // A mean of less than a third of the sum of both ends' velocities would be one with a turn inside.
+                // A mean of less than a third of the sum of both ends' velocities would mean a reversal inside the
+                // step.
                 for share in [0.34, 0.5, 0.8, 1.0] {
                     for bent in [-0.9, -0.01, 0.0, 0.5] {
                         let dt = 1e-3;
@@ -398,7 +403,7 @@ mod tests {
                 }
             }
         }
-        // Rounding tells that both ways were taken.
+        // Differences by rounding show that both code paths were used.
         assert!(one_way > 20, "{one_way}");
     }
 
@@ -411,7 +416,7 @@ mod tests {
             contact.after(&path.travel(Dual::<2>::along(x1, 0), Dual::along(v1, 1)), Dual::constant(bent))
         };
         let mut turns_seen = [0; 3];
-        // From start to end in m, and the velocities there: no turn, one, and there and back again.
+        // Final displacement in m, and the velocities at start and end: no reversal, one, and two.
         for (x1, v0, v1) in
             [(2e-4, 0.1, 0.3), (1e-4, 0.7, -0.4), (-2e-4, 0.5, -0.9), (0.0, 0.4, 0.4), (1e-4, -0.6, -0.5)]
         {

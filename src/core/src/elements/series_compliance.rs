@@ -1,4 +1,4 @@
-//! Series spring and damper between the driven end and the internal mass (thesis 3, F_s and m): compressibility.
+//! Series spring and damper between the moving end and the internal mass (thesis 3, F_s and m): compressibility.
 
 use crate::element::Prepare;
 use crate::fault::Fault;
@@ -7,8 +7,8 @@ use crate::schema::{Describe, Parameter, View};
 
 /// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
 ///
-/// The thesis has friction and gas beside it, driven by the end. In an eye or a mount all of the force goes through what
-/// yields: friction and gas force then act on the mass, F_s is the whole.
+/// In the thesis friction and gas act in parallel, driven by the moving end. In an eye or a mount the compliance
+/// carries the whole force. Friction and gas then act on the mass, and F_s is the total force.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesCompliance {
     /// k_s, N/m.
@@ -17,7 +17,7 @@ pub struct SeriesCompliance {
     pub damping: f64,
     /// m, kg.
     pub mass: f64,
-    /// Whether friction and gas act behind it, on the mass, and it carries them too.
+    /// Whether friction and gas act on the mass, so that the compliance carries their force too.
     pub carries_whole: bool,
 }
 

@@ -1,13 +1,13 @@
-//! A spring in line with a gap that closes softly: the law of a worn eye, and of oil with air in it.
+//! A spring in series with a gap that closes gradually: the law of a worn eye, and of oil with air in it.
 
 use crate::dual::Real;
 
-/// d(F) = F/k + g F/(|F| + F_0): the spring alone for large forces, g further to either side; softest at F = 0.
+/// d(F) = F/k + g F/(|F| + F_0): for large forces the spring alone plus g on either side; softest at F = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct SoftGap {
     /// g, m.
     pub gap: f64,
-    /// F_0, N: half the gap is closed at this force.
+    /// F_0, N: force at which half the gap is closed.
     pub softness: f64,
 }
 
@@ -15,20 +15,20 @@ impl SoftGap {
     /// No gap.
     pub const CLOSED: SoftGap = SoftGap { gap: 0.0, softness: 1.0 };
 
-    /// d(F) with a spring of compliance 1/k.
+    /// Computes d(F) with a spring of compliance 1/k.
     #[inline(always)]
     pub fn deflection<R: Real>(&self, compliance: f64, force: R) -> R {
         let taken = force.abs().plus(self.softness).inverse() * self.gap;
         force * taken.plus(compliance)
     }
 
-    /// F(d) and dF/dd with a spring of stiffness `k`: |F| is the root of y² + (F_0 + k g − k|d|) y = k|d| F_0.
+    /// Computes F(d) and dF/dd with a spring of stiffness `k`: |F| is the root of y² + (F_0 + k g − k|d|) y = k|d| F_0.
     #[inline(always)]
     pub fn force<R: Real>(&self, k: R, d: R) -> (R, R) {
         let alone = k * d.abs();
         let half = (k * self.gap - alone).plus(self.softness) * 0.5;
         let product = alone * self.softness;
-        // A number below all forces keeps the root away from 0, where it has no derivative.
+        // A tiny number, far below all forces squared, avoids the root at 0, where it has no derivative.
         let root = (half * half + product).plus(1e-30).sqrt();
         let size = if half.value() > 0.0 { product * (half + root).inverse() } else { root - half };
         let open = size.plus(self.softness).inverse();

@@ -7,15 +7,15 @@ use crate::math::{exp_below_bound, power};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Two forms.
+/// Stribeck friction in two forms.
 ///
-/// *Simplified* (thesis 3.5–3.7, the one it keeps, with the sign of the v² term put right in `viscous_friction`):
-/// `F = √(2e) (F_brk − F_c) exp(−(v/v_st)²) v/v_st + F_c tanh(v/v_coul)`, `v_st = √2 v_brk`, `v_coul = v_brk/10`.
+/// *Simplified* (thesis 3.5–3.7, its final form; the sign of its v² term is corrected in `viscous_friction`): `F =
+/// √(2e) (F_brk − F_c) exp(−(v/v_st)²) v/v_st + F_c tanh(v/v_coul)`, `v_st = √2 v_brk`, `v_coul = v_brk/10`.
 ///
-/// *Full*: equations 3.3–3.4 cannot be right as printed, so this is the generalised Stribeck curve of
-/// Armstrong-Hélouvry (Automatica 30, 1994) with the thesis's parameters and a smooth rise:
-/// `F = sign(v) [F_s + (F_t − F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`.
-/// F_t is approached at break-away velocity V_fs, F_s remains far above V_s.
+/// *Full*: equations 3.3–3.4 cannot be right as printed. This is therefore the generalized Stribeck curve of
+/// Armstrong-Hélouvry (Automatica 30, 1994) with the thesis's parameters and a smooth rise: `F = sign(v) [F_s + (F_t −
+/// F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`. The force approaches F_t at the break-away velocity V_fs. At
+/// velocities far above V_s it approaches F_s.
 #[derive(Clone, Copy, Debug)]
 pub enum StribeckFriction {
     /// The thesis's reduced form.
@@ -118,11 +118,11 @@ impl Prepare for StribeckFriction {
     }
 }
 
-/// e^-40 is a hundredth of a rounding error beside 1.
+/// e^-40 is a hundredth of a rounding error of 1.
 const BELOW_ROUNDING: f64 = 40.0;
 
 impl StribeckFriction {
-    /// The general form, out of the way of the other: its two powers are many times as long.
+    /// Computes the general form. Not inlined: its two powers take many times as long as the simplified form.
     #[cold]
     #[inline(never)]
     fn full(&self, v: f64) -> Response {
@@ -176,14 +176,13 @@ impl Force for StribeckFriction {
     }
 }
 
-/// The simplified form far above break-away, where nothing is left of its exponentials.
+/// Computes the simplified form far above break-away, where its exponentials vanish.
 #[inline(always)]
 fn far_above(coulomb: f64, v: f64) -> Response {
     Response { force: coulomb.copysign(v), d_force_d_x: 0.0, d_force_d_v: 0.0 }
 }
 
-/// The simplified form where its exponentials matter; `square` is (v/v_st)². Apart, for the sake of the strokes that do
-/// not come here.
+/// Computes the simplified form where its exponentials matter; `square` is (v/v_st)². Separate from the faster case.
 #[inline(always)]
 fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) -> Response {
     let bump = peak * exp_below_bound(-square);
@@ -195,7 +194,7 @@ fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) 
     }
 }
 
-/// Derivative of `scale · s^p` at s = 0 for p ≥ 1.
+/// Returns the derivative of `scale · s^p` at s = 0 for p ≥ 1.
 fn derivative_at_rest(scale: f64, p: f64) -> f64 {
     if p == 1.0 { scale } else { 0.0 }
 }

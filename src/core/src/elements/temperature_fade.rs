@@ -6,12 +6,12 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// The laminar part of F_d is multiplied by the viscosity over that at T_0, exp(−α (T − T_0)/(1 + κ (T − T_0))).
+/// The laminar part of F_d is multiplied by the viscosity relative to that at T_0, exp(−α (T − T_0)/(1 + κ (T − T_0))).
 ///
-/// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0
-/// is an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), C about 95 °C for damper oils. T is the
-/// temperature from the host, or that of its surroundings plus the rise ϑ by the damper's own heat. The rise follows
-/// C_h dϑ/dt = F_h (w + b) − h ϑ with the flow b parallel to the valves.
+/// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0 is
+/// an exponential, κ = 1/(T_0 + C) is Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
+/// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise follows C_h dϑ/dt =
+/// F_h (w + b) − h ϑ with the flow b parallel to the valves.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
@@ -27,11 +27,11 @@ pub struct TemperatureFade {
     pub(crate) heats_itself: bool,
 }
 
-/// F_l from which all of the force fades.
+/// Value of F_l from which on the whole force fades.
 const ALL: f64 = 1e9;
-/// The exponent is kept inside ±3: a factor of twenty is beyond all dampers.
+/// The exponent is clamped to ±3: a factor of twenty exceeds that of all dampers.
 const LARGEST: f64 = 3.0;
-/// 1 + κ (T − T_0) is kept above this: far below T_0 oil is a wax.
+/// Smallest value of 1 + κ (T − T_0): far below T_0 oil is a wax.
 const STIFFEST: f64 = 0.05;
 
 impl Describe for TemperatureFade {
@@ -96,25 +96,25 @@ impl Prepare for TemperatureFade {
 }
 
 impl TemperatureFade {
-    /// Whether all of the force fades, however large.
+    /// Returns whether the whole force fades, however large.
     #[inline(always)]
     pub(crate) fn is_of_all(&self) -> bool {
         self.per_laminar == 0.0
     }
 
-    /// The faded force.
+    /// Computes the faded force.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, force: R, factor: R) -> R {
         force * (factor.plus(-1.0) * self.laminar(force)).plus(1.0)
     }
 
-    /// 1/(1 + |F|/F_l).
+    /// Computes 1/(1 + |F|/F_l).
     #[inline(always)]
     pub(crate) fn laminar<R: Real>(&self, force: R) -> R {
         (force.abs() * self.per_laminar).plus(1.0).inverse()
     }
 
-    /// The factor at a given temperature and rise above it.
+    /// Computes the factor at a given temperature and a rise above it.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, given: f64, rise: R) -> R {
         let above = rise.plus(given - self.reference);

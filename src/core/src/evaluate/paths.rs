@@ -14,16 +14,18 @@ use crate::paths::{Paths, STATES, Slots, place};
 use crate::state::{MAX_INTERNAL, State};
 use crate::tables::{ForceLaw, Tables};
 
-/// Directions in which an instant is differentiated at once. All that is asked here is compiled for this one kind of number, whether or not its derivatives
-/// are needed: hosts ask now and then, and with all thirteen directions at once the formulas were as long as those of all steps together.
+/// Number of directions in which an instant is differentiated at once.
+///
+/// All evaluations here are compiled for this one number type, even if they need no derivatives, because hosts call
+/// them rarely. With all thirteen directions at once the code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
 /// A number with its derivatives.
 type Derivatived = Dual<DIRECTIONS>;
 
-/// What the oil does at given states.
+/// State derivatives and forces at given states and a given oil velocity.
 struct Instant {
-    /// 0 where the velocity of the oil is the right one.
+    /// Residual of the equation for the oil velocity; 0 at the solution.
     residual: Derivatived,
     rates: [Derivatived; STATES],
     force: Derivatived,
@@ -31,7 +33,7 @@ struct Instant {
     inner: Derivatived,
 }
 
-/// [`hydraulic::flow`], once for all who ask.
+/// Calls [`hydraulic::flow`], compiled once for all callers.
 #[inline(never)]
 fn flow(
     e: &Paths<impl Tables>,
@@ -43,7 +45,7 @@ fn flow(
     hydraulic::flow(e, curve, Dual::constant(e.fv_curve.at_zero()), w, around, states)
 }
 
-/// [`bypass::flow`], once for all who ask.
+/// Calls [`bypass::flow`], compiled once for all callers.
 #[inline(never)]
 fn past(e: &Paths<impl Tables>, force: Derivatived, x: Derivatived, states: &[Derivatived; STATES]) -> Derivatived {
     bypass::flow(e, force, x, states)
@@ -63,7 +65,7 @@ fn instant(
     let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
     let flow = flow(e, curve, w, around, states);
     let mut rates = [Dual::constant(0.0); STATES];
-    // The oil column, where there is one, holds the force; the valves then answer with their velocity.
+    // With an oil column, its state determines the force, and the valves then determine the oil velocity.
     let (primary, deflection) = if e.has_column() {
         column_force(e, around.x, states[place::COLUMN])
     } else {
@@ -114,10 +116,10 @@ fn instant(
     Instant { residual, rates, force, primary, inner }
 }
 
-/// Relative change of the velocity at which it is found.
+/// Relative tolerance of the oil velocity.
 const TOLERANCE: f64 = 1e-13;
 
-/// Finds the velocity w of the oil at which `left` and the force of the FV curve balance, from a guess.
+/// Finds the oil velocity w, from a guess, at which the residual `left` of w and the FV curve's force is 0.
 #[inline(never)]
 fn sought(
     e: &Paths<impl Tables>,
@@ -132,7 +134,7 @@ fn sought(
     oil_velocity(e, guess, ITERATIONS, least, TOLERANCE, &residual, &mut ()).root()
 }
 
-/// The velocity of the oil at given states.
+/// Computes the oil velocity at given states.
 fn oil(
     elements: &Elements<impl Tables>,
     states: &[f64; STATES],
@@ -151,13 +153,13 @@ fn oil(
     sought(e, u, least, &|w, f| instant(elements, &lifted, internal, &around, w, f).residual)
 }
 
-/// Place of the displacement and of the velocity of the driven end among what an instant depends on, behind the states.
+/// Indices of displacement and velocity of the moving end among the variables of an instant, after the states.
 const X: usize = STATES;
 const V: usize = X + 1;
-/// Direction of the velocity of the oil, which follows from all of them: the last that is followed.
+/// Direction of the oil velocity, which depends on all other variables: the last direction.
 const W: usize = DIRECTIONS - 1;
 
-/// The damper at given states and input, with the oil at its velocity there.
+/// The damper at given states and input, with its oil velocity.
 struct At<'a, T: Tables> {
     e: &'a Elements<T>,
     states: [f64; STATES],
@@ -178,7 +180,7 @@ impl<'a, T: Tables> At<'a, T> {
         At { e, states, internal, around, w, curve: e.paths.fv_curve.evaluate(w) }
     }
 
-    /// The instant with its derivatives over what stands at these places.
+    /// Evaluates the instant with its derivatives over the variables at these places.
     fn along(&self, places: [usize; W]) -> Instant {
         let lifted = |value: f64, place: usize| match places.iter().position(|moved| *moved == place) {
             Some(direction) => Dual::along(value, direction),
@@ -196,7 +198,7 @@ impl<'a, T: Tables> At<'a, T> {
 }
 
 impl Instant {
-    /// The derivatives of a number of it, the velocity of the oil following.
+    /// Computes the total derivatives of one of its numbers, including the change of the oil velocity.
     fn derivatives(&self, number: &Derivatived) -> [f64; W] {
         let by_w = self.residual.derivative(W);
         let follows = if by_w != 0.0 { -number.derivative(W) / by_w } else { 0.0 };
@@ -210,7 +212,7 @@ impl Instant {
     }
 }
 
-/// The force through both paths, its parts, and its derivatives over displacement and velocity of the driven end.
+/// The force through both paths, its components, and its derivatives over displacement and velocity of the moving end.
 pub(super) struct Through {
     pub force: f64,
     pub primary: f64,
@@ -219,9 +221,9 @@ pub(super) struct Through {
     pub heat: f64,
 }
 
-/// What is asked at an instant beside the force.
+/// Further outputs of an evaluation besides the force.
 pub(super) enum Beside<'a> {
-    /// Nothing.
+    /// No further output.
     Nothing,
     /// The rates of the states.
     Rates(&'a mut State),
@@ -231,7 +233,7 @@ pub(super) enum Beside<'a> {
 
 pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, beside: Beside) -> Through {
     let at = At::new(e, state, input);
-    // The last of the states with the input, which the force is differentiated by in any case.
+    // The last state together with the input, whose derivatives are always needed.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
     let instant = at.along(WITH_INPUT);
     let [_, by_x, by_v] = instant.derivatives(&instant.force);
@@ -255,7 +257,7 @@ pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, b
 }
 
 impl Instant {
-    /// Puts the derivatives over what stands at these places where they belong.
+    /// Writes the derivatives over the variables at these places to the partials.
     #[inline(never)]
     fn put(&self, places: [usize; W], slots: &Slots, p: &mut Partials) {
         for (place, derivative) in places.into_iter().zip(self.derivatives(&self.force)) {
@@ -283,20 +285,23 @@ impl Instant {
     }
 }
 
-/// Rounds in which states and force are brought together, and those of them in which a state goes where it is drawn. What still goes to and fro then
-/// is kept in a bracket: behind a groove a valve that is nearly shut takes so much more force that its state overshoots by more in every round. A late
-/// valve beside it moves the bracket with every round, so there is none then.
+/// Largest number of iterations for states and force at equilibrium, and the number of them with full steps of a state.
+///
+/// After `DRAWN` iterations an oscillating state is bracketed. Behind a groove, a nearly closed valve takes so much
+/// more force that its state overshoots by more in every iteration. A lagging valve would move the bracket in every
+/// iteration, so there is no bracket with such a valve.
 const TOGETHER: usize = 200;
 const DRAWN: usize = 40;
 
-/// The velocity of the oil and the hydraulic force where nothing opens or closes any more: what [`crate::settle`] needs.
+/// Computes the states and the hydraulic force at equilibrium, where nothing opens or closes any more.
 pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
-    // What a state is drawn to follows the force, and the force the state: both have settled long before the end.
+    // The target of a state depends on the force, and the force on the state; both converge long before the last
+    // iteration.
     let mut force = 0.0;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for round in 0..TOGETHER {
-        // No spring moves the oil.
+        // The springs do not affect the oil.
         let side_force = 0.0;
         let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
         let mut held = states;

@@ -1,4 +1,4 @@
-//! The actuator: from the setting that the host commands to where the valve stands.
+//! The actuator: from the commanded to the actual setting of the valve.
 //!
 //! ```text
 //! dead time   u(t) = command(t − t_d)
@@ -6,21 +6,22 @@
 //! hysteresis  s = y − h z,   dz/dt = (dy/dt − |dy/dt| z)/(2 h)
 //! ```
 //!
-//! z is the state of a Dahl element over the setting: it tends to 1 while y rises and to −1 while it falls, so the valve stands h below y on the way up and
-//! h above it on the way down. After a reversal ds/dy begins at 0 and tends to 1: s never moves against y.
+//! z is the state of a Dahl element over the setting: it tends to 1 while y rises and to −1 while y falls. The actual
+//! setting s therefore lies h below y while rising and h above it while falling. After a reversal ds/dy begins at 0 and
+//! tends to 1: s never moves against y.
 
 use crate::math::{exp_below_bound, max, min};
 
-/// Time constants below this, s, are none: an instant at which rates are asked takes this one for them.
+/// Shortest time constant of [`Actuator::rates`], s: a shorter or missing lag uses this value there.
 pub const QUICKEST: f64 = 1e-4;
 
-/// What moves the valve. Rising means toward larger settings.
+/// Dynamics of the valve's setting. Rising means toward larger settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Actuator {
-    /// Time constant while it rises and while it falls, s.
+    /// Time constants for rising and for falling, s.
     pub time: [f64; 2],
-    /// Largest rate while it rises and while it falls, in the setting's unit per second; 0: no limit.
+    /// Largest rates for rising and for falling, in the setting's unit per second; 0: no limit.
     pub rate: [f64; 2],
     /// Dead time, s.
     pub dead_time: f64,
@@ -28,7 +29,7 @@ pub struct Actuator {
     pub hysteresis: f64,
 }
 
-/// Where the valve stands.
+/// State of the valve's setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stand {
     /// y.
@@ -37,22 +38,22 @@ pub struct Stand {
     pub turned: f64,
 }
 
-/// Rates of where the valve stands, and their derivatives.
+/// State derivatives of the valve's setting, and their partial derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {
     /// dy/dt and dz/dt.
     pub rate: [f64; 2],
-    /// Of dy/dt over y, and over u.
+    /// Derivatives of dy/dt over y and over u.
     pub lagged_by: [f64; 2],
-    /// Of dz/dt over y, z and u.
+    /// Derivatives of dz/dt over y, z and u.
     pub turned_by: [f64; 3],
 }
 
 impl Actuator {
-    /// None: the valve stands where it is commanded.
+    /// No dynamics: the actual setting equals the command.
     pub const NONE: Actuator = Actuator { time: [0.0; 2], rate: [0.0; 2], dead_time: 0.0, hysteresis: 0.0 };
 
-    /// Whether y is a state.
+    /// Returns whether y is a state.
     #[inline(always)]
     pub fn has_lag(&self) -> bool {
         let [up, down] = self.time;
@@ -60,31 +61,31 @@ impl Actuator {
         up + down + rising + falling + self.hysteresis > 0.0
     }
 
-    /// Whether z is a state.
+    /// Returns whether z is a state.
     #[inline(always)]
     pub fn has_hysteresis(&self) -> bool {
         self.hysteresis > 0.0
     }
 
-    /// Where the valve stands: s.
+    /// Returns the actual setting s.
     #[inline(always)]
     pub fn setting(&self, stand: &Stand) -> f64 {
         stand.lagged - self.hysteresis * stand.turned
     }
 
-    /// The valve at rest under a constant u. Its hysteresis is what the way there left.
+    /// Returns the state at rest under a constant u. The hysteresis depends on the change of y from the state `from`.
     pub fn at_rest(&self, from: &Stand, u: f64) -> Stand {
         Stand { lagged: u, turned: self.turned(from.turned, u - from.lagged) }
     }
 
-    /// Moves on by a step in which u is constant. Exact.
+    /// Advances by a step in which u is constant. Exact.
     pub fn advance(&self, from: &Stand, u: f64, dt: f64) -> Stand {
         let way = u - from.lagged;
         let falls = usize::from(way < 0.0);
         let (time, rate) = (self.time[falls], self.rate[falls]);
         let (mut left, mut dt) = (way.abs(), dt);
         if rate > 0.0 {
-            // At the limit until the lag alone is slower.
+            // The rate is at its limit until the lag alone is slower.
             let slow = rate * time;
             let until = max(left - slow, 0.0) / rate;
             let at_limit = min(until, dt);
@@ -100,7 +101,7 @@ impl Actuator {
         Stand { lagged: u - left.copysign(way), turned: self.turned(from.turned, moved) }
     }
 
-    /// z after y has moved by so much. Exact.
+    /// Computes z after a change `moved` of y. Exact.
     #[inline(always)]
     fn turned(&self, z: f64, moved: f64) -> f64 {
         if self.hysteresis == 0.0 {
@@ -110,7 +111,7 @@ impl Actuator {
         target + (z - target) * exp_below_bound(-moved.abs() / (2.0 * self.hysteresis))
     }
 
-    /// Rates at an instant.
+    /// Computes the state derivatives at an instant.
     pub fn rates(&self, stand: &Stand, u: f64) -> Rates {
         let way = u - stand.lagged;
         let falls = usize::from(way < 0.0);
@@ -138,7 +139,7 @@ mod tests {
 
     const VALVE: Actuator = Actuator { time: [8e-3, 20e-3], rate: [60.0, 0.0], dead_time: 0.0, hysteresis: 0.05 };
 
-    /// The rates integrated in tiny steps.
+    /// Integrates the state derivatives in tiny steps.
     fn integrated(valve: &Actuator, mut stand: Stand, u: f64, dt: f64) -> Stand {
         let steps = 200_000;
         for _ in 0..steps {
@@ -194,7 +195,7 @@ mod tests {
             }
         }
         let [up, down] = ways;
-        // Far from both ends the two ways are twice h apart.
+        // Far from both ends the rising and the falling branch are 2 h apart.
         assert!((down[20] - up[20] - 0.2).abs() < 0.01, "{} {}", up[20], down[20]);
         assert!(up.iter().zip(&down).all(|(up, down)| up <= &(down + 1e-12)));
     }

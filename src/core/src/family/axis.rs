@@ -1,4 +1,4 @@
-//! What a user fills in: the grid of the setting, the values over it, the actuator.
+//! Data that the user supplies: the grid of the setting, the values over it, the actuator.
 
 use super::actuator::Actuator;
 use super::interpolation::{MAX_GRID, Place, limit};
@@ -9,16 +9,16 @@ use crate::parameter::values::check;
 use crate::parameter::{Element, List, Number, Params, Shape, table};
 use crate::{element, list};
 
-/// Most numbers that depend on the setting, beside the forces of the FV table.
+/// Largest number of parameters that depend on the setting, besides the forces of the FV table.
 pub const MAX_NUMBERS: usize = 32;
-/// Most bytes of the setting's name and unit.
+/// Largest number of bytes of the setting's name and unit.
 pub const MAX_TEXT: usize = 31;
-/// Largest setting in size: revolutions per minute and pascals are far below.
+/// Largest magnitude of a setting: values in revolutions per minute and pascals are far below.
 const LARGEST: f64 = 1e9;
-/// Least part of the grid that an interval takes: less cannot be told from none.
+/// Smallest interval of the grid relative to its range: values that are closer are not distinct.
 const LEAST_INTERVAL: f64 = 1e-6;
 
-/// A number of the axis that is no parameter of the damper.
+/// A number of the axis that is not a parameter of the damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
     /// Name in model files and in C.
@@ -27,7 +27,7 @@ pub struct Entry {
     pub unit: &'static str,
     /// Smallest and largest value.
     pub bounds: (f64, f64),
-    /// One sentence.
+    /// Meaning in one sentence.
     pub meaning: &'static str,
 }
 
@@ -56,7 +56,7 @@ pub const ENTRIES: [Entry; 7] = [
     ),
 ];
 
-/// A number of the damper over the grid.
+/// A parameter of the damper over the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Varying {
@@ -66,17 +66,17 @@ pub struct Varying {
     pub values: [f64; MAX_GRID],
 }
 
-/// The setting that a damper depends on. Without a grid it depends on none.
+/// The setting that a damper depends on. Without a grid it depends on no setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Axis {
     count: u64,
     grid: [f64; MAX_GRID],
-    /// The numbers of [`ENTRIES`]; the first is NaN where it is not given.
+    /// The numbers of [`ENTRIES`]; the first is NaN if it is not given.
     entries: [f64; ENTRIES.len()],
     varying: u64,
     numbers: [Varying; MAX_NUMBERS],
-    /// Points of the FV table that is given over the grid; 0: none.
+    /// Number of points of the FV table over the grid; 0 without such a table.
     points: u64,
     /// Grid values at which forces are given, as bits.
     given: u64,
@@ -85,12 +85,12 @@ pub struct Axis {
     unit: [u8; MAX_TEXT + 1],
 }
 
-/// A damper as a model file defines it: an ordinary one, or one over a setting.
+/// A damper as a model file defines it: an ordinary damper, or an adjustable one that depends on a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Definition {
-    /// Its parameters: those at the start setting where there is one.
+    /// Parameters of the damper; those at the start setting if it depends on a setting.
     pub params: Params,
-    /// The setting that it depends on; without a grid where it depends on none.
+    /// Setting of the damper; without a grid if the damper depends on no setting.
     pub axis: Axis,
 }
 
@@ -101,7 +101,7 @@ impl From<Params> for Definition {
 }
 
 impl Definition {
-    /// The ordinary damper at a setting; the same where it depends on none.
+    /// Returns the ordinary damper at a setting; the damper does not change if it depends on no setting.
     pub fn params_at(&self, setting: f64) -> Params {
         self.axis.params_at(&self.params, setting)
     }
@@ -115,12 +115,12 @@ impl Default for Axis {
     }
 }
 
-/// A fault of the axis as a whole.
+/// Makes a fault of the axis as a whole.
 fn of_the_axis(reason: Reason) -> Fault {
     Fault { parameter: NO_PARAMETER, reason }
 }
 
-/// The bytes of a text, up to its zero.
+/// Returns the bytes of a text, up to its zero.
 fn text(bytes: &[u8]) -> &[u8] {
     let end = bytes.iter().position(|byte| *byte == 0).unwrap_or(bytes.len());
     bytes.get(..end).unwrap_or(&[])
@@ -129,7 +129,7 @@ fn text(bytes: &[u8]) -> &[u8] {
 impl Axis {
     const NO_ENTRIES: [f64; ENTRIES.len()] = [f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
-    /// No setting.
+    /// The axis without a setting.
     pub const NONE: Axis = Axis {
         count: 0,
         grid: [0.0; MAX_GRID],
@@ -143,7 +143,7 @@ impl Axis {
         unit: [0; MAX_TEXT + 1],
     };
 
-    /// Takes the setting away.
+    /// Removes the setting.
     pub fn clear(&mut self) {
         (self.count, self.varying, self.points, self.given) = (0, 0, 0, 0);
         self.grid = [0.0; MAX_GRID];
@@ -151,26 +151,26 @@ impl Axis {
         (self.name, self.unit) = ([0; MAX_TEXT + 1], [0; MAX_TEXT + 1]);
     }
 
-    /// Whether there is a setting.
+    /// Returns whether there is a setting.
     pub fn is_some(&self) -> bool {
         self.count > 0
     }
 
-    /// The grid.
+    /// Returns the grid.
     pub fn grid(&self) -> &[f64] {
         self.grid.get(..self.count as usize).unwrap_or(&[])
     }
 
-    /// First and last value of the grid.
+    /// Returns the first and the last value of the grid.
     pub fn range(&self) -> (f64, f64) {
         let grid = self.grid();
         (grid.first().copied().unwrap_or(0.0), grid.last().copied().unwrap_or(0.0))
     }
 
-    /// Sets the grid. Values over another grid are dropped; name, unit and actuator stay.
+    /// Sets the grid. Values over another grid are removed; name, unit and actuator stay.
     ///
     /// # Errors
-    /// [`Reason::SettingGrid`]: fewer than two or more than eight numbers, or numbers that do not increase.
+    /// Returns [`Reason::SettingGrid`] for fewer than two or more than eight numbers, or numbers that do not increase.
     pub fn set_grid(&mut self, grid: &[f64]) -> Result<(), Fault> {
         check_grid(grid).map_err(of_the_axis)?;
         for (to, from) in self.grid.iter_mut().zip(grid) {
@@ -180,26 +180,26 @@ impl Axis {
         Ok(())
     }
 
-    /// Name of the setting, such as current; empty where none is given.
-    // Inline, so that nothing of it is in the library: see below.
+    /// Returns the name of the setting, such as current; empty if none is given.
+    // Inline, so that the library does not contain it: see below.
     #[inline]
     pub fn name(&self) -> &str {
         core::str::from_utf8(self.name_bytes()).unwrap_or("")
     }
 
-    /// Name in bytes: the standard library's reader of texts has panics that do not go away.
+    /// Returns the name in bytes: the UTF-8 check of the standard library contains panics that cannot be removed.
     pub fn name_bytes(&self) -> &[u8] {
         text(&self.name)
     }
 
-    /// Unit of the setting, such as A; empty where none is given.
-    // Inline, so that nothing of it is in the library: see below.
+    /// Returns the unit of the setting, such as A; empty if none is given.
+    // Inline, so that the library does not contain it: see below.
     #[inline]
     pub fn unit(&self) -> &str {
         core::str::from_utf8(self.unit_bytes()).unwrap_or("")
     }
 
-    /// Unit in bytes.
+    /// Returns the unit in bytes.
     pub fn unit_bytes(&self) -> &[u8] {
         text(&self.unit)
     }
@@ -207,7 +207,7 @@ impl Axis {
     /// Sets the name. At most [`MAX_TEXT`] bytes.
     ///
     /// # Errors
-    /// [`Reason::PointCount`] for a longer text.
+    /// Returns [`Reason::PointCount`] for a longer text.
     pub fn set_name(&mut self, name: &str) -> Result<(), Fault> {
         self.set_name_bytes(name.as_bytes())
     }
@@ -216,10 +216,10 @@ impl Axis {
         keep(&mut self.name, name)
     }
 
-    /// Sets the unit, as [`Axis::set_name`].
+    /// Sets the unit. At most [`MAX_TEXT`] bytes.
     ///
     /// # Errors
-    /// [`Reason::PointCount`] for a longer text.
+    /// Returns [`Reason::PointCount`] for a longer text.
     pub fn set_unit(&mut self, unit: &str) -> Result<(), Fault> {
         self.set_unit_bytes(unit.as_bytes())
     }
@@ -228,7 +228,7 @@ impl Axis {
         keep(&mut self.unit, unit)
     }
 
-    /// Number `index` of [`ENTRIES`].
+    /// Returns number `index` of [`ENTRIES`].
     pub fn number(&self, index: usize) -> f64 {
         match index {
             0 => self.start(),
@@ -239,7 +239,7 @@ impl Axis {
     /// Sets number `index` of [`ENTRIES`].
     ///
     /// # Errors
-    /// A number that is not finite or out of bounds.
+    /// Returns an error for a number that is not finite or out of bounds.
     pub fn set_number(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         check_entry(index, value)?;
         if let Some(slot) = self.entries.get_mut(index) {
@@ -248,33 +248,34 @@ impl Axis {
         Ok(())
     }
 
-    /// Setting where the host gives none.
+    /// Returns the setting that applies if the host gives none.
     pub fn start(&self) -> f64 {
         let (first, _) = self.range();
         self.entries.first().copied().filter(|start| !start.is_nan()).unwrap_or(first)
     }
 
-    /// The actuator.
+    /// Returns the actuator.
     pub fn actuator(&self) -> Actuator {
         let [_, up, down, dead_time, rising, falling, hysteresis] = self.entries;
         Actuator { time: [up, down], rate: [rising, falling], dead_time, hysteresis }
     }
 
-    /// The numbers that depend on the setting.
+    /// Returns the parameters that depend on the setting.
     pub fn numbers(&self) -> &[Varying] {
         self.numbers.get(..self.varying as usize).unwrap_or(&[])
     }
 
-    /// Values of a number over the grid; `None` where it does not depend on the setting.
+    /// Returns the values of a parameter over the grid; `None` if it does not depend on the setting.
     pub fn values(&self, number: Number) -> Option<&[f64]> {
         let found = self.numbers().iter().find(|varying| varying.row == number.row().index as u64)?;
         found.values.get(..self.count as usize)
     }
 
-    /// Gives a number over the grid.
+    /// Sets the values of a parameter over the grid.
     ///
     /// # Errors
-    /// A number that cannot depend on the setting, too few or too many values, a value that the table refuses, no room for another number.
+    /// Returns an error for a parameter that cannot depend on the setting, and for too few or too many values. A value that
+    /// the table rejects and a missing slot for a further parameter are errors too.
     pub fn set_values(&mut self, number: Number, values: &[f64]) -> Result<(), Fault> {
         let row = number.row();
         check_values(number, values, self.count as usize)?;
@@ -290,7 +291,7 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes a number one that does not depend on the setting.
+    /// Makes a parameter independent of the setting.
     pub fn forget_values(&mut self, number: Number) {
         let index = number.row().index as u64;
         let Some(place) = self.numbers().iter().position(|varying| varying.row == index) else { return };
@@ -303,25 +304,25 @@ impl Axis {
         self.varying = self.varying.saturating_sub(1);
     }
 
-    /// Makes the forces of the FV table ones that do not depend on the setting.
+    /// Makes the forces of the FV table independent of the setting.
     pub fn forget_forces(&mut self) {
         (self.points, self.given) = (0, 0);
     }
 
-    /// Gives a list at grid value `index`: the forces of the FV table.
+    /// Sets a list at grid value `index`: only the forces of the FV table.
     ///
     /// # Errors
-    /// Another list; else as [`Axis::set_forces`].
+    /// Returns an error for another list, and the errors of [`Axis::set_forces`].
     pub fn set_list(&mut self, list: List, index: usize, values: &[f64]) -> Result<(), Fault> {
         if can_vary(list) { self.set_forces(index, values) } else { Err(list.fault(Reason::SettingFixed)) }
     }
 
-    /// Whether the forces of the FV table depend on the setting.
+    /// Returns whether the forces of the FV table depend on the setting.
     pub fn has_forces(&self) -> bool {
         self.points > 0
     }
 
-    /// Forces of the FV table at grid value `index`; `None` where they do not depend on the setting.
+    /// Returns the forces of the FV table at grid value `index`; `None` if they do not depend on the setting.
     pub fn forces(&self, index: usize) -> Option<&[f64]> {
         if index >= self.count as usize || !self.has_forces() {
             return None;
@@ -329,10 +330,11 @@ impl Axis {
         self.forces.get(index)?.get(..self.points as usize)
     }
 
-    /// Gives the forces of the FV table at grid value `index`. All grid values need as many.
+    /// Sets the forces of the FV table at grid value `index`. All grid values need the same number of forces.
     ///
     /// # Errors
-    /// An index beyond the grid, another count than at the grid values given before, a force that the table refuses.
+    /// Returns an error for an index beyond the grid, for another number of forces than before, and for a force that
+    /// the table rejects.
     pub fn set_forces(&mut self, index: usize, forces: &[f64]) -> Result<(), Fault> {
         let row = *list!("fv_force").row();
         if index >= self.count as usize {
@@ -355,7 +357,7 @@ impl Axis {
         Ok(())
     }
 
-    /// Forces of all points of the FV table at grid value `index` and their derivatives over the setting.
+    /// Returns the forces of all points of the FV table at grid value `index`, and their derivatives over the setting.
     ///
     /// The derivatives are limited, so that the forces do not decrease over velocity between the grid values.
     pub(crate) fn forces_with_derivatives(&self, index: usize) -> ([f64; MAX_POINTS], [f64; MAX_POINTS]) {
@@ -384,14 +386,15 @@ impl Axis {
         (forces, derivatives)
     }
 
-    /// The ordinary damper at a setting, which is clamped to the grid: the set with the interpolated numbers and forces.
+    /// Returns the ordinary damper at a setting, which is clamped to the grid: the set with interpolated numbers and
+    /// forces.
     pub fn params_at(&self, params: &Params, setting: f64) -> Params {
         let mut at = *params;
         self.put(&mut at, setting);
         at
     }
 
-    /// Puts the numbers at a setting into a set that holds those that do not depend on it.
+    /// Writes the interpolated values at a setting into a set that contains the constant ones.
     pub fn put(&self, params: &mut Params, setting: f64) {
         let grid = self.grid();
         if grid.len() < 2 {
@@ -402,7 +405,7 @@ impl Axis {
             let Some(row) = table().nth(varying.row as usize) else { continue };
             let Ok(number) = Number::try_from(row) else { continue };
             let derivatives = super::interpolation::derivatives(grid, varying.values.get(..grid.len()).unwrap_or(&[]));
-            // Between two values that the table allows.
+            // The value lies between two values that the table allows.
             let _ = params.set(number, number.inside(place.value(&varying.values, &derivatives)));
         }
         if self.has_forces() {
@@ -411,7 +414,7 @@ impl Axis {
             let [w0, w1, w2, w3] = place.weights;
             let mut forces = [0.0; MAX_POINTS];
             let ends = from.iter().zip(&to).zip(from_derivatives.iter().zip(&to_derivatives));
-            // They rise but for rounding.
+            // The forces rise except for rounding.
             let mut last = f64::NEG_INFINITY;
             for (force, ((f0, f1), (d0, d1))) in forces.iter_mut().zip(ends) {
                 *force = max((w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1), last);
@@ -421,10 +424,11 @@ impl Axis {
         }
     }
 
-    /// Checks what the setters cannot: values that belong to a grid, a start inside it, a hysteresis that leaves a way.
+    /// Checks the whole axis: values need a grid, the start must lie inside it, and the hysteresis must be small
+    /// enough.
     ///
     /// # Errors
-    /// What is wrong, and of which parameter.
+    /// Returns the error and the parameter at fault.
     pub fn check(&self) -> Result<(), Fault> {
         if !self.is_some() {
             return if self.varying > 0 || self.has_forces() { Err(of_the_axis(Reason::SettingGrid)) } else { Ok(()) };
@@ -461,10 +465,10 @@ impl Axis {
         Ok(())
     }
 
-    /// The family through parameter sets that belong to the values of a grid: the set at the start, and what depends on the setting.
+    /// Makes the family through parameter sets at the values of a grid: the first set, and the values that differ.
     ///
     /// # Errors
-    /// Sets that differ in what cannot depend on the setting.
+    /// Returns an error for sets that differ in a value that cannot depend on the setting.
     pub fn through(grid: &[f64], sets: &[Params]) -> Result<(Params, Axis), Fault> {
         let mut axis = Axis::NONE;
         axis.set_grid(grid)?;
@@ -498,13 +502,14 @@ impl Axis {
         Ok((*first, axis))
     }
 
-    /// Numbers that depend on the setting and store energy, or act at rest.
+    /// Returns the parameters that depend on the setting and store energy, or act at rest.
     ///
-    /// Through them a change of the setting may do work on the host. Without one the damper is passive however the
-    /// setting changes.
+    /// Through them a change of the setting may do work on the host. Without such a parameter the damper is passive for
+    /// any change of the setting.
     ///
-    /// Energy is stored in springs, columns of oil and masses, by the force or the temperature of the gas, and in the bend of a contact. What only takes
-    /// energy may change at any time: at every instant its power is that of a damper at a constant setting.
+    /// Energy is stored in springs, oil columns and masses, in the force or the temperature of the gas, and in the
+    /// deflection of a contact. A parameter that only affects dissipation may change at any time: at every instant the
+    /// power is that of a damper at a constant setting.
     pub fn stores_energy(&self) -> impl Iterator<Item = Number> {
         self.numbers().iter().filter_map(|varying| {
             let row = table().nth(varying.row as usize)?;
@@ -515,7 +520,7 @@ impl Axis {
     }
 }
 
-/// Elements whose numbers only say how energy is taken.
+/// Elements whose parameters only affect dissipation.
 const DISSIPATES: [Element; 9] = [
     element!("fv_curve"),
     element!("coulomb_friction"),
@@ -528,7 +533,7 @@ const DISSIPATES: [Element; 9] = [
     element!("valve_hysteresis"),
 ];
 
-/// Whether number `index` of [`ENTRIES`] can have a value.
+/// Checks the value of number `index` of [`ENTRIES`].
 pub(crate) fn check_entry(index: usize, value: f64) -> Result<(), Fault> {
     let entry = ENTRIES.get(index).ok_or(of_the_axis(Reason::UnknownName))?;
     if !value.is_finite() {
@@ -540,7 +545,7 @@ pub(crate) fn check_entry(index: usize, value: f64) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Whether a text can be a name or a unit.
+/// Checks the length of a name or a unit.
 pub(crate) fn check_text(text: &[u8]) -> Result<(), Fault> {
     if text.len() > MAX_TEXT { Err(of_the_axis(Reason::PointCount)) } else { Ok(()) }
 }
@@ -582,12 +587,12 @@ pub(crate) fn check_values(number: Number, values: &[f64], count: usize) -> Resu
     Ok(())
 }
 
-/// The list that may depend on the setting.
+/// Returns whether a list may depend on the setting.
 pub fn can_vary(list: List) -> bool {
     list == list!("fv_force")
 }
 
-/// Index in [`ENTRIES`] of a name.
+/// Returns the index of a name in [`ENTRIES`].
 pub fn index_of(name: &[u8]) -> Option<usize> {
     ENTRIES.iter().position(|entry| entry.name.as_bytes() == name)
 }

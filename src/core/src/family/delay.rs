@@ -1,30 +1,30 @@
-//! Dead time: a signal as it was a fixed time ago.
+//! Dead time: a signal delayed by a fixed time.
 //!
-//! The last dead time of the signal is kept in [`CELLS`] cells of equal length, each with the mean of the signal over it. What leaves in a step is the
-//! mean over the time that the step has moved on, so no part of the signal is lost or counted twice, whatever the lengths of the steps. A change is
-//! delayed by the dead time to within the length of a cell.
+//! [`CELLS`] cells of equal length store the signal of the last dead time, each its mean over the cell. The output of a
+//! step is the mean of the delayed signal over the step. No part of the signal is lost or counted twice, for any step
+//! lengths. A change is delayed by the dead time to within the length of a cell.
 
 use crate::math::max;
 
-/// Cells in a dead time: a change is off by a sixteenth of it at most.
+/// Number of cells in a dead time: the delay of a change is accurate to a sixteenth of the dead time.
 pub const CELLS: usize = 16;
 
-/// Tells a signal that was kept from memory that nobody wrote.
+/// Mark that distinguishes a stored signal from uninitialized memory.
 const MARK: f64 = 1_346_454_016.0;
 
-/// The signal of the last dead time.
+/// The stored signal of the last dead time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Delay {
-    /// Mean of the signal over each cell; the oldest is the one that is filled next.
+    /// Mean of the signal over each cell; the oldest cell is filled next.
     cells: [f64; CELLS],
-    /// Integral of the signal over the part of a cell that has gone by.
+    /// Integral of the signal over the elapsed part of a cell.
     filled: f64,
-    /// Length of that part, s.
+    /// Length of the elapsed part, s.
     elapsed: f64,
     /// Index of the oldest cell.
     oldest: f64,
-    /// [`MARK`] where a signal was kept.
+    /// [`MARK`] if a signal is stored.
     mark: f64,
 }
 
@@ -35,25 +35,25 @@ impl Default for Delay {
 }
 
 impl Delay {
-    /// No signal yet.
+    /// The value without a signal.
     pub const UNSET: Delay = Delay { cells: [0.0; CELLS], filled: 0.0, elapsed: 0.0, oldest: 0.0, mark: 0.0 };
 
-    /// A signal that has long been constant.
+    /// Makes the delay of a signal that has long been constant.
     pub fn constant(signal: f64) -> Delay {
         Delay { cells: [signal; CELLS], mark: MARK, ..Delay::UNSET }
     }
 
-    /// Whether a signal was kept, and every number of it is one.
+    /// Returns whether a signal is stored and all its numbers are finite.
     pub fn is_set(&self) -> bool {
         let sum = self.cells.iter().fold(self.filled + self.elapsed, |sum, cell| sum + cell);
         let counts = self.oldest >= 0.0 && self.oldest < CELLS as f64 && self.elapsed >= 0.0;
         self.mark == MARK && counts && sum * 0.0 == 0.0
     }
 
-    /// Moves on by a step in which the signal is constant; returns the mean of the delayed signal over the step.
+    /// Advances by a step in which the signal is constant; returns the mean of the delayed signal over the step.
     pub fn advance(&mut self, signal: f64, dead_time: f64, dt: f64) -> f64 {
         if dt >= 2.0 * dead_time {
-            // The kept signal and then this one; all that is kept afterwards is this one.
+            // The output is the stored signal followed by the new one. Afterwards only the new signal is stored.
             let cell = dead_time / CELLS as f64;
             let oldest = self.cells.get(self.oldest as usize).copied().unwrap_or(signal);
             let all = self.cells.iter().fold(0.0, |sum, mean| sum + mean * cell);
@@ -63,7 +63,7 @@ impl Delay {
         }
         let cell = dead_time / CELLS as f64;
         let (mut left, mut sum) = (dt, 0.0);
-        // Less than two dead times and the part of a cell: a bound for memory that somebody else wrote.
+        // The loop covers less than two dead times and part of a cell: the limit is for memory that other code wrote.
         for _ in 0..2 * CELLS + 2 {
             if left <= 0.0 {
                 break;
@@ -95,7 +95,7 @@ mod tests {
             let mut delay = Delay::constant(1.0);
             let (mut came_in, mut came_out, mut rose_at) = (0.0, 0.0, None);
             for k in 0..200 {
-                // Steps between levels for a while, then constant.
+                // Changes between levels at first, then a constant signal.
                 let signal = if k < 100 { 1.0 + f64::from(k / 10 % 3) } else { 2.0 };
                 let out = delay.advance(signal, dead_time, dt);
                 (came_in, came_out) = (came_in + (signal - 1.0) * dt, came_out + (out - 1.0) * dt);
@@ -103,13 +103,13 @@ mod tests {
                     rose_at = Some(f64::from(k + 1) * dt);
                 }
             }
-            // The first change is in the step from 10 dt on.
+            // The first change is in the step that begins at 10 dt.
             let late = rose_at.unwrap() - 10.0 * dt;
             assert!(
                 late > dead_time - dead_time / 16.0 - 1e-12 && late <= dead_time + dt + 1e-9,
                 "{late} for {dead_time}"
             );
-            // Of the last level a dead time is still inside.
+            // A dead time of the last level is still stored.
             assert!((came_in - came_out - dead_time).abs() < 1e-9, "{came_in} {came_out} {dead_time} {dt}");
             assert!((delay.advance(2.0, dead_time, dt) - 2.0).abs() < 1e-9);
         }

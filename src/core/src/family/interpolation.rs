@@ -1,42 +1,43 @@
-//! Between the grid values of a setting.
+//! Interpolation between the grid values of a setting.
 //!
-//! A number is the monotone cubic through its grid values with Fritsch–Butland derivatives, as the FV curve is over velocity. Forces of the FV table are
-//! interpolated point by point in the same way. A cubic with end values f and end derivatives d over an interval h has the Bernstein coefficients
+//! A parameter is the monotone cubic through its grid values with Fritsch–Butland derivatives, like the FV curve over
+//! velocity. The forces of the FV table are interpolated in the same way, point by point. A cubic with end values f and
+//! end derivatives d over an interval h has the Bernstein coefficients
 //!
 //! ```text
 //! f_i,  f_i + h d_i / 3,  f_{i+1} − h d_{i+1} / 3,  f_{i+1}
 //! ```
 //!
-//! and lies between the least and the largest of them. Applied to the difference g of the forces of two neighboring points, whose derivative is e, that
-//! gives the condition under which the forces do not fall over velocity at any setting:
+//! and lies between the smallest and the largest of them. For the difference g of the forces of two neighboring points,
+//! with derivative e, this gives a condition. The forces do not fall over velocity at any setting if
 //!
 //! ```text
 //! −3 g_i / h_i  ≤  e_i  ≤  3 g_i / h_{i−1}
 //! ```
 //!
-//! Where the derivatives violate it they are reduced toward zero ([`limit`]), which keeps them monotone over the setting.
+//! Derivatives that violate it are reduced toward zero ([`limit`]), which keeps the forces monotone over the setting.
 
 use crate::curve::monotone_derivative;
 use crate::math::{max, min};
 
-/// Most values of a grid.
+/// Largest number of values of a grid.
 pub const MAX_GRID: usize = 8;
 
-/// Interval of the grid and the weights of its cubic.
+/// Interval of the grid and the weights of its cubic at a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Interval, from 0.
     pub interval: usize,
-    /// Weights of the values at both ends and, with the length of the interval, of the derivatives there.
+    /// Weights of the values at both ends and of the derivatives there; the latter include the length of the interval.
     pub weights: [f64; 4],
 }
 
 impl Place {
-    /// Place of a setting, which is clamped to the grid.
+    /// Finds the interval and the weights of a setting, which is clamped to the grid.
     #[inline(always)]
     pub fn new(grid: &[f64; MAX_GRID], count: usize, setting: f64) -> Place {
         let mut interval = 0;
-        // Eight values at most, so counting needs no search.
+        // There are at most eight values, so counting needs no search.
         for (place, from) in grid.iter().enumerate().skip(1) {
             interval += usize::from(place + 1 < count && setting >= *from);
         }
@@ -50,7 +51,7 @@ impl Place {
         Place { interval, weights }
     }
 
-    /// Value between the grid values `y` with the derivatives `d`.
+    /// Interpolates between the grid values `y` with the derivatives `d`.
     #[inline(always)]
     pub fn value(&self, y: &[f64; MAX_GRID], d: &[f64; MAX_GRID]) -> f64 {
         let (from, to) = (self.interval & (MAX_GRID - 1), (self.interval + 1) & (MAX_GRID - 1));
@@ -59,7 +60,7 @@ impl Place {
     }
 }
 
-/// Derivatives of a number over the grid.
+/// Computes the derivatives of a parameter over the grid.
 pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
     let mut derivatives = [0.0; MAX_GRID];
     for (place, derivative) in derivatives.iter_mut().enumerate().take(grid.len()) {
@@ -71,15 +72,16 @@ pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
 /// Reduces the derivatives of the forces of all points at one grid value, so that the forces do not decrease over
 /// velocity.
 ///
-/// `rises`: difference of the forces of a point and the next, for each point but the last. `before`, `after`: lengths of the intervals on both sides;
-/// infinite where there is none.
+/// `rises` is the difference of the forces of the next point and a point, for each point except the last. `before` and
+/// `after` are the lengths of the intervals on both sides; infinite if there is none.
 ///
-/// Positive and negative derivatives are limited apart. Each becomes the largest function below its target that rises and falls from point to point by no
-/// more than the condition allows; two sweeps find it. Between points whose derivatives have different signs each takes half of the room.
+/// Positive and negative derivatives are limited separately. Each becomes the largest function below its target whose
+/// change from point to point satisfies the condition; two sweeps find it. Between points whose derivatives have
+/// different signs, each derivative may use half of the allowed change.
 pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64, after: f64) {
     let count = derivatives.len();
     let sign_at = |derivatives: &[f64], point: usize| derivatives.get(point).copied().unwrap_or(0.0);
-    // Both signs of the target are known before either is changed: a derivative never changes its sign.
+    // The signs of the target stay known, because a derivative never changes its sign.
     for sign in [1.0, -1.0] {
         let room = |derivatives: &[f64], point: usize| {
             let mixed = sign_at(derivatives, point) * sign_at(derivatives, point + 1) < 0.0;
@@ -102,7 +104,7 @@ pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64,
     }
 }
 
-/// Reduces a derivative of this sign to a size; one of the other sign stays.
+/// Reduces a derivative of this sign to a magnitude; one of the other sign does not change.
 fn reduce(derivatives: &mut [f64], point: usize, sign: f64, most: f64) {
     if let Some(derivative) = derivatives.get_mut(point)
         && sign * *derivative > most
@@ -150,7 +152,7 @@ mod tests {
                 // Over e the derivative itself changes by e times the curvature.
                 assert!((left - right).abs() < 1e-2 * (1.0 + left.abs()), "{left} {right} at {s}");
             }
-            // Clamped outside.
+            // Clamped outside the grid.
             assert_eq!((at(-1.0), at(9.0)), (y[0], y[count - 1]));
         }
     }
@@ -158,7 +160,8 @@ mod tests {
     proptest! {
         #![proptest_config(drawn(400))]
 
-        /// Rising forces at all grid values, level parts and crossing families included, rise at all settings between them.
+        /// Forces that rise over velocity at all grid values do so at all settings between them, even if level or
+        /// crossing.
         #[test]
         fn forces_do_not_fall_over_velocity_between_the_grid(
             rises in prop::collection::vec(prop::collection::vec(prop_oneof![Just(0.0), 0.0..1.0f64, 0.0..1e3f64], 8), MAX_GRID),

@@ -1,4 +1,4 @@
-//! What an element of the family is at a setting: the same, or made ready from the numbers there.
+//! Elements of the family at a setting: borrowed unchanged, or prepared from the interpolated parameters.
 
 use super::section::{Lent, Passage};
 use crate::elements::parallel_spring::ParallelSpring;
@@ -6,19 +6,19 @@ use crate::elements::valve_hysteresis::ValveHysteresis;
 use crate::parameter::Params;
 use crate::schema::View;
 
-/// Values of the numbers at a setting.
+/// Values of the parameters at a setting.
 pub(crate) trait Numbers {
-    /// Whether an element depends on the setting.
+    /// Returns whether an element depends on the setting.
     fn vary(&self, group: usize) -> bool;
 
-    /// Puts the values of the numbers of a group into its slots, which hold those that do not depend on the setting.
+    /// Writes the interpolated parameters of a group into its slots, which contain the constant ones.
     fn put(&self, group: usize, first_slot: usize, slots: &mut [f64]);
 
-    /// The set that the others come from.
+    /// Returns the parameter set with the constant values.
     fn params(&self) -> &Params;
 }
 
-/// The slots of an element with the numbers at a setting, and what they are seen through.
+/// Builds the slots of an element with the parameters at a setting, and passes a view of them to `$then`.
 macro_rules! numbers_at_setting {
     ($numbers:ident, $name:ident, $Type:ty, $then:expr) => {{
         const SLOTS: usize = $crate::parameter::row::slots_of(<$Type as $crate::schema::Describe>::PARAMETERS);
@@ -34,8 +34,10 @@ macro_rules! numbers_at_setting {
 }
 pub(crate) use numbers_at_setting;
 
-/// A small element at a setting: that of the family, or one of the `renewed`, made ready from the numbers there. Those between two that can be prepared can
-/// be; else the element is that of the family.
+/// Returns a small element at a setting: that of the family, or one prepared from the parameters there.
+///
+/// A prepared element is stored in `renewed`. Parameters between two valid sets can usually be prepared; otherwise the
+/// element is that of the family.
 macro_rules! kept {
     ($of:ident, $numbers:ident, $renewed:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {
@@ -51,7 +53,7 @@ macro_rules! kept {
 }
 pub(crate) use kept;
 
-/// Lends or prepares an element with a large table, which has methods of its own for both.
+/// Lends or prepares an element with a large table, which has its own methods for both.
 macro_rules! lent_or_renewed {
     ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {
@@ -65,13 +67,13 @@ macro_rules! lent_or_renewed {
 pub(crate) use lent_or_renewed;
 
 impl ParallelSpring {
-    /// The parallel spring, with its table borrowed.
+    /// Returns the parallel spring with its table borrowed.
     #[inline(always)]
     pub(crate) fn lent(&self) -> ParallelSpring<Lent<'_>> {
         self.with_table(self.table())
     }
 
-    /// From other numbers: the table does not depend on the setting.
+    /// Returns the spring with the parameters at a setting: the table does not depend on the setting.
     #[inline(always)]
     pub(crate) fn renewed(&self, numbers: &View<ParallelSpring>) -> ParallelSpring<Lent<'_>> {
         let mut spring = self.lent();
@@ -81,13 +83,14 @@ impl ParallelSpring {
 }
 
 impl ValveHysteresis {
-    /// The valve, with its passage borrowed.
+    /// Returns the valve with the table of its passage borrowed.
     #[inline(always)]
     pub(crate) fn lent(&self) -> ValveHysteresis<Lent<'_>> {
         self.with_conductance(Passage::Table(self.conductance()))
     }
 
-    /// From other numbers: what the passage conducts is read off the FV curve.
+    /// Returns the valve with the parameters at a setting. The conductance of its passage is computed from the FV
+    /// curve.
     #[inline(always)]
     pub(crate) fn renewed<'a>(&self, numbers: &View<ValveHysteresis>) -> ValveHysteresis<Lent<'a>> {
         let valve: ValveHysteresis<Lent<'_>> = ValveHysteresis::of(numbers, Passage::From(0.0));
@@ -96,7 +99,7 @@ impl ValveHysteresis {
 }
 
 impl ValveHysteresis<Lent<'_>> {
-    /// Reads what the passage conducts off the FV curve: that depends on the setting.
+    /// Replaces the table of the passage by values from the FV curve, because the curve depends on the setting.
     #[inline(always)]
     pub(crate) fn measure(&mut self) {
         *self = self.with_conductance(Passage::From(self.tabulated_from()));

@@ -1,4 +1,4 @@
-//! A family made ready.
+//! A prepared family: a damper whose parameters depend on a setting.
 
 use super::actuator::{Actuator, Stand};
 use super::axis::{Axis, MAX_NUMBERS};
@@ -20,20 +20,20 @@ use crate::state::{MAX_INTERNAL, Output, State};
 use crate::step::step_borrowed;
 use crate::{Partials, element, list, number};
 
-/// Half the distance of differences over the setting, as a part of the grid.
+/// Step of the central differences over the setting, as a fraction of the grid's range.
 ///
-/// The forces are known to 1e-13, so 1e-6 leaves seven digits.
+/// The forces are accurate to 1e-13, so a step of 1e-6 leaves seven digits.
 const NEAR: f64 = 1e-6;
-/// Step at which methods of integration are compared, s: see [`crate::integration`].
+/// Step at which the costs of the integration methods are compared, s: see [`crate::integration`].
 const COMPARED_AT: f64 = 1e-3;
 
-/// Elements of which a number at 0 switches a part off, with its state.
+/// Elements in which a parameter of 0 turns off a part together with its state.
 const SWITCHED_BY_NUMBERS: [Element; 2] = [element!("bushing"), element!("oil_compressibility")];
 
-/// Points of a table that a section looks for among the first 16: see [`Section`].
+/// Number of points below which a section reads only the first entries of a table: see [`Section`].
 const FEW_POINTS: usize = 16;
 
-/// A number with what its interpolation needs.
+/// A parameter with the data of its interpolation over the setting.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 struct Interpolated {
@@ -50,15 +50,15 @@ impl Interpolated {
         Interpolated { group: 0, slot: 0, low: 0.0, high: 0.0, values: [0.0; MAX_GRID], derivatives: [0.0; MAX_GRID] };
 }
 
-/// How the FV curve depends on the setting.
+/// Dependence of the FV curve on the setting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 enum Fv {
-    /// Not at all, or there is none.
+    /// The curve does not depend on the setting, or there is no curve.
     Same,
-    /// By the forces of its table.
+    /// The forces of its table depend on the setting.
     Forces,
-    /// By derivatives and knees.
+    /// Its derivatives and knees depend on the setting.
     Knees,
 }
 
@@ -68,7 +68,7 @@ enum Fv {
 pub struct Family {
     /// The damper at the start setting.
     model: Model,
-    /// Its parameters.
+    /// Parameters of the damper at the start setting.
     params: Params,
     count: u64,
     grid: [f64; MAX_GRID],
@@ -76,13 +76,13 @@ pub struct Family {
     actuator: Actuator,
     /// Elements that depend on the setting, as bits.
     varying: u64,
-    /// Numbers that do, in the order of the parameter table.
+    /// Parameters that depend on the setting, in the order of the parameter table.
     numbers: [Interpolated; MAX_NUMBERS],
     used: u64,
-    /// Whether a mass inside the damper is added to an internal mass that is made ready anew.
+    /// Whether the moving mass is added to an internal mass that depends on the setting.
     has_mass_inside: bool,
     fv: Fv,
-    /// Points of the FV curve at the start, and how it runs between them.
+    /// Points of the FV curve at the start setting, and the interpolation between them.
     points: Points,
     point_count: u64,
     interpolation: Interpolation,
@@ -90,15 +90,15 @@ pub struct Family {
     forces: [[f64; ROOM]; MAX_GRID],
     derivatives: [[f64; ROOM]; MAX_GRID],
     layout: f64,
-    /// Place of the actuator's states in memory.
+    /// Index of the actuator's first state among the internal states.
     lagged_at: u64,
 }
 
-/// Derivatives of force and rates over the setting that the host commands, at constant states.
+/// Derivatives of force and rates over the commanded setting, at constant states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct BySetting {
-    /// dF/d(setting). 0 where the actuator has a lag: the force then follows its states.
+    /// dF/d(setting). 0 if the actuator has a lag: the force then depends on the actuator's states.
     pub force: f64,
     /// d(rate of state i)/d(setting).
     pub rate: [f64; 10],
@@ -109,7 +109,7 @@ impl BySetting {
     pub const ZERO: BySetting = BySetting { force: 0.0, rate: [0.0; 10] };
 }
 
-/// The numbers of a family at a place of its grid.
+/// The parameters of a family at a position on its grid.
 struct At<'a> {
     family: &'a Family,
     place: Place,
@@ -128,7 +128,7 @@ impl Numbers for At<'_> {
                 && let Some(slot) = slots.get_mut((number.slot as usize).wrapping_sub(first_slot))
             {
                 let value = self.place.value(&number.values, &number.derivatives);
-                // Between two values that the table allows, but for rounding.
+                // Only rounding can move the value beyond the limits: both neighbors lie within them.
                 *slot = min(number.high, max(number.low, value));
             }
         }
@@ -144,7 +144,7 @@ impl Numbers for At<'_> {
 }
 
 impl At<'_> {
-    /// A mass inside is a part of the internal mass: it is added there, and taken away from its own element.
+    /// Adds a moving mass inside the damper to the internal mass, and sets it to 0 in its own element.
     #[cold]
     #[inline(never)]
     fn put_mass_inside(&self, group: usize, first_slot: usize, slots: &mut [f64]) {
@@ -166,14 +166,14 @@ impl At<'_> {
     }
 }
 
-/// Stages that a step takes: what a method costs.
+/// Returns the number of stages of a step: the cost of a method.
 fn stages(integration: &Integration) -> u32 {
     let substeps = integration.substeps(COMPARED_AT);
     substeps * integration.method_of(COMPARED_AT, substeps, || 1.0).stages()
 }
 
 impl Family {
-    /// No family: what [`Family::set`] begins with.
+    /// An empty family, the initial value for [`Family::set`].
     pub const OFF: Family = Family {
         model: Model::OFF,
         params: Params::BLANK,
@@ -195,12 +195,12 @@ impl Family {
         lagged_at: 0,
     };
 
-    /// Whether the parameters and the axis define a family.
+    /// Checks whether the parameters and the axis define a family.
     ///
     /// Every grid value must define a damper, and all of them must have the same states.
     ///
     /// # Errors
-    /// The parameter at fault, and why.
+    /// Returns the parameter at fault and the reason.
     pub fn check(params: &Params, axis: &Axis) -> Result<(), Fault> {
         axis.check()?;
         if !axis.is_some() {
@@ -231,19 +231,19 @@ impl Family {
         Ok(())
     }
 
-    /// Prepares a family where it is kept.
+    /// Prepares a family in place.
     ///
     /// # Errors
-    /// The errors of [`Family::check`]; nothing is changed then.
+    /// Returns the errors of [`Family::check`]; the family then stays unchanged.
     pub fn set(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
         Family::check(params, axis)?;
         self.set_checked(params, axis)
     }
 
-    /// Prepares a family from what [`Family::check`] accepted.
+    /// Prepares a family from a parameter set and an axis that [`Family::check`] accepted.
     ///
     /// # Errors
-    /// None then.
+    /// Returns no error for such a set.
     #[inline(never)]
     pub fn set_checked(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
         let grid = axis.grid();
@@ -256,7 +256,7 @@ impl Family {
         self.start = axis.start();
         self.actuator = axis.actuator();
         self.set_numbers(axis);
-        // The method that is exact enough at every grid value.
+        // Choose the method that is accurate enough at every grid value.
         let mut chosen = Integration::OFF;
         let mut cheap_up_to = f64::INFINITY;
         for (index, setting) in grid.iter().enumerate() {
@@ -295,7 +295,8 @@ impl Family {
             }
             self.varying |= element.bit();
         }
-        // A mass inside is a part of the internal mass: where one is made ready anew the other is too.
+        // The moving mass is a part of the internal mass: if one of the two elements is prepared again, so is the
+        // other.
         let both = element!("series_compliance").bit() | element!("moving_mass").bit();
         if self.varying & both != 0 {
             self.varying |= both & self.params.elements();
@@ -340,45 +341,45 @@ impl Family {
                 }
             }
         }
-        // The curve is no small element: it is made of its points.
+        // The curve is built from its points and not prepared again with the small elements.
         self.varying &= !curve.bit();
     }
 
-    /// The damper at the start setting.
+    /// Returns the damper at the start setting.
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// Setting where the host gives none.
+    /// Returns the setting that applies if the host gives none.
     pub fn start(&self) -> f64 {
         self.start
     }
 
-    /// The actuator.
+    /// Returns the actuator.
     pub fn actuator(&self) -> &Actuator {
         &self.actuator
     }
 
-    /// First and last setting of the grid.
+    /// Returns the first and the last setting of the grid.
     #[inline(always)]
     pub fn range(&self) -> (f64, f64) {
         let last = (self.count as usize).wrapping_sub(1) & (MAX_GRID - 1);
         (self.grid[0], self.grid[last])
     }
 
-    /// Whether a setting lies outside the grid, where it is clamped.
+    /// Returns whether a setting lies outside the grid, where it is clamped.
     #[inline(always)]
     pub fn is_outside(&self, setting: f64) -> bool {
         let (low, high) = self.range();
         setting < low || setting > high
     }
 
-    /// Number of states that a solver of the host's integrates: those of the damper and those of the actuator behind them.
+    /// Returns the number of states that a solver of the host integrates: the damper's, followed by the actuator's.
     pub fn states(&self) -> usize {
         self.model.states() + usize::from(self.actuator.has_lag()) + usize::from(self.actuator.has_hysteresis())
     }
 
-    /// Name and unit of state `index`: see [`Model::state_name`]. `setting` is in the unit of the axis.
+    /// Returns name and unit of state `index`: see [`Model::state_name`]. `setting` is in the unit of the axis.
     pub fn state_name(&self, index: usize) -> Option<(&'static str, &'static str)> {
         let own = index.checked_sub(self.model.states());
         match own {
@@ -389,7 +390,7 @@ impl Family {
         }
     }
 
-    /// The setting that the host commands, clamped to the grid.
+    /// Returns the setting that the host commands, clamped to the grid.
     #[inline(always)]
     fn command(&self, setting: Option<f64>) -> f64 {
         let (low, high) = self.range();
@@ -415,12 +416,12 @@ impl Family {
         }
     }
 
-    /// Where the valve stands in a state: the setting whose damper acts. Without a lag it stands where it is commanded.
+    /// Returns the actual setting in a state, at which the damper is evaluated. Without a lag it equals the command.
     pub fn setting_of(&self, state: &State, setting: Option<f64>) -> f64 {
         if self.actuator.has_lag() { self.actuator.setting(&self.stand(state)) } else { self.command(setting) }
     }
 
-    /// Asks the damper at a setting, which lives as long as the question.
+    /// Evaluates `question` for the damper at a setting, which exists only during this call.
     #[inline(always)]
     fn ask<R>(&self, setting: f64, question: impl FnOnce(&Model<Lent<'_>>) -> R) -> R {
         let place = Place::new(&self.grid, self.count as usize, setting);
@@ -453,14 +454,14 @@ impl Family {
         question(&model)
     }
 
-    /// Forces of the FV table at a place; behind the last point they are beyond all.
+    /// Interpolates the forces of the FV table at a grid position; forces after the last point have no meaning.
     #[inline(always)]
     fn forces_at(&self, place: &Place, forces: &mut [f64; ROOM]) {
         let (from, to) = (place.interval & (MAX_GRID - 1), (place.interval + 1) & (MAX_GRID - 1));
         let [w0, w1, w2, w3] = place.weights;
         let (f0, f1, d0, d1) = (&self.forces[from], &self.forces[to], &self.derivatives[from], &self.derivatives[to]);
         let value = |point: usize| (w0 * f0[point] + w1 * f1[point]) + (w2 * d0[point] + w3 * d1[point]);
-        // Most tables have fewer than 16 points, behind which a section does not look then.
+        // Most tables have fewer than 16 points. A section then reads nothing after the sixteenth.
         for (point, force) in forces.iter_mut().enumerate().take(FEW_POINTS) {
             *force = value(point);
         }
@@ -471,7 +472,7 @@ impl Family {
         }
     }
 
-    /// Points of the FV curve of derivatives and knees at a place. Apart: it is rare.
+    /// Computes the points of an FV curve given by derivatives and knees at a grid position. Not inlined: it is rare.
     #[inline(never)]
     fn knees_at(&self, at: &At) -> Points {
         let group = element!("fv_curve").place();
@@ -488,7 +489,7 @@ impl Family {
         points
     }
 
-    /// The state at equilibrium at a setting that has long been commanded: see [`Model::settled`].
+    /// Returns the equilibrium state at a setting that has long been commanded: see [`Model::steady_state`].
     #[inline(never)]
     pub fn steady_state(&self, input: &Input, setting: Option<f64>) -> State {
         let command = self.command(setting);
@@ -503,12 +504,12 @@ impl Family {
         }
     }
 
-    /// The dead time of a setting that has long been commanded.
+    /// Returns the dead-time buffer of a setting that has long been commanded.
     pub fn steady_delay(&self, setting: Option<f64>) -> Delay {
         Delay::constant(self.command(setting))
     }
 
-    /// A state of other elements as this family has it: see [`Model::laid_out`].
+    /// Converts a state of other elements to the layout of this family: see [`Model::laid_out`].
     #[cold]
     #[inline(never)]
     pub fn laid_out(&self, state: &State, setting: Option<f64>) -> State {
@@ -520,11 +521,14 @@ impl Family {
         own
     }
 
-    /// One step of `dt` to the input and the commanded setting at its end, in place: see [`crate::step::step_in_place`]. The command is constant during the step. Without
-    /// `derivatives` those of the output mean nothing. False, and all as it was, where the force is not a finite number.
+    /// Advances one step of `dt` in place to the input and the commanded setting at its end: see
+    /// [`crate::step::step_in_place`]. The command is constant during the step. Without `derivatives` those of the
+    /// output have no meaning.
     ///
-    /// The damper is that of the setting at which the valve stands at the end of the step. `dt = 0` is the force at equilibrium, with the valve at rest at the
-    /// command; the state stays.
+    /// Returns false and changes nothing if the force is not finite.
+    ///
+    /// The damper is evaluated at the actual setting at the end of the step. With `dt = 0` the output is the
+    /// equilibrium force at the command, and the state does not change.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]
     pub fn step_in_place(
@@ -543,13 +547,13 @@ impl Family {
         self.step_at(self.command(setting), state, to, dt, output, derivatives)
     }
 
-    /// Steps at the setting where the valve stands, from a state of this family.
+    /// Steps at an actual setting from a state of this family.
     #[inline(never)]
     fn step_at(&self, at: f64, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
         self.ask(at, |model| step_borrowed(model, state, to, dt, output, derivatives))
     }
 
-    /// Steps while the valve moves to its command, or from a state of other elements.
+    /// Steps through the actuator's dynamics, or from a state of other elements.
     #[inline(never)]
     #[allow(clippy::too_many_arguments)]
     fn step_behind_actuator(
@@ -585,7 +589,7 @@ impl Family {
         done
     }
 
-    /// Where the valve stands after a step, and its dead time then.
+    /// Returns the actuator's states after a step and the dead-time buffer then.
     #[inline(always)]
     fn moved(&self, state: &State, delay: &Delay, command: f64, dt: f64) -> (Stand, Option<Delay>) {
         let stand = if self.actuator.has_lag() { self.stand(state) } else { Stand { lagged: command, turned: 0.0 } };
@@ -600,8 +604,8 @@ impl Family {
         (self.actuator.advance(&stand, u, dt), Some(after))
     }
 
-    /// Total derivative of the force at the end of a step over the actual setting there; with `dt = 0`, of the
-    /// equilibrium force.
+    /// Computes the total derivative of the force at the end of a step over the actual setting there. With `dt = 0` it
+    /// is the derivative of the equilibrium force.
     #[inline(never)]
     pub fn d_force_d_setting(
         &self,
@@ -624,7 +628,7 @@ impl Family {
         self.difference(at, |setting| force(setting).map(|force| [force])).map(|[by]| by)
     }
 
-    /// Central differences over the setting, inside the grid.
+    /// Computes central differences over the setting, inside the grid.
     #[inline(always)]
     fn difference<const N: usize>(
         &self,
@@ -643,19 +647,21 @@ impl Family {
         Some(by)
     }
 
-    /// Force and rates of the damper at a setting. A call of its own, as is the next: each takes its room on the stack and gives it back.
+    /// Evaluates force and rates of the damper at a setting. Not inlined, like `partials_at`, so that its stack space
+    /// is freed on return.
     #[inline(never)]
     fn evaluate_at(&self, at: f64, state: &State, input: &Input) -> (Output, State) {
         self.ask(at, |model| evaluate_of(model, state, input))
     }
 
-    /// Partial derivatives of the damper at a setting.
+    /// Computes the partial derivatives of the damper at a setting.
     #[inline(never)]
     fn partials_at(&self, at: f64, state: &State, input: &Input) -> Partials {
         self.ask(at, |model| partials_of(model, state, input))
     }
 
-    /// Force and rates at a state: see [`crate::evaluate()`]. An instant knows no past, so the setting is that behind the dead time.
+    /// Evaluates force and rates at a state: see [`crate::evaluate()`]. The dead time does not act: `setting` is the
+    /// value after it.
     #[inline(never)]
     pub fn evaluate(&self, state: &State, input: &Input, setting: Option<f64>) -> (Output, State) {
         if state.layout != self.layout {
@@ -669,7 +675,8 @@ impl Family {
         (output, rate)
     }
 
-    /// All partial derivatives at a state, and those over the setting that the host commands: see [`crate::evaluate::partials`].
+    /// Computes all partial derivatives at a state, and those over the commanded setting: see
+    /// [`crate::evaluate::partials`].
     #[inline(never)]
     pub fn partials(&self, state: &State, input: &Input, setting: Option<f64>) -> (Partials, BySetting) {
         if state.layout != self.layout {
@@ -695,7 +702,7 @@ impl Family {
             }
             return (p, by_setting);
         }
-        // The force follows where the valve stands: s = y − h z.
+        // The force depends on the actual setting s = y − h z.
         let of = self.actuator.rates(&self.stand(state), self.command(setting));
         let follows_command = !setting.is_some_and(|setting| self.is_outside(setting));
         let (y, h) = (self.lagged_at as usize + 2, self.actuator.hysteresis);
@@ -728,6 +735,6 @@ impl Family {
     }
 }
 
-/// Values that the FV curve has in a parameter set.
+/// Number of values of the FV curve in a parameter set.
 const FV_SLOTS: usize =
     crate::parameter::row::slots_of(<crate::elements::fv_curve::FvCurve as crate::schema::Describe>::PARAMETERS);

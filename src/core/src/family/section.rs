@@ -7,19 +7,19 @@ use core::fmt::Debug;
 
 use crate::tables::{Conducted, Conduction, ForceLaw, Lookup, Tables};
 
-/// Room for the points, and one that lies beyond all of them.
+/// Size of the arrays: the points, and one beyond all of them.
 pub(crate) const ROOM: usize = MAX_POINTS + 1;
-/// An index into the room.
+/// Mask of an index into the arrays.
 const MASK: usize = ROOM - 1;
-/// Beyond all points.
+/// Abscissa beyond all points.
 const FAR: f64 = f64::MAX;
-/// A Householder step shorter than this part of its piece is the last, as in [`Curve::solve`].
+/// A Householder step shorter than this fraction of its piece is the last, like in [`Curve::solve`].
 const FEW: f64 = 1e-3;
 
 /// Points of a curve at one setting.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Points {
-    /// Abscissae, and 1 over the distance to the next; behind the last they are beyond all that is looked for.
+    /// Abscissae, and 1 over the distance to the next; the unused abscissae are larger than any argument.
     pub u: [f64; ROOM],
     pub per: [f64; ROOM],
     /// Forces.
@@ -30,7 +30,7 @@ impl Points {
     /// No points.
     pub const NONE: Points = Points { u: [FAR; ROOM], per: [0.0; ROOM], f: [FAR; ROOM] };
 
-    /// The points (u, f).
+    /// Sets the points (u, f).
     pub fn set(&mut self, u: &[f64], f: &[f64]) {
         *self = Points::NONE;
         for (to, from) in self.u.iter_mut().zip(u) {
@@ -45,7 +45,7 @@ impl Points {
     }
 }
 
-/// The FV curve at one setting: the points, from which a piece is made when it is needed.
+/// The FV curve at one setting: the points, from which each piece is computed when it is needed.
 #[derive(Clone, Copy, Debug)]
 pub struct Section<'a> {
     u: &'a [f64; ROOM],
@@ -55,7 +55,7 @@ pub struct Section<'a> {
     interpolation: Interpolation,
 }
 
-/// A piece, as in [`Curve`].
+/// A piece, like in [`Curve`].
 struct Piece {
     u0: f64,
     f0: f64,
@@ -68,7 +68,7 @@ struct Piece {
 }
 
 impl<'a> Section<'a> {
-    /// The curve through `count` points.
+    /// Makes the curve through `count` points.
     #[inline(always)]
     pub(crate) fn new(
         u: &'a [f64; ROOM],
@@ -80,7 +80,7 @@ impl<'a> Section<'a> {
         Section { u, per, f, count, interpolation }
     }
 
-    /// Number of points at which `key` is at most `r`: the index of the piece.
+    /// Returns the number of points at which `key` is at most `r`: the index of the piece.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;
@@ -99,14 +99,15 @@ impl<'a> Section<'a> {
         index
     }
 
-    /// Mean derivative behind a point.
+    /// Returns the mean derivative between a point and the next.
     #[inline(always)]
     fn chord(&self, point: usize) -> f64 {
         let (from, to) = (point & MASK, (point + 1) & MASK);
         (self.f[to] - self.f[from]) * self.per[from]
     }
 
-    /// Fritsch–Butland derivative at a point with the mean derivatives `before` and `after` it, which are not negative.
+    /// Computes the Fritsch–Butland derivative at a point from the mean derivatives `before` and `after` it, both at
+    /// least 0.
     #[inline(always)]
     fn derivative(&self, point: usize, before: f64, after: f64) -> f64 {
         if point == 0 {
@@ -122,23 +123,25 @@ impl<'a> Section<'a> {
         if product > 0.0 { (w0 + w1) * product / (w0 * after + w1 * before) } else { 0.0 }
     }
 
-    /// Whether both sides of the curve meet at a point with derivatives of their own.
+    /// Returns whether the two sides of the curve have different derivatives at a point.
     #[inline(always)]
     fn has_kink_at(&self, point: usize) -> bool {
         self.interpolation == Interpolation::CubicEachSide && self.u[point & MASK] == 0.0
     }
 
-    /// Derivative at zero of the side that has the pieces behind the points `near` and, if any, `far`, as in [`crate::curve::derivatives`].
+    /// Computes the derivative at zero of one side of the curve, like [`crate::curve::derivatives`].
+    ///
+    /// The side has the pieces after the points `near` and, if any, `far`.
     #[inline(always)]
     fn derivative_of_side(&self, near: usize, far: Option<usize>) -> f64 {
         let d0 = self.chord(near);
         let Some(far) = far else { return d0 };
-        // h0 / (h0 + h1) with the reciprocals of both.
+        // h0 / (h0 + h1) from the reciprocals of both.
         let (r0, r1) = (self.per[near & MASK], self.per[far & MASK]);
         max(0.0, d0 + (d0 - self.chord(far)) * (r1 / (r0 + r1)))
     }
 
-    /// The piece left of point `index`.
+    /// Computes the piece left of point `index`.
     #[inline(always)]
     fn piece(&self, index: usize) -> Piece {
         let last = self.count.wrapping_sub(1);
@@ -165,7 +168,7 @@ impl<'a> Section<'a> {
             let c3 = (m0 + m1 - 2.0 * chord) * (per * per);
             return Piece { u0, f0, c1: m0, c2, c3, low: 0.0, high, chord };
         }
-        // Beyond the ends it goes on straight; without points it is zero everywhere.
+        // Beyond its ends the curve is linear; without points it is zero everywhere.
         if self.count < 2 {
             return Piece { u0: 0.0, f0: 0.0, c1: 0.0, c2: 0.0, c3: 0.0, low: -FAR, high: FAR, chord: 0.0 };
         }
@@ -214,7 +217,7 @@ impl ForceLaw for Section<'_> {
         self.evaluate(0.0).value
     }
 
-    /// Solves `a u + f(u) = r`: the velocity and the value of the curve there.
+    /// Solves `a u + f(u) = r`: returns the velocity and the value of the curve there.
     #[inline(always)]
     fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let p = self.piece(self.locate(r, |u, f| a * u + f));
@@ -243,13 +246,13 @@ impl ForceLaw for Section<'_> {
     }
 }
 
-/// Conductance of a late valve.
+/// Conductance of a lagging valve.
 #[derive(Clone, Copy, Debug)]
 pub enum Passage<'a> {
     /// The table of the family.
     Table(&'a Conductance),
-    /// Computed node by node from the FV curve at the setting, where either depends on it: its table would begin at
-    /// this force, N.
+    /// Node values computed from the FV curve at the setting, if the curve or the valve depends on it. The table would
+    /// begin at this force, N.
     From(f64),
 }
 
@@ -275,7 +278,8 @@ impl Lookup for &Curve {
 pub struct Lent<'a>(core::marker::PhantomData<&'a ()>);
 
 impl<'a> Tables for Lent<'a> {
-    // Without them the library is 130 KB smaller, and a step with an oil column takes 10,500 instructions where it takes 6,500.
+    // Without these stages the library is 130 KB smaller, but a step with an oil column needs 10,500 instead of 6,500
+    // instructions.
     const HAS_STAGES_OF_ITS_OWN: bool = true;
     type Fv = Section<'a>;
     type Spring = &'a Curve;

@@ -1,10 +1,10 @@
-//! The groups of the table: the rows of each element, and where it acts.
+//! The groups of the table: the rows of each element, and its position in the model.
 
 use crate::list::each_element;
 use crate::schema::{Describe, Group};
 use crate::tables::Owned as T;
 
-/// Where an element acts: the blocks of the list.
+/// Position of an element in the model: the blocks of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Acts {
     /// The FV curve.
@@ -17,13 +17,13 @@ pub enum Acts {
     Hydraulic,
     /// On the internal mass.
     Inner,
-    /// Beside the damper: friction.
+    /// Parallel to the damper: friction.
     Friction,
-    /// Beside the damper: position.
+    /// Parallel to the damper: position.
     Preload,
-    /// Beside the damper, with a private state.
+    /// Parallel to the damper, with an internal state.
     Stateful,
-    /// Beside the damper, at the ends of the stroke.
+    /// Parallel to the damper, at the ends of the stroke.
     Stop,
     /// Nowhere: the settings.
     Nowhere,
@@ -45,13 +45,13 @@ macro_rules! groups {
         default { $($default:ident,)* }
         settings { $settings:ident: $Settings:ty }
     ) => {
-        /// Places of the elements in the table's groups.
+        /// Indices of the elements in the table's groups.
         #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
         #[derive(Clone, Copy)]
         pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($stateful,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
-        // A static, so that the texts are in a program once and not in each crate that looks at them.
+        // It is a static, so that a program contains the texts once and not in each crate that uses them.
         pub static GROUPS: &[Group] = &[
             Group { name: stringify!($primary), meaning: <$Primary>::MEANING, parameters: <$Primary>::PARAMETERS },
             Group { name: stringify!($series), meaning: <$Series>::MEANING, parameters: <$Series>::PARAMETERS },
@@ -70,7 +70,7 @@ macro_rules! groups {
             Group { name: stringify!($settings), meaning: <$Settings>::MEANING, parameters: <$Settings>::PARAMETERS },
         ];
 
-        /// Where the element of a group acts.
+        /// Returns the position in the model of a group's element.
         pub fn acts(group: usize) -> Acts {
             const fn acts(place: Acts, _: Place) -> Acts {
                 place
@@ -100,7 +100,7 @@ macro_rules! groups {
 
 each_element!(groups);
 
-/// The names of all elements, in the order of the list.
+/// Returns the names of all elements, in the order of the list.
 pub fn names() -> impl Iterator<Item = &'static str> {
     GROUPS.iter().take(ELEMENTS).map(|group| group.name)
 }

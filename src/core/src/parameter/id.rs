@@ -1,8 +1,8 @@
-//! Which row or element is meant: types that code hands on in place of names.
+//! Typed identifiers of rows and elements, which code uses instead of names.
 //!
-//! A name in code is looked up when the code is compiled, by [`crate::number!`], [`crate::list!`] and
-//! [`crate::element!`]; a name that the table does not have, or that holds something else, does not compile. A name from
-//! outside (a model file, C, a command line) is looked up by `find`, which gives the same types.
+//! The compiler looks up names in code through [`crate::number!`], [`crate::list!`] and [`crate::element!`]. A name
+//! that is not in the table, or that has another kind of value, does not compile. `find` looks up a name from outside
+//! (a model file, C, a command line) and returns the same types.
 
 use core::fmt;
 use core::hash::{Hash, Hasher};
@@ -14,7 +14,7 @@ use crate::parameter::row::{Row, find};
 use crate::schema::kind::{Kind, Many, OTHER_KIND, One, same};
 use crate::schema::{Group, Parameter};
 
-/// A row of the table that holds what `K` says.
+/// A row of the table whose value has the kind `K`.
 #[derive(Clone, Copy)]
 pub struct Id<K> {
     row: Row,
@@ -28,8 +28,8 @@ pub type Number = Id<One>;
 pub type List = Id<Many>;
 
 impl<K: Kind> Id<K> {
-    /// The row called `name`. For constants, which is what [`crate::number!`] and [`crate::list!`] make of it: where there is no
-    /// such row, there is no program.
+    /// Finds the row called `name`. For constants, which [`crate::number!`] and [`crate::list!`] make from it: without
+    /// such a row the program does not compile.
     pub const fn named(name: &str) -> Id<K> {
         let (mut index, mut slot, mut group) = (0, 0, 0);
         while group < GROUPS.len() {
@@ -48,42 +48,42 @@ impl<K: Kind> Id<K> {
         panic!("no parameter has this name")
     }
 
-    /// The row of a name that comes from outside.
+    /// Finds the row of a name that comes from outside.
     ///
     /// # Errors
-    /// No row has that name, or it holds something else.
+    /// Returns an error if no row has that name, or if its value has another kind.
     pub fn find(name: &str) -> Result<Id<K>, Fault> {
         find(name).ok_or(UNKNOWN)?.try_into()
     }
 
-    /// Its name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         self.row.parameter.name
     }
 
-    /// Unit, bounds, default and meaning.
+    /// Returns unit, bounds, default and meaning.
     pub const fn parameter(self) -> &'static Parameter {
         self.row.parameter
     }
 
-    /// Smallest and largest allowed value.
+    /// Returns the smallest and the largest allowed value.
     pub const fn bounds(self) -> (f64, f64) {
         (self.row.parameter.low, self.row.parameter.high)
     }
 
-    /// Its row.
+    /// Returns the row.
     pub const fn row(&self) -> &Row {
         &self.row
     }
 
-    /// A fault that names it.
+    /// Makes a fault that names this row.
     pub const fn fault(self, reason: Reason) -> Fault {
         self.row.fault(reason)
     }
 }
 
 impl Number {
-    /// A value held inside the bounds; no number stays none.
+    /// Clamps a value to the bounds; NaN stays NaN.
     pub fn inside(self, value: f64) -> f64 {
         let (low, high) = self.bounds();
         if value < low {
@@ -95,16 +95,16 @@ impl Number {
         }
     }
 
-    /// Its default.
+    /// Returns the default.
     pub fn default(self) -> f64 {
         self.row.parameter.default.first().copied().unwrap_or(f64::NAN)
     }
 }
 
-/// A name that is none of the table's.
+/// A name that is not in the table.
 const UNKNOWN: Fault = Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName };
 
-/// Refuses a row that holds something else.
+/// Rejects a row whose value has another kind.
 impl<K: Kind> TryFrom<Row> for Id<K> {
     type Error = Fault;
 
@@ -131,14 +131,14 @@ impl<K> Hash for Id<K> {
     }
 }
 
-/// Its name in quotes.
+/// Formats the name in quotes.
 impl<K> fmt::Debug for Id<K> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         fmt::Debug::fmt(self.row.parameter.name, f)
     }
 }
 
-/// Its name.
+/// Formats the name.
 impl<K> fmt::Display for Id<K> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.pad(self.row.parameter.name)
@@ -153,8 +153,9 @@ pub struct Element {
 }
 
 impl Element {
-    /// The element called `name`. For constants, as [`Id::named`].
-    // Inline, so that nothing is compiled of it but what is called while the program runs, which is nothing: its panic is none of the library's.
+    /// Finds the element called `name`. For constants, like [`Id::named`].
+    // Inline, so that it is compiled only where it is called at run time, which is nowhere: the library thus lacks its
+    // panic.
     #[inline]
     pub const fn named(name: &str) -> Element {
         let mut place = 0;
@@ -168,35 +169,35 @@ impl Element {
         panic!("no element has this name")
     }
 
-    /// The element of a name that comes from outside.
+    /// Finds the element of a name that comes from outside.
     ///
     /// # Errors
-    /// No element has that name.
+    /// Returns an error if no element has that name.
     pub fn find(name: &str) -> Result<Element, Fault> {
         Element::all().find(|element| element.name() == name).ok_or(UNKNOWN)
     }
 
-    /// All elements, in the order of the list.
+    /// Returns all elements, in the order of the list.
     pub fn all() -> impl Iterator<Item = Element> {
         GROUPS.iter().take(ELEMENTS).enumerate().map(|(place, group)| Element { place, group })
     }
 
-    /// The element whose rows stand in group `place`; `None` for the settings.
+    /// Returns the element of group `place`; `None` for the settings.
     pub fn of_group(place: usize) -> Option<Element> {
         Element::all().nth(place)
     }
 
-    /// Place of its group in [`GROUPS`].
+    /// Returns the index of its group in [`GROUPS`].
     pub const fn place(self) -> usize {
         self.place
     }
 
-    /// Its name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         self.group.name
     }
 
-    /// What it is, and its rows.
+    /// Returns its meaning and its rows.
     pub const fn group(self) -> &'static Group {
         self.group
     }
@@ -207,7 +208,7 @@ impl Element {
 }
 
 impl Row {
-    /// The element it belongs to; `None` for the settings.
+    /// Returns the element of this row; `None` for the settings.
     pub fn element(&self) -> Option<Element> {
         Element::of_group(self.group)
     }
@@ -227,16 +228,16 @@ impl Hash for Element {
     }
 }
 
-/// Its name in quotes.
+/// Formats the name in quotes.
 impl fmt::Debug for Element {
-    // Inline for the same reason as above: the formatting that it calls can panic.
+    // Inline for the reason given at [`Element::named`]: the formatting that it calls can panic.
     #[inline]
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         fmt::Debug::fmt(self.name(), f)
     }
 }
 
-/// Its name.
+/// Formats the name.
 impl fmt::Display for Element {
     #[inline]
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -269,7 +270,7 @@ impl fmt::Display for Element {
 #[macro_export]
 macro_rules! number {
     ($name:literal) => {{
-        // A constant of its own, not `const { }`: `cargo check` looks at it too.
+        // A named constant, not `const { }`, so that `cargo check` evaluates it too.
         const ID: $crate::parameter::Number = $crate::parameter::Number::named($name);
         ID
     }};

@@ -1,4 +1,4 @@
-//! The table: the rows of all groups one after the other.
+//! The parameter table: the rows of all groups in sequence.
 
 use crate::fault::{Fault, Reason};
 use crate::parameter::groups::GROUPS;
@@ -14,7 +14,7 @@ pub const COUNT: usize = {
     n
 };
 
-/// Numbers that a full set of values takes.
+/// Number of values in a full parameter set.
 pub const SLOTS: usize = {
     let (mut n, mut g) = (0, 0);
     while g < GROUPS.len() {
@@ -28,7 +28,7 @@ pub const SLOTS: usize = {
     n
 };
 
-/// Index of the first row of a group, and the slot of its first value.
+/// Returns the index of the first row of a group, and the slot of its first value.
 pub(crate) const fn start_of(group: usize) -> (usize, usize) {
     let (mut index, mut slot, mut g) = (0, 0, 0);
     while g < group {
@@ -39,7 +39,7 @@ pub(crate) const fn start_of(group: usize) -> (usize, usize) {
     (index, slot)
 }
 
-/// Numbers that the values of these rows take.
+/// Returns the number of values of these rows.
 pub(crate) const fn slots_of(rows: &[Parameter]) -> usize {
     let (mut slots, mut row) = (0, 0);
     while row < rows.len() {
@@ -49,12 +49,12 @@ pub(crate) const fn slots_of(rows: &[Parameter]) -> usize {
     slots
 }
 
-/// All rows in order, each with its group and the place of its first value.
+/// Returns all rows in order, each with its group and the slot of its first value.
 pub fn table() -> impl Iterator<Item = Row> {
     Rows { index: 0, group: 0, local: 0, slot: 0 }
 }
 
-/// Where [`table`] is: the row that comes next, and its place in its group.
+/// Iterator of [`table`]: the next row and its index in its group.
 struct Rows {
     index: usize,
     group: usize,
@@ -65,7 +65,7 @@ struct Rows {
 impl Iterator for Rows {
     type Item = Row;
 
-    // Not inlined: the table is gone through in a dozen places, none of them in a hurry.
+    // Not inlined: a dozen functions iterate over the table, and none of them is critical for speed.
     #[inline(never)]
     fn next(&mut self) -> Option<Row> {
         loop {
@@ -83,9 +83,9 @@ impl Iterator for Rows {
 /// A row of [`table`].
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
-    /// Place in the table.
+    /// Index in the table.
     pub index: usize,
-    /// Place of its group in [`GROUPS`].
+    /// Index of its group in [`GROUPS`].
     pub group: usize,
     pub(crate) slot: usize,
     /// The row itself.
@@ -101,13 +101,13 @@ impl PartialEq for Row {
 impl Eq for Row {}
 
 impl Row {
-    /// A fault that names this row.
+    /// Makes a fault that names this row.
     pub const fn fault(&self, reason: Reason) -> Fault {
         Fault { parameter: self.index as u16, reason }
     }
 }
 
-/// Finds a row by a name that is known only when the program runs; code that knows the name takes [`crate::number!`] or
+/// Finds a row by a name that is known only at run time. For a name known in code use [`crate::number!`] or
 /// [`crate::list!`].
 pub fn find(name: &str) -> Option<Row> {
     table().find(|row| row.parameter.name == name)

@@ -1,4 +1,4 @@
-//! The values a user fills in.
+//! The parameter values that a user supplies.
 
 use crate::fault::{Fault, Reason};
 use crate::parameter::groups::{DEFAULT_ON, GROUPS};
@@ -6,7 +6,7 @@ use crate::parameter::id::{Element, List, Number};
 use crate::parameter::row::{COUNT, Row, SLOTS, table};
 use crate::schema::{Describe, Shape, View};
 
-/// A full set of parameter values, and which elements are on.
+/// A full set of parameter values, and the set of elements that are on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Params {
@@ -22,10 +22,10 @@ impl Default for Params {
 }
 
 impl Params {
-    /// No values: to be filled in whole.
+    /// A set without values, to be filled completely.
     pub(crate) const BLANK: Params = Params { elements: 0, lengths: [0; COUNT], values: [0.0; SLOTS] };
 
-    /// The defaults of the table, with the elements of the thesis's model on.
+    /// Returns the defaults of the table, with the elements of the thesis's model on.
     pub fn new() -> Params {
         let mut params = Params::BLANK;
         params.set_defaults();
@@ -49,36 +49,36 @@ impl Params {
         }
     }
 
-    /// The values of a row.
+    /// Returns the values of a row.
     pub fn get(&self, row: &Row) -> &[f64] {
         let length = self.lengths.get(row.index).map_or(0, |l| *l as usize);
         let tail = self.values.get(row.slot..).unwrap_or(&[]);
         tail.get(..length.min(row.parameter.slots())).unwrap_or(&[])
     }
 
-    /// The value of a number or a choice.
+    /// Returns the value of a number or a choice.
     pub fn number(&self, number: Number) -> f64 {
         self.get(number.row()).first().copied().unwrap_or(f64::NAN)
     }
 
-    /// The values of a list.
+    /// Returns the values of a list.
     pub fn list(&self, list: List) -> &[f64] {
         self.get(list.row())
     }
 
-    /// What the element `E`, whose rows make group `group`, sees of it.
+    /// Returns the parameters of the element `E`, whose rows are group `group`.
     pub(crate) fn view<E: Describe>(&self, group: usize) -> View<'_, E> {
         let before = GROUPS.iter().take(group).flat_map(|group| group.parameters);
         let (first, slot) = before.fold((0, 0), |(index, slot), row| (index + 1, slot + row.slots()));
         View::new(first, self.lengths.get(first..).unwrap_or(&[]), self.values.get(slot..).unwrap_or(&[]))
     }
 
-    /// The values in these slots.
+    /// Returns the values in these slots.
     pub(crate) fn slots(&self, from: usize, count: usize) -> &[f64] {
         self.values.get(from..).and_then(|tail| tail.get(..count)).unwrap_or(&[])
     }
 
-    /// Lengths of the rows from `first` on.
+    /// Returns the lengths of the rows from `first` on.
     pub(crate) fn lengths(&self, first: usize) -> &[u32] {
         self.lengths.get(first..).unwrap_or(&[])
     }
@@ -86,7 +86,7 @@ impl Params {
     /// Sets one number or choice.
     ///
     /// # Errors
-    /// A non-finite or out-of-bounds value. Nothing is changed then.
+    /// Returns an error for a non-finite or out-of-bounds value. Nothing changes then.
     pub fn set(&mut self, number: Number, value: f64) -> Result<(), Fault> {
         self.set_row(number.row(), &[value])
     }
@@ -94,7 +94,7 @@ impl Params {
     /// Sets a list.
     ///
     /// # Errors
-    /// Too many numbers, a non-finite or out-of-bounds number. Nothing is changed then.
+    /// Returns an error for too many numbers and for a non-finite or out-of-bounds number. Nothing changes then.
     pub fn set_list(&mut self, list: List, values: &[f64]) -> Result<(), Fault> {
         self.set_row(list.row(), values)
     }
@@ -105,10 +105,10 @@ impl Params {
         Ok(())
     }
 
-    /// Checks every value against the table: for sets that did not come through the setters.
+    /// Checks every value against the table, for sets that were not filled by the setters.
     ///
     /// # Errors
-    /// The first parameter that the table does not allow.
+    /// Returns the first parameter that the table does not allow.
     pub fn check(&self) -> Result<(), Fault> {
         for row in table() {
             if self.lengths.get(row.index).is_none_or(|l| *l as usize > row.parameter.slots()) {
@@ -133,18 +133,18 @@ impl Params {
         self.elements = 0;
     }
 
-    /// Whether an element is on.
+    /// Returns whether an element is on.
     pub fn is_on(&self, element: Element) -> bool {
         self.elements & element.bit() != 0
     }
 
-    /// Whether a parameter affects the damper: its element is on, or it is a setting, and it belongs to the chosen
-    /// form.
+    /// Returns whether a parameter affects the damper: its element is on, or it is a setting, and it belongs to the
+    /// chosen form.
     pub fn counts(&self, row: &Row) -> bool {
         row.element().is_none_or(|element| self.is_on(element)) && self.is_of_form(row)
     }
 
-    /// Whether a number belongs to the form that is chosen, be its element on or off.
+    /// Returns whether a parameter belongs to the chosen form, even if its element is off.
     pub fn is_of_form(&self, row: &Row) -> bool {
         row.parameter.form.is_none_or(|(choice, words)| {
             let chosen = table().find(|other| other.group == row.group && other.parameter.name == choice);
@@ -157,13 +157,13 @@ impl Params {
         })
     }
 
-    /// The elements that are on, one bit each in the order of the table's groups.
+    /// Returns the elements that are on, one bit each in the order of the table's groups.
     pub(crate) fn elements(&self) -> u64 {
         self.elements
     }
 }
 
-/// Whether the table allows these values of a row.
+/// Checks the values of a row against the table.
 pub(crate) fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
     let p = row.parameter;
     let fault = |reason| Err(row.fault(reason));

@@ -1,4 +1,5 @@
-//! What acts in a stage, and how sharply it bends the forces: the stages of common dampers are compiled for their own.
+//! Elements that act in a stage, and the nonlinearity of their forces. The stages of common dampers have their own
+//! code.
 
 use super::Paths;
 use super::bits::{
@@ -8,32 +9,32 @@ use super::bits::{
 use super::slots::place;
 use crate::tables::Tables;
 
-/// Those that scale the FV curve slowly and do nothing else.
+/// Elements that only scale the FV curve slowly.
 const FACTORS: u32 = FADE | HEAT;
 
-/// Whether the elements of the paths bend the forces more sharply within a step than the plain damper does.
+/// Returns whether the elements of the paths make the force more nonlinear within a step than in the plain damper.
 pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
 
-/// How sharply the elements of the paths bend the forces of a damper within a step.
+/// Nonlinearity that the elements of the paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bends {
-    /// Hardly: no element at all, one that scales the FV curve slowly, or a flow or a valve that softens its own knee.
+    /// Little: no element, one that scales the FV curve slowly, or a flow or valve that smooths its own knee.
     Little,
-    /// Rubber alone.
+    /// A bushing alone.
     Smoothly,
-    /// Free play, an even column of oil, position, frequency, or a valve with play or mass alone: a knee in the force.
+    /// A knee: free play, a symmetric oil column, position or frequency dependence, or a valve with play or mass alone.
     Knee,
     /// A void, air, or several elements.
     Several,
-    /// A column that turns from soft to hard with the sign of the force, or a column beside other elements.
+    /// A column whose stiffness changes with the sign of the force, or a column together with other elements.
     Turning,
-    /// Friction that turns over behind the series spring.
+    /// Friction that reverses behind the series spring.
     Whole,
 }
 
-/// How sharply those of an element set do.
+/// Returns the nonlinearity of an element set.
 pub(crate) fn is_nonlinear(e: &Paths<impl Tables>) -> Bends {
     let turns = !e.aeration.is_even() || !e.oil_compressibility.is_even();
     let acting = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
@@ -51,27 +52,28 @@ pub(crate) fn is_nonlinear(e: &Paths<impl Tables>) -> Bends {
     }
 }
 
-/// Elements that only add to others and share the stage compiled for those; the program tests for them at run time.
+/// Elements that only add to others and share their compiled stage; the program tests for them at run time.
 ///
-/// That costs at most one in a hundred instructions. For a length that changes, or for two forms of one element, it
-/// costs four to eight.
+/// The test costs at most 1 % more instructions. For a length that changes, or for two forms of one element, it would
+/// cost 4 to 8 %.
 const ADDED: u32 = AIR | HEAT | SPOOL;
 
-/// Whether a stage that is compiled for those `ON` does for an element set.
+/// Returns whether a stage compiled for the elements `ON` fits an element set.
 #[inline(always)]
 pub fn is_for<const ON: u32>(e: &Paths<impl Tables>) -> bool {
     let acting = e.acting();
     acting & !ON == 0 && acting & !ADDED == ON & !ADDED
 }
 
-/// Whether one acts in a stage that is compiled for those `ON`.
+/// Returns whether one element acts in a stage compiled for the elements `ON`.
 #[inline(always)]
 pub fn acts<const ON: u32>(e: &Paths<impl Tables>, bit: u32) -> bool {
     let certain = if ON == ANY { 0 } else { !ADDED };
     ON & bit & certain != 0 || ON & bit & !certain != 0 && e.acting() & bit != 0
 }
 
-/// Whether a state moves in a stage that is compiled for those `ON`. All that may are taken to: to add nothing costs less than to ask.
+/// Returns whether a state can change in a stage compiled for the elements `ON`. Adding zero costs less than a test at
+/// run time.
 #[inline(always)]
 pub fn moves<const ON: u32>(state: usize) -> bool {
     let bit = match state {

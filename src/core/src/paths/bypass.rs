@@ -1,9 +1,10 @@
-//! Oil that flows past the valves: through grooves in the tube, or through the open bypass of frequency-selective damping.
+//! Oil that bypasses the valves: through grooves in the tube, or through the open bypass of frequency-selective
+//! damping.
 //!
-//! u = w + b, b = q r(F_h)/r(1 kN), r = F/(F² + F_l²)^¼: in proportion to the force far below F_l, to its root far above. A groove's
-//! is stated by the root alone, b = q r(F_h)/√(1 kN), of which r(1 kN) misses a ten thousandth.
-//! Flows through parallel passages add, so a bypass takes more force where the FV curve is steep than where a blow-off valve
-//! holds it.
+//! u = w + b, b = q r(F_h)/r(1 kN), r = F/(F² + F_l²)^¼: proportional to the force far below F_l, to its square root
+//! far above. The parameter of a groove refers to the square root alone, b = q r(F_h)/√(1 kN); r(1 kN) is one
+//! ten-thousandth lower. Flows through parallel passages add. A bypass therefore reduces the force more where the FV
+//! curve is steep than where a blow-off valve limits it.
 
 use super::Paths;
 use super::acting::acts;
@@ -21,12 +22,12 @@ fn short<R: Real>(force: R) -> R {
     law(force, LAMINAR) * (1.0 / libm::sqrt(STATED))
 }
 
-/// Whether oil flows past the valves.
+/// Returns whether a bypass of the valves exists.
 pub(crate) fn is_open(e: &Paths<impl Tables>) -> bool {
     e.has_groove() || e.has_passage()
 }
 
-/// b at given states, m/s; 0 where nothing is open.
+/// Computes b at given states, m/s; 0 without a bypass.
 #[inline(always)]
 pub fn flow<R: Real>(e: &Paths<impl Tables>, force: R, x: R, states: &[R; STATES]) -> R {
     let mut flow = R::constant(0.0);
@@ -44,11 +45,11 @@ pub fn flow<R: Real>(e: &Paths<impl Tables>, force: R, x: R, states: &[R; STATES
 pub(crate) struct Past {
     /// b.
     pub flow: f64,
-    /// Over F_h, the displacement and the known state.
+    /// Derivatives of b over F_h, the displacement and the known state.
     pub flow_by: [f64; 3],
     /// State of the passage after the stage.
     pub state: f64,
-    /// Over F_h and the known state.
+    /// Derivatives of that state over F_h and the known state.
     pub state_by: [f64; 2],
 }
 
@@ -56,7 +57,7 @@ impl Past {
     /// No flow.
     pub const NONE: Past = Past { flow: 0.0, flow_by: [0.0; 3], state: 0.0, state_by: [0.0; 2] };
 
-    /// From the `known` states and the force that the stage tries, at displacement `x`.
+    /// Computes the flow from the `known` states and the force of the current iteration, at displacement `x`.
     #[inline(always)]
     pub fn stage<const ON: u32>(e: &Paths<impl Tables>, force: f64, x: f64, known: f64, g: f64) -> Past {
         let force = Dual::<3>::along(force, 0);

@@ -1,4 +1,4 @@
-//! The hydraulic path: what the valves make of the oil's velocity, and what the oil makes of the piston's.
+//! The hydraulic path: valve force from the oil velocity, and flow of the oil column from the force.
 
 use super::Paths;
 use super::STATES;
@@ -10,12 +10,12 @@ use crate::elements::soft_gap::SoftGap;
 use crate::tables::Tables;
 use core::cell::Cell;
 
-/// What surrounds the path at one instant.
+/// Inputs of the path at one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Around<R> {
-    /// Displacement of the driven end.
+    /// Displacement of the moving end.
     pub x: R,
-    /// Its velocity.
+    /// Velocity of the moving end.
     pub v: R,
     /// Side force that the host gives.
     pub side_force: f64,
@@ -23,25 +23,26 @@ pub struct Around<R> {
     pub temperature: f64,
 }
 
-/// The force of the valves and where it draws their states.
+/// The force of the valves and the targets of their states.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow<R> {
     /// F_h.
     pub force: R,
-    /// What the state of frequency-selective damping is drawn to.
+    /// Value toward which the state of frequency-selective damping relaxes.
     pub selective_target: R,
-    /// What is above the force at standstill if no valve is late.
+    /// Force relative to that at standstill, without the lag of the valve.
     pub before_valve: R,
-    /// Rates of where the valve stands, and of its own rate.
+    /// Time derivatives of the valve's position and velocity.
     pub valve_rates: [R; 2],
 }
 
-/// Leakage beside the valves, N s/m, where an oil column is: so that a force finds its velocity even where the FV curve
-/// is level. Far below all that is measured.
+/// Leakage past the valves, N s/m, with an oil column. It makes the velocity unique where the FV curve is level. Far
+/// below all that is measured.
 const LEAKAGE: f64 = 0.01;
 
-/// F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). What the FV curve has at standstill is no flow's: the
-/// force `standing` keeps its size.
+/// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w).
+///
+/// The FV curve's force at standstill, `standing`, comes from no flow and is not scaled.
 #[inline(always)]
 pub fn flow<R: Real>(
     e: &Paths<impl Tables>,
@@ -75,12 +76,12 @@ pub fn flow<R: Real>(
     Flow { force, selective_target, before_valve, valve_rates }
 }
 
-/// The factor s of a stage: it depends on nothing that the stage has to find.
+/// The factors s of a stage, which do not depend on its unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factors {
-    /// On the compression and the rebound stroke, and their derivatives over the displacement.
+    /// Factors for the compression and the rebound stroke, with their derivatives over the displacement.
     strokes: [[f64; 2]; 2],
-    /// By temperature, and its derivative over the rise.
+    /// Factor for temperature, with its derivative over the temperature rise.
     fade: [f64; 2],
 }
 
@@ -100,35 +101,36 @@ impl Factors {
     }
 }
 
-/// The force of the valves after an implicit stage, with its derivatives, link by link.
+/// The valve force after an implicit stage, with its derivatives for each link of the chain.
 ///
 /// The links are s F_d, a delayed valve, and frequency-selective damping.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Valves {
     /// F_h.
     pub force: f64,
-    /// Where the valve stands after the stage.
+    /// State of the valve after the stage.
     pub valve: f64,
     /// State of frequency-selective damping after the stage.
     pub selective: f64,
     /// ∂F_h/∂F_d and ∂F_h/∂w.
     pub by_curve: f64,
     pub by_w: f64,
-    /// Of s F_d over F_d, displacement and rise of temperature.
+    /// Derivatives of s F_d over F_d, displacement and rise of temperature.
     scaled_by: [f64; 3],
-    /// Derivatives of the force behind the delayed valve, and of the valve's position.
+    /// Derivatives of the force after the delayed valve, and of the valve's position.
     ///
-    /// They are over the force before the valve, the known part of its position, and the height of the FV curve at
-    /// the two velocities `read` there.
+    /// They are over the force before the valve and the known part of its position. The last two are over the force of
+    /// the FV curve at the two velocities `read`.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
-    /// Of the force behind frequency-selective damping, and of its state, over the force before, w and the known state.
+    /// Derivatives of the force after frequency-selective damping and of its state, over the force before it, w and the
+    /// known state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
 }
 
-/// What moves the force of the valves, in one direction.
+/// Derivatives of the inputs of the valve force in one direction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moves {
     pub curve: f64,
@@ -136,7 +138,8 @@ pub(crate) struct Moves {
     pub w: f64,
     pub x: f64,
     pub rise: f64,
-    /// The known part of where the valve stands, and the height of the FV curve where that was read for it.
+    /// The known part of the valve's position, and the force of the FV curve at the velocities that the valve
+    /// evaluates.
     pub valve: f64,
     pub read: [f64; 2],
     pub selective: f64,
@@ -163,8 +166,10 @@ impl Valves {
         selective_by: [0.0; 3],
     };
 
-    /// From the `known` states and the force and velocity that the stage tries. `since` is the time over which a late valve is
-    /// taken, `raised` by how much it raised the force when it was solved last; `leaks` where there is an oil column.
+    /// Computes the valve force from the `known` states and the force and velocity of the current iteration.
+    ///
+    /// `since` is the time over which a lagging valve is advanced. `raised` is the factor by which it raised the force
+    /// in the previous solution. `leaks` is true with an oil column.
     #[inline(always)]
     pub fn stage<const ON: u32>(
         e: &Paths<impl Tables>,
@@ -178,7 +183,7 @@ impl Valves {
         let above = curve - standing;
         let [on_stroke, by_x] = factors.strokes[usize::from(above >= 0.0)];
         let [fade, by_rise] = factors.fade;
-        // The laminar part alone fades: see the element.
+        // Only the laminar part fades: see the element.
         let placed = on_stroke * above;
         let laminar = if acts::<ON>(e, FADE) { e.temperature_fade.laminar(placed) } else { 1.0 };
         let faded = 1.0 + (fade - 1.0) * laminar;
@@ -227,7 +232,7 @@ impl Valves {
         valves
     }
 
-    /// What the force, where the valve stands and the state of frequency-selective damping become in a direction.
+    /// Returns the derivatives of the force, of the valve's position and of the state of frequency-selective damping.
     #[inline(always)]
     pub fn along<const ON: u32>(&self, e: &Paths<impl Tables>, by: &Moves, leaks: bool) -> [f64; 3] {
         let [factor, by_x, by_rise] = self.scaled_by;
@@ -260,20 +265,20 @@ impl Valves {
     }
 }
 
-/// The oil column as air in line with oil, on the side of a force or deflection, and the oil's compliance.
+/// Returns the oil column on the side of a force or deflection: air in series with oil, and the oil's compliance.
 #[inline(always)]
 fn column(e: &Paths<impl Tables>, side: f64) -> (SoftGap, f64) {
     (e.aeration.under(side), e.oil_compressibility.compliance(side))
 }
 
-/// q(F_h).
+/// Computes the deflection q(F_h).
 #[inline(always)]
 pub fn deflection<R: Real>(e: &Paths<impl Tables>, force: R) -> R {
     let (air, compliance) = column(e, force.value());
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
-/// The state of an oil column under a force.
+/// Computes the state of an oil column under a force.
 ///
 /// It is its deflection or, with two chambers whose length changes, the part of the piston's stroke that it has
 /// absorbed.
@@ -282,7 +287,7 @@ pub(crate) fn column_state(e: &Paths<impl Tables>, x: f64, force: f64) -> f64 {
     if e.counts_stroke() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
-/// F_h = φ_o(q) of a column in a state, and q.
+/// Computes F_h = φ_o(q) of a column in a state, and q.
 #[inline(always)]
 pub fn column_force<R: Real>(e: &Paths<impl Tables>, x: R, state: R) -> (R, R) {
     let q = if e.counts_stroke() { e.oil_compressibility.deflection(x, state) } else { state };
@@ -290,7 +295,8 @@ pub fn column_force<R: Real>(e: &Paths<impl Tables>, x: R, state: R) -> (R, R) {
     (air.force(R::constant(1.0 / compliance), q).0, q)
 }
 
-/// The rate of the state of a column of which so much is `pressed` in, u − w, while the driven end moves at v.
+/// Computes the state derivative of a column that absorbs the velocity `pressed`, u − w, while the moving end has
+/// velocity v.
 #[inline(always)]
 pub fn column_rate<R: Real>(e: &Paths<impl Tables>, [x, v]: [R; 2], deflection: R, pressed: R) -> R {
     if e.counts_stroke() {
@@ -302,30 +308,31 @@ pub fn column_rate<R: Real>(e: &Paths<impl Tables>, [x, v]: [R; 2], deflection: 
 /// The oil column after an implicit stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Column {
-    /// Its state, and the derivatives of that over F_h and the displacement.
+    /// State of the column, and its derivatives over F_h and the displacement.
     pub state: f64,
     pub by_force: f64,
     pub d_state_d_x: f64,
-    /// Its contribution to u − w, times g, and the derivatives of that.
+    /// Contribution of the column to u − w, times g, and its derivatives.
     ///
-    /// They are over F_h, the known part of the state, the displacement, and the displacement from which the stage
-    /// moves the moving end.
+    /// They are over F_h, the known part of the state, the displacement, and the displacement of the moving end before
+    /// the stage.
     pub change: f64,
     pub change_by: [f64; 4],
 }
 
 impl Column {
-    /// None.
+    /// The value without a column.
     pub const NONE: Column = Column { state: 0.0, by_force: 0.0, d_state_d_x: 0.0, change: 0.0, change_by: [0.0; 4] };
 
-    /// Under a force, from the `known` part of its state. In all three kinds of column u − w rises with the force:
+    /// Computes the column under a force, from the `known` part of its state. In all three kinds u − w rises with the
+    /// force:
     ///
     /// ```text
     /// q − Q = g (u − w),   ℓ(x) (q − Q) = g (u − w),   s(X, q) − S = g (u − w)
     /// ```
     ///
-    /// The last, of two chambers, is the stage of ds/dt = u − w + v ∂s/∂x, whose last term is taken as s(x) − s(X), where the
-    /// stage moves the driven end `from` X to x.
+    /// The last kind has two chambers. It is the stage of ds/dt = u − w + v ∂s/∂x. Its last term is discretized as s(x)
+    /// − s(X), where the moving end goes `from` X to x.
     #[inline(always)]
     pub fn stage<const ON: u32>(e: &Paths<impl Tables>, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
         let (air, compliance) = column(e, force);

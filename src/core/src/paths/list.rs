@@ -1,16 +1,16 @@
-//! The one list of the elements in the way of the force.
+//! The list of the elements in the force path.
 //!
-//! - `primary` (the FV curve) and `series` (the compliance with its mass) make the frame that the others act in;
-//! - `series_law`: bends the law of the series compliance (see [`super::series`]);
+//! - `primary` (the FV curve) and `series` (the compliance with its mass) are the frame in which the others act;
+//! - `series_law`: changes the force law of the series compliance (see [`super::series`]);
 //! - `hydraulic`: between the internal mass and the FV curve (see [`super::hydraulic`]);
-//! - `late`: the last of these, which keeps a large table.
+//! - `late`: the last hydraulic element, which contains a large table.
 //!
-//! `T` stands for whoever keeps the tables of an element ([`crate::tables`]): who calls the list has it in scope.
+//! `T` is the owner of an element's tables ([`crate::tables`]); it must be in scope where the list is expanded.
 //!
-//! What they need of each other is said in this folder: which states they have and where those are kept ([`super::slots`]), which of them act in a
-//! stage ([`super::acting`]), and what one gives another ([`super::Paths::join`]).
+//! This folder also defines how the elements depend on each other: their states ([`super::slots`]), the elements that
+//! act in a stage ([`super::acting`]), and the data that one passes to another ([`super::Paths::join`]).
 
-/// Calls the macro `then!` with the list, and with what comes behind it.
+/// Calls the macro `then!` with the list and the tokens that follow the name.
 macro_rules! each_path_element {
     ($then:ident $($behind:tt)*) => {
         $then! {

@@ -8,12 +8,12 @@
 //! F_h = N(s F_d(w)) = φ_o(q),   u = w + b + ℓ dq/dt + σ de/dt       [hydraulic]
 //! ```
 //!
-//! φ is the elastic law and χ the share of its contacts that is closed, 1 without free play; b flows past the valves and ℓ
-//! is the length of the oil column, 1 in the middle of the stroke. Where the series path carries the whole force, friction
-//! and gas pull at the mass beside F_p.
+//! φ is the elastic law. χ is the closed fraction of its contacts, 1 without free play. b is the flow past the valves.
+//! ℓ is the length of the oil column, 1 in the middle of the stroke. If the series path carries the whole force,
+//! friction and gas act on the mass in addition to F_p.
 //!
-//! With no element of either path on, φ is straight, w = u and F_h = F_d(u): the plain step of [`crate::step`] and the
-//! short formulas of [`crate::evaluate`] then do, and nothing here is called.
+//! With no element of either path on, φ is linear, w = u and F_h = F_d(u). The plain step of [`crate::step`] and the
+//! short formulas of [`crate::evaluate`] then apply, and no code of this module runs.
 
 pub mod acting;
 pub mod bits;
@@ -48,7 +48,7 @@ macro_rules! gathered {
         hydraulic { $($hydraulic:ident: $Hydraulic:ty,)* }
         late { $late:ident: $Late:ty }
     ) => {
-        /// The prepared elements in the way of the force.
+        /// The prepared elements in the force path.
         #[derive(Clone, Copy, Debug)]
         #[repr(C)]
         pub struct Paths<T: Tables = Owned> {
@@ -60,14 +60,14 @@ macro_rules! gathered {
             $(pub(crate) $law: T::Kept<$Law>,)*
             $(pub(crate) $hydraulic: T::Kept<$Hydraulic>,)*
             pub(crate) $late: $Late,
-            /// Where the states are kept.
+            /// Indices of the states among the internal states.
             slots: Slots,
-            /// What acts in a stage.
+            /// Elements that act in a stage, as bits.
             acting: u32,
         }
 
         impl Paths {
-            /// No element.
+            /// The value without elements.
             pub const OFF: Paths = {
                 type T = Owned;
                 Paths {
@@ -82,15 +82,16 @@ macro_rules! gathered {
                 }
             };
 
-            /// Those beside the FV curve and a straight series spring: where one of them is on, the plain step does not do.
+            /// Elements other than the FV curve and a linear series spring: with one of them on, the plain step does
+            /// not apply.
             pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)* | 1 << Place::$late as usize;
             /// The series compliance.
             pub(crate) const MASS: u64 = 1 << Place::$series as usize;
 
-            /// Whether the elements that are on can be prepared, one by one.
+            /// Checks whether the elements that are on can be prepared, one by one.
             ///
             /// # Errors
-            /// The parameter that does not fit.
+            /// Returns the parameter at fault.
             pub(crate) fn check(params: &Params) -> Result<(), Fault> {
                 type T = Owned;
                 macro_rules! each {
@@ -108,10 +109,10 @@ macro_rules! gathered {
                 Ok(())
             }
 
-            /// Whether what the elements that are on need of each other is there.
+            /// Checks whether every element that is on has the other elements that it requires.
             ///
             /// # Errors
-            /// The element that lacks it.
+            /// Returns the element that lacks another.
             pub(crate) fn check_together(params: &Params) -> Result<(), Fault> {
                 if params.elements() & Paths::<Owned>::MASS == 0 {
                     $(if params.elements() & (1 << Place::$law as usize) != 0 {
@@ -121,7 +122,7 @@ macro_rules! gathered {
                 Ok(())
             }
 
-            /// Prepares the elements that are on, where they are kept, from a set that [`Paths::check`] accepted.
+            /// Prepares in place the elements that are on, from a set that [`Paths::check`] accepted.
             pub(crate) fn set(&mut self, params: &Params) {
                 let on = params.elements();
                 self.on = on;
@@ -139,7 +140,7 @@ macro_rules! gathered {
                 self.slots = self.laid_out();
             }
 
-            /// The elements at a setting: see [`crate::assembly::Elements::lent`].
+            /// Returns the elements at a setting: see [`crate::assembly::Elements::lent`].
             #[inline(always)]
             pub(crate) fn lent<'a>(
                 &'a self,
@@ -166,7 +167,7 @@ macro_rules! gathered {
             }
         }
 
-        /// Elements of the paths that were made ready for a setting.
+        /// Elements of the paths that were prepared again for a setting.
         pub(crate) struct RenewedPaths {
             $series: Option<$Series>,
             $($law: Option<$Law>,)*
@@ -174,7 +175,7 @@ macro_rules! gathered {
         }
 
         impl RenewedPaths {
-            /// None. No constant, which would be copied whole.
+            /// Returns the value without elements. It is a function, because a constant would be copied whole.
             #[inline(always)]
             pub(crate) fn none() -> RenewedPaths {
                 RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* }
@@ -192,15 +193,15 @@ macro_rules! gathered {
 
 each_path_element!(gathered);
 
-/// What they are asked for.
+/// Predicates of the elements, and indices of their states.
 impl<T: Tables> Paths<T> {
-    /// Whether the series compliance is on: without it the internal mass is the driven end.
+    /// Returns whether the series compliance is on: without it the internal mass moves with the moving end.
     #[inline(always)]
     pub fn has_series(&self) -> bool {
         self.on & Paths::<Owned>::MASS != 0
     }
 
-    /// Whether friction and preload act on the internal mass, behind the series compliance.
+    /// Returns whether friction and preload act on the internal mass, behind the series compliance.
     #[inline(always)]
     pub fn carries_whole(&self) -> bool {
         self.has_series() && self.series_compliance.carries_whole
@@ -216,7 +217,7 @@ impl<T: Tables> Paths<T> {
         self.has(Place::bushing)
     }
 
-    /// Whether a part of the bushing gives way slowly.
+    /// Returns whether a part of the bushing relaxes slowly.
     #[inline(always)]
     pub(crate) fn has_slow_bushing(&self) -> bool {
         self.has_bushing() && self.bushing.slow_share > 0.0
@@ -232,13 +233,13 @@ impl<T: Tables> Paths<T> {
         self.has(Place::position_dependent_damping) && !self.position_dependent_damping.is_groove
     }
 
-    /// Whether position-dependent damping is a flow beside the valves.
+    /// Returns whether position-dependent damping is a flow that bypasses the valves.
     #[inline(always)]
     pub(crate) fn has_groove(&self) -> bool {
         self.has(Place::position_dependent_damping) && self.position_dependent_damping.is_groove
     }
 
-    /// Whether frequency-selective damping is a flow beside the valves.
+    /// Returns whether frequency-selective damping is a flow that bypasses the valves.
     #[inline(always)]
     pub(crate) fn has_passage(&self) -> bool {
         self.has(Place::frequency_selective_damping) && self.frequency_selective_damping.is_bypass
@@ -259,25 +260,25 @@ impl<T: Tables> Paths<T> {
         self.has(Place::valve_hysteresis)
     }
 
-    /// Whether the valve has mass.
+    /// Returns whether the valve has mass.
     #[inline(always)]
     pub(crate) fn has_spool(&self) -> bool {
         self.has_valve() && self.valve_hysteresis.is_spool()
     }
 
-    /// Whether there is an oil column that yields.
+    /// Returns whether there is a compliant oil column.
     #[inline(always)]
     pub(crate) fn has_column(&self) -> bool {
         self.has(Place::oil_compressibility) || self.has(Place::aeration)
     }
 
-    /// Whether the oil column is shorter at one end of the stroke than at the other.
+    /// Returns whether the length of the oil column depends on the displacement.
     #[inline(always)]
     pub(crate) fn has_length(&self) -> bool {
         self.has(Place::oil_compressibility) && self.oil_compressibility.has_length()
     }
 
-    /// Whether the state of its oil column is what that has taken up of the piston's stroke, and not its deflection.
+    /// Returns whether the state of the oil column is the absorbed part of the piston's stroke, and not its deflection.
     #[inline(always)]
     pub(crate) fn counts_stroke(&self) -> bool {
         self.has(Place::oil_compressibility) && self.oil_compressibility.counts_stroke()
@@ -288,22 +289,22 @@ impl<T: Tables> Paths<T> {
         self.has(Place::aeration)
     }
 
-    /// What acts in a stage: bits of [`bits`].
+    /// Returns the elements that act in a stage: bits of [`bits`].
     #[inline(always)]
     pub(crate) fn acting(&self) -> u32 {
         self.acting
     }
 
-    /// Where the states are kept.
+    /// Returns the indices of the states among the internal states.
     #[inline(always)]
     pub(crate) fn slots(&self) -> &Slots {
         &self.slots
     }
 }
 
-/// What they need of each other.
+/// Data that the elements pass to each other.
 impl Paths {
-    /// Gives one element what another one brings along: a late valve, the FV curve.
+    /// Passes one element's data to another: the FV curve to a lagging valve.
     pub(crate) fn join(&mut self) {
         if self.has_valve() {
             self.valve_hysteresis.join(&self.fv_curve);
@@ -312,7 +313,7 @@ impl Paths {
 }
 
 impl<T: Tables> Paths<T> {
-    /// Those that are on, as bits.
+    /// Returns the elements that are on, as bits.
     fn bits(&self) -> u32 {
         let mut acting = 0;
         for (bit, on) in [
@@ -341,7 +342,7 @@ impl<T: Tables> Paths<T> {
         acting
     }
 
-    /// Where the states of those that are on are kept.
+    /// Assigns indices to the states of the elements that are on.
     fn laid_out(&self) -> Slots {
         let mut on = [false; STATES];
         on[place::BUSHING] = self.has_bushing();
@@ -355,7 +356,7 @@ impl<T: Tables> Paths<T> {
         Slots::new(on)
     }
 
-    /// Name and unit of the private state at a place.
+    /// Returns name and unit of the internal state at a place.
     pub fn state_name(&self, place: usize) -> (&'static str, &'static str) {
         match place {
             place::X => ("internal_mass", "m"),

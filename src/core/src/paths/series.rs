@@ -1,4 +1,4 @@
-//! The series path: what pulls at the internal mass.
+//! The series path: its force on the internal mass.
 
 use super::Paths;
 use super::acting::acts;
@@ -6,7 +6,7 @@ use super::bits::{ANY, BUSHING, FREE_PLAY};
 use crate::dual::{Dual, Real};
 use crate::tables::Tables;
 
-/// The series spring and damper, as numbers that may be differentiated by.
+/// The series spring, damper and mass, as numbers with respect to which the force can be differentiated.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<R> {
     /// k_s.
@@ -18,7 +18,7 @@ pub struct Frame<R> {
 }
 
 impl<R: Real> Frame<R> {
-    /// That of the model.
+    /// Returns the frame of the model.
     #[inline(always)]
     pub fn new(e: &Paths<impl Tables>) -> Frame<R> {
         let s = &e.series_compliance;
@@ -26,7 +26,7 @@ impl<R: Real> Frame<R> {
     }
 }
 
-/// The elastic force φ and its derivative φ' at a deflection, and the share of the contact that is closed, from 0 to 1.
+/// Computes the elastic force φ, its derivative φ', and the closed fraction of the contact, from 0 to 1.
 #[inline(always)]
 fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflection: R) -> (R, R, R) {
     let (mut force, mut derivative, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
@@ -40,7 +40,7 @@ fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflect
     (force, derivative, closed)
 }
 
-/// F_s at a deflection, its rate, and the deflections of what gives way in a bushing.
+/// Computes F_s from a deflection, its rate, and the relaxing deflections of a bushing.
 #[inline(always)]
 pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, rate: R, relaxing: [R; 2]) -> R {
     let (elastic, _, closed) = elastic::<ANY, _>(e, frame.stiffness, deflection);
@@ -56,7 +56,7 @@ pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, r
 pub(crate) struct Derivatived {
     /// F_s.
     pub force: f64,
-    /// Over deflection, its rate, (k_1 z + k_2 y)/k_s, k_s and c_s.
+    /// Derivatives over deflection, its rate, (k_1 z + k_2 y)/k_s, k_s and c_s.
     pub by_deflection: f64,
     pub by_rate: f64,
     pub by_relaxing: f64,
@@ -65,7 +65,7 @@ pub(crate) struct Derivatived {
 }
 
 impl Derivatived {
-    /// Where there is no series path.
+    /// The value without a series path.
     pub const NONE: Derivatived = Derivatived {
         force: 0.0,
         by_deflection: 0.0,
@@ -76,7 +76,7 @@ impl Derivatived {
     };
 }
 
-/// Force of the series path in a stage.
+/// Computes the force of the series path in a stage, with its derivatives.
 #[inline(always)]
 pub(crate) fn with_derivatives<const ON: u32>(
     e: &Paths<impl Tables>,
@@ -109,13 +109,13 @@ pub(crate) fn with_derivatives<const ON: u32>(
     s
 }
 
-/// The elastic force and its derivative, for the static answer.
+/// Computes the elastic force and its derivative for the equilibrium.
 pub fn static_force(e: &Paths<impl Tables>, deflection: f64) -> (f64, f64) {
     let (force, derivative, _) = elastic::<ANY, _>(e, e.series_compliance.stiffness, deflection);
     (force, derivative)
 }
 
-/// Most that the path yields to a force.
+/// Returns the largest deflection of the path under a force.
 pub fn furthest(e: &Paths<impl Tables>, force: f64) -> f64 {
     let gap = if e.has_free_play() { e.free_play.furthest() } else { 0.0 };
     force.abs() / e.series_compliance.stiffness + gap

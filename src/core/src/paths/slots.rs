@@ -1,41 +1,40 @@
-//! The states that act on each other: their places among themselves, and where they are kept.
+//! The coupled states: their places among themselves, and their indices among the internal states.
 
 use crate::parameter::Params;
 use crate::state::{MAX_INTERNAL, State};
 use crate::{element, number};
 
-/// Number of states that act on each other.
+/// Number of coupled states.
 pub const STATES: usize = 10;
 
-/// Places of the states among them.
+/// Places of the coupled states.
 pub mod place {
     /// Displacement of the internal mass.
     pub const X: usize = 0;
-    /// Its velocity.
+    /// Velocity of the internal mass.
     pub const U: usize = 1;
-    /// Deflection of the bushing's spring that gives way, z.
+    /// Deflection of the bushing's relaxing spring, z.
     pub const BUSHING: usize = 2;
-    /// Of the one that does so slowly, y.
+    /// Deflection of the bushing's slowly relaxing spring, y.
     pub const SLOW_BUSHING: usize = 3;
-    /// What the oil column has taken up of the piston's stroke, s: its deflection q where its length does not matter.
+    /// Part of the piston's stroke that the oil column has absorbed, s. Its deflection q if its length does not matter.
     pub const COLUMN: usize = 4;
-    /// The void that cavitation left, e.
+    /// Length of the void that cavitation leaves, e.
     pub const VOID: usize = 5;
-    /// Frequency-selective damping.
+    /// State of frequency-selective damping.
     pub const SELECTIVE: usize = 6;
-    /// Opening of the valve, or the force at which it stands.
+    /// Opening of the valve, or the force at its position.
     pub const VALVE: usize = 7;
-    /// Rate of that, in its own unit.
+    /// Time derivative of the valve's state, in its own unit.
     pub const VALVE_RATE: usize = 8;
     /// Rise of the oil's temperature.
     pub const HEAT: usize = 9;
 }
 
-/// Where the private states among them are kept in [`State::memory`]: one after the other, those of elements that are
-/// on only.
+/// Indices of the coupled states in [`State::internal`], consecutive and only for elements that are on.
 #[derive(Clone, Copy, Debug)]
 pub struct Slots {
-    /// For each place its slot; [`NOWHERE`] where its element is off.
+    /// Index for each place; [`NOWHERE`] if its element is off.
     slots: [u8; STATES],
     count: u8,
 }
@@ -43,10 +42,10 @@ pub struct Slots {
 const NOWHERE: u8 = u8::MAX;
 
 impl Slots {
-    /// No private states.
+    /// The value without internal states.
     pub const NONE: Slots = Slots { slots: [NOWHERE; STATES], count: 0 };
 
-    /// Gives each place that is `on` the next slot.
+    /// Assigns the next index to each place that is `on`.
     pub fn new(on: [bool; STATES]) -> Slots {
         let mut slots = Slots::NONE;
         for (slot, on) in slots.slots.iter_mut().zip(on) {
@@ -58,13 +57,13 @@ impl Slots {
         slots
     }
 
-    /// Number of private states.
+    /// Returns the number of internal states.
     #[inline(always)]
     pub fn count(&self) -> usize {
         self.count as usize
     }
 
-    /// The slot of a place, if it has one.
+    /// Returns the index of a place, if it has one.
     #[inline(always)]
     pub fn slot(&self, place: usize) -> Option<usize> {
         match self.slots.get(place) {
@@ -73,7 +72,7 @@ impl Slots {
         }
     }
 
-    /// The states of the paths; 0 where there is none.
+    /// Reads the states of the paths; 0 for a missing state.
     pub fn read(&self, state: &State) -> [f64; STATES] {
         let mut states = [0.0; STATES];
         for (place, value) in states.iter_mut().enumerate() {
@@ -86,7 +85,7 @@ impl Slots {
         states
     }
 
-    /// Puts the states of the paths where they are kept.
+    /// Writes the states of the paths to a state.
     pub fn write(&self, states: &[f64; STATES], state: &mut State) {
         for (place, value) in states.iter().enumerate() {
             match place {
@@ -101,7 +100,7 @@ impl Slots {
         }
     }
 
-    /// Index among the states of [`crate::Partials`].
+    /// Returns the index among the states of [`crate::Partials`].
     pub fn index(&self, place: usize) -> Option<usize> {
         match place {
             place::X | place::U => Some(place),
@@ -110,8 +109,8 @@ impl Slots {
     }
 }
 
-/// Number of internal states of the elements in both force paths that are on in a parameter set, counted before they
-/// are prepared.
+/// Returns the number of internal states of the elements in both force paths that are on in a parameter set. It counts
+/// them before they are prepared.
 pub(crate) fn states_of(params: &Params) -> usize {
     let on = |element| usize::from(params.is_on(element));
     let with = |element, number, of: fn(f64) -> bool| usize::from(params.is_on(element) && of(params.number(number)));

@@ -1,34 +1,36 @@
-//! The one scalar equation of a stage or an instant: which velocity w of the oil answers R(w, F_d(w)) = 0.
+//! The scalar equation of a stage or an instant: the oil velocity w with R(w, F_d(w)) = 0.
 
 use super::Paths;
 use crate::curve::Value;
 use crate::tables::{ForceLaw, Tables};
 
-/// Most rounds; two are common. Past [`PATIENCE`] every other one takes four tenths of what is left at least, so that the
-/// bracket has shrunk by nine orders when they end.
+/// Largest number of iterations; two are common. After [`PATIENCE`] of them, every other one shortens the bracket by at
+/// least four tenths. At the end it has therefore shrunk by nine orders of magnitude.
 pub const ITERATIONS: usize = 96;
-/// Householder steps inside a piece of the FV curve: the rounds mend what they leave.
+/// Householder steps inside a piece of the FV curve: the iterations correct their error.
 const STEPS: usize = 2;
 
-/// Relative distance within which Newton's step is used, and in how many iterations at most.
+/// Relative step size up to which Newton's step is used, and the largest number of iterations with such steps.
 ///
-/// Beyond them the steps oscillate, and every other one halves the bracket.
+/// After that number the steps probably oscillate, and every other iteration bisects the bracket.
 const NEAR: f64 = 1e-2;
 const PATIENCE: usize = 12;
-/// Rounds after which steps across standstill stop there.
+/// Number of iterations after which a step across standstill ends at standstill.
 const REST: usize = 3;
-/// Relative step at which Newton's method has begun to settle.
+/// Relative step below which Newton's method converges quadratically.
 const SETTLED: f64 = 1e-4;
 
-/// What R may leave for the straight step, as a relative change of the velocity of the mass alone. Where the curve is steep and
-/// the oil behind it soft, a hardly visible step in w is a long one of the mass: straight on over a knee it would throw it.
+/// Largest R at which the last step is linear, as a relative change of the velocity of the mass alone.
+///
+/// With a steep curve and soft oil, a small step in w is a large step of the mass. A linear step across a knee would
+/// then cause a large error.
 const STRAIGHT: f64 = 1e-4;
 
-/// Most halves of the velocity in which the middle of a bracket is sought: as many as its digits tell apart. So many are taken
-/// only where the curve rises by half the bracket within rounding.
+/// Largest number of bisections of the velocity for the middle of a bracket: the number of its binary digits. It needs
+/// all of them only if the curve rises by half the bracket within rounding.
 const HALVES: usize = 64;
 
-/// Share of the derivative by which a step was found that has to be the equation's own for the straight step to be taken.
+/// Smallest ratio of the equation's own derivative to the one used, at which the last linear step is accepted.
 const OWN: f64 = 0.5;
 
 /// R and its derivatives over w and over F_d.
@@ -42,11 +44,11 @@ pub struct Residual {
     pub by_curve: f64,
 }
 
-/// R, and what else is found on the way to it.
+/// An equation R and the further results of its evaluation.
 pub trait Equation {
-    /// What is found beside R.
+    /// Further results of an evaluation.
     type Seen;
-    /// R at a velocity and the force of the FV curve there; puts what is found beside it where that is kept.
+    /// Evaluates R at a velocity and the force of the FV curve there; stores the further results in `seen`.
     fn evaluate(&self, w: f64, curve: f64, seen: &mut Self::Seen) -> Residual;
 }
 
@@ -58,18 +60,18 @@ impl<F: Fn(f64, f64) -> Residual> Equation for F {
     }
 }
 
-/// The answer: R was looked at beside it, and `step` leads from there to it.
+/// The solution as the last evaluated velocity and the remaining `step`.
 pub struct Found {
-    /// Where R was looked at last.
+    /// Velocity of the last evaluation of R.
     pub w: f64,
-    /// What is left to the answer, so short that all goes straight.
+    /// Remaining step to the solution, short enough to be linear.
     pub step: f64,
-    /// The FV curve there.
+    /// The FV curve at `w`.
     pub curve: Value,
 }
 
 impl Found {
-    /// w.
+    /// Returns the solution w.
     pub fn root(&self) -> f64 {
         self.w + self.step
     }
@@ -82,20 +84,21 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess in at most so many iterations ([`ITERATIONS`]; with none the guess is the root).
+/// Finds w from a guess in at most `rounds` iterations ([`ITERATIONS`]); with 0 of them the guess is the root.
 ///
-/// Leaves in `seen` the result of the last evaluation of R. `tolerance` is the relative size of the last step: its
-/// error is of its square.
+/// Leaves in `seen` the result of the last evaluation of R. `tolerance` is the relative size of the last step; the
+/// remaining error is about the square of this step.
 ///
-/// In each round R is linearised in w and f apart; the FV curve then answers a w + F_d(w) = r, knees and all. R rises
-/// with both (where rounding or a switching element has it otherwise the derivatives `least` stand in), so the answer of each
-/// round lies on the right side of the last, and a bracket closes over those that do not settle.
+/// Each iteration linearizes R in w and f separately; the FV curve then solves a w + F_d(w) = r with all its knees. R
+/// rises with both. If rounding or a switching element makes it fall, the derivatives `least` are used instead. Each
+/// solution therefore lies on the correct side of the previous one, and a bracket closes where the iterations do not
+/// converge.
 ///
-/// # Why it always ends at an answer
-/// R is continuous and changes its sign: it follows the velocity of the mass (or the piston), which without end follows w.
-/// Steps that do not settle are replaced by halves of the bracket, in the measure a w + F_d(w) in which neither a steep nor a
-/// level piece of the curve is long. No answer leaves the bracket: the straight step that is left at the end is held
-/// inside, so that a derivative is never carried beyond the places where R was looked at.
+/// # Convergence
+/// R is continuous and changes its sign: it follows the velocity of the mass (or the piston), which grows with w
+/// without bound. Steps that do not converge are replaced by bisections of the bracket. They use the measure a w +
+/// F_d(w), in which neither a steep nor a level piece of the curve is long. No iterate leaves the bracket. The last
+/// linear step also stays inside it, so that no derivative is extrapolated beyond the evaluated velocities.
 #[inline(always)]
 pub fn oil_velocity<Q: Equation>(
     e: &Paths<impl Tables>,
@@ -118,13 +121,14 @@ pub fn oil_velocity<Q: Equation>(
         let by_curve = if r.by_curve > least[1] { r.by_curve } else { least[1] };
         let step = -r.value / (by_w + by_curve * curve.derivative);
         let (size, scale) = (step.abs(), 1e-3 + w.abs());
-        // Newton's steps shrink by their squares, so the next would be about step³/last².
+        // Newton steps decrease quadratically, so the next would be about step³/last².
         let short = r.value.abs() <= STRAIGHT * scale * by_w;
         let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
         if short && (size <= tolerance * scale || settled) || round == rounds {
             let inside = w + step > low.w && w + step < high.w;
-            // Only where the equation's own derivatives lead: where it falls, as behind a friction that falls with speed, those that
-            // stand in for them have all else that goes straight on by that step thrown far off.
+            // Accept the step only with the equation's own derivatives. Where R falls, as with friction that decreases
+            // with speed, the substitute derivatives are used. A linear step of the other quantities by that step would
+            // be far wrong.
             let own = r.by_w + r.by_curve * curve.derivative > OWN * (by_w + by_curve * curve.derivative);
             let step = if inside && own && round < rounds { step } else { 0.0 };
             return Found { w, step, curve };
@@ -138,11 +142,12 @@ pub fn oil_velocity<Q: Equation>(
         let newton = w + step;
         let mut next = newton;
         let a = by_w / by_curve;
-        // Beside the answer, where the curve was solved as well as its own steps can, Newton's step is closer.
+        // Near the solution, where the error of the curve's own steps matters, Newton's step is more accurate.
         if round >= PATIENCE || size > NEAR * scale {
             (next, _) = e.fv_curve.solve::<STEPS>(a, a * w + curve.value - r.value / by_curve);
         }
-        // The laws of air and valves are steepest at rest and level out to both sides: from there the steps do not swing.
+        // The laws of air and valves are steepest at rest and flatten on both sides, so steps from there do not
+        // oscillate.
         if round >= REST && next * w < 0.0 {
             next = 0.0;
         }
@@ -156,7 +161,7 @@ pub fn oil_velocity<Q: Equation>(
     }
 }
 
-/// The middle of a bracket; while one end is open, twice as far out in every round.
+/// Returns the middle of a bracket; with one end open, a point twice as far out in every iteration.
 #[cold]
 #[inline(never)]
 fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {
@@ -168,10 +173,10 @@ fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round
     }
 }
 
-/// Where the measure a w + F_d(w) is in the middle of a bracket, within a tenth of it.
+/// Finds the velocity at which the measure a w + F_d(w) is in the middle of a bracket, within a tenth of it.
 ///
-/// The curve's own steps do not lead there in a piece that is level at one end and a thousand times steeper than a in the
-/// mean, and a middle that lies at the same end in every round closes no bracket.
+/// The curve's own steps fail in a piece that is level at one end but on average a thousand times steeper than a. A
+/// middle that lies at the same end in every iteration closes no bracket.
 fn middle(e: &Paths<impl Tables>, a: f64, low: End, high: End) -> f64 {
     let sum = a * (low.w + high.w) + low.curve + high.curve;
     let near = 0.2 * (a * (high.w - low.w) + (high.curve - low.curve));

@@ -1,6 +1,6 @@
-//! Whether a row holds a number or a list, as a type.
+//! Types for the kind of a row: number or list.
 
-/// What kind of row an id stands for.
+/// Kind of the row of an identifier.
 pub trait Kind: Copy + 'static {
     /// Whether it holds a list.
     const IS_LIST: bool;
@@ -22,10 +22,10 @@ impl Kind for Many {
     const IS_LIST: bool = true;
 }
 
-/// What the compiler says of a row that holds something else.
+/// Compiler message for a row of the other kind.
 pub(crate) const OTHER_KIND: &str = "this parameter is a list where a number is meant, or the reverse";
 
-/// Whether two names are the same, where `==` cannot be asked yet: in constants.
+/// Returns whether two names are equal, for constants, where `==` is not available yet.
 pub(crate) const fn same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     if a.len() != b.len() {

@@ -1,4 +1,4 @@
-//! An element's own rows by their names, and what it sees of a parameter set.
+//! Access of an element to its own rows by name, and its view of a parameter set.
 
 use core::marker::PhantomData;
 
@@ -8,7 +8,7 @@ use crate::schema::{Describe, Parameter};
 
 /// A parameter of the element `E`, looked up at compile time.
 ///
-/// A parameter of another element, or a list where a number is meant, does not compile.
+/// A parameter of another element, or a list instead of a number, does not compile.
 ///
 /// ```
 /// # use dashpot_core::schema::{Describe, Own, Parameter, kind::One};
@@ -45,9 +45,9 @@ use crate::schema::{Describe, Parameter};
 /// const LENGTH: Own<Rope, Many> = Own::named("rope_length");
 /// ```
 pub struct Own<E, K> {
-    /// Place among the rows of the element.
+    /// Index among the rows of the element.
     local: usize,
-    /// Place of its first value among theirs.
+    /// Index of its first value among those of the element.
     slot: usize,
     parameter: &'static Parameter,
     kind: PhantomData<fn() -> (E, K)>,
@@ -62,7 +62,7 @@ impl<E, K> Clone for Own<E, K> {
 impl<E, K> Copy for Own<E, K> {}
 
 impl<E: Describe, K: Kind> Own<E, K> {
-    /// The row called `name`. For constants: where the element has no such row, there is no program.
+    /// Finds the row called `name`. For constants: if the element has no such row, the program does not compile.
     pub const fn named(name: &str) -> Own<E, K> {
         let (mut local, mut slot) = (0, 0);
         while local < E::PARAMETERS.len() {
@@ -77,7 +77,7 @@ impl<E: Describe, K: Kind> Own<E, K> {
     }
 }
 
-/// The row of that name of the element whose [`View`] is asked.
+/// Finds a row of the element by name, for its [`View`].
 macro_rules! own {
     ($name:literal) => {
         const { $crate::schema::Own::named($name) }
@@ -85,41 +85,41 @@ macro_rules! own {
 }
 pub(crate) use own;
 
-/// What an element sees of a parameter set when it prepares itself: its own rows.
+/// View of an element on a parameter set when it prepares itself: its own rows.
 pub struct View<'a, E> {
-    /// Place of its first row in the table: what a fault names.
+    /// Index of its first row in the table, for faults.
     first: usize,
-    /// How many values each of its rows has.
+    /// Number of values of each of its rows.
     lengths: &'a [u32],
-    /// The values, each row beginning where its room does.
+    /// The values; each row starts at its slot.
     values: &'a [f64],
     owner: PhantomData<fn() -> E>,
 }
 
 impl<'a, E: Describe> View<'a, E> {
-    /// The rows of `E`, of which the first stands at `first` in the table.
+    /// Makes a view of the rows of `E`, the first of which has the index `first` in the table.
     pub(crate) fn new(first: usize, lengths: &'a [u32], values: &'a [f64]) -> View<'a, E> {
         View { first, lengths, values, owner: PhantomData }
     }
 
-    /// The number in a row of the element.
+    /// Returns the number in a row of the element.
     pub fn number(&self, own: Own<E, One>) -> f64 {
         self.values.get(own.slot).copied().unwrap_or(0.0)
     }
 
-    /// The list in a row of the element.
+    /// Returns the list in a row of the element.
     pub fn list(&self, own: Own<E, Many>) -> &'a [f64] {
         let length = self.lengths.get(own.local).map_or(0, |l| *l as usize);
         let tail = self.values.get(own.slot..).unwrap_or(&[]);
         tail.get(..length.min(own.parameter.slots())).unwrap_or(&[])
     }
 
-    /// A fault that names a row of the element.
+    /// Makes a fault that names a row of the element.
     pub fn fault<K>(&self, own: Own<E, K>, reason: Reason) -> Fault {
         Fault { parameter: (self.first + own.local) as u16, reason }
     }
 
-    /// A fault that names the element by its first row.
+    /// Makes a fault that names the element by its first row.
     pub fn fault_of_all(&self, reason: Reason) -> Fault {
         Fault { parameter: self.first as u16, reason }
     }

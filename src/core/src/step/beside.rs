@@ -1,4 +1,4 @@
-//! The elements beside the damper in a step: those with a private state, and the stops.
+//! The parallel elements in a step: those with an internal state, and the stops.
 
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::assembly::Elements;
@@ -10,10 +10,10 @@ use crate::tables::Tables;
 
 /// Advances all internal states of parallel elements along the path.
 ///
-/// Returns the force of their elements and of the stops at its end, with its derivatives, and adds their components
-/// to `output`.
+/// Returns the force of these elements and of the stops at its end, with derivatives, and adds their components to
+/// `output`.
 ///
-/// Apart, so that a damper without such elements does not pay for them.
+/// Not inlined, so that a damper without such elements has no extra cost.
 #[inline(never)]
 pub(super) fn advance_extras(
     (method, substeps): (&Tableau, u32),
@@ -32,7 +32,7 @@ pub(super) fn advance_extras(
     extras.sum
 }
 
-/// The elements with memory of one step.
+/// Data of one step for the elements with an internal state.
 struct Extras<'a> {
     method: &'a Tableau,
     substeps: u32,
@@ -41,7 +41,7 @@ struct Extras<'a> {
     internal: &'a mut [f64; MAX_INTERNAL],
     output: &'a mut Output,
     derivatives: bool,
-    /// Whether those that may act on the mass do, and have been advanced with it.
+    /// Whether the elements that can act on the mass do so, and have already been advanced with it.
     on_mass: bool,
     sum: Response,
 }
@@ -67,10 +67,10 @@ impl StateVisitor for Extras<'_> {
     }
 }
 
-/// Advances one element's private state, driven by the known input motion.
+/// Advances the internal state of one element, driven by the known input motion.
 ///
-/// The rate is linearised in z once per stage: exact for a rate that is linear in its state. Without `derivatives` those over
-/// the end of the step are 0.
+/// The rate is linearized in z once per stage, which is exact for a rate linear in its state. Without `derivatives`
+/// those over the end of the step are 0.
 fn advance_state(
     method: &Tableau,
     substeps: u32,
@@ -110,7 +110,7 @@ fn advance_state(
             for (push, weight) in d_pushes.iter().zip(weights).take(i) {
                 d_known = pair(|k| d_known[k] + weight * push[k]);
             }
-            // Differentiated where the stage ends: there the rate depends on the input alone.
+            // Differentiate at the end of the stage, where the rate depends on the input alone.
             let response = element.evaluate(&at, now);
             for k in 0..2 {
                 let drive = response.d_rate_d_x * point.x_by_end[k] + response.d_rate_d_v * point.v_by_end[k];
@@ -133,7 +133,7 @@ mod tests {
     use crate::input::Input;
     use crate::integration::Method;
 
-    /// One without a closed form: dz/dt = (x − z)/τ + b v − z³ w.
+    /// An element without a closed form: dz/dt = (x − z)/τ + b v − z³ w.
     struct Follows {
         per_time: f64,
         by_velocity: f64,
@@ -167,7 +167,7 @@ mod tests {
         (Method::Fourth, 4),
     ];
 
-    /// The state and its derivatives after 4 ms from 3 mm, to a place and a velocity.
+    /// Returns the state and its derivatives after 4 ms from 3 mm, for a displacement and velocity at the end.
     fn after(element: &Follows, method: Method, substeps: u32, [x, v]: [f64; 2]) -> (f64, [f64; 2]) {
         let to = Input { displacement: Some(x), ..Input::motion(x, v) };
         let path = Path::new(1e-3, 0.4, &to, 4e-3);

@@ -1,26 +1,26 @@
-//! The cheap step: linearly implicit Euler, in closed form. Pure.
+//! The cheap step: linearly implicit Euler, in closed form and without side effects.
 //!
-//! Backward Euler with the forces on the mass taken on straight lines, so that nothing is iterated. With the step h,
-//! the mass at X with velocity V and the driven end at x, v after the step,
+//! It is backward Euler with linearized forces on the mass, so that it needs no iteration. With the step h, the mass at
+//! X with velocity V and the moving end at x, v after the step,
 //!
 //! ```text
 //! x_m = X + h u,   m (u − V) = h [k_s (x − x_m) + c_s (v − u) − F̃_p(x_m) − F̃_d(u)].
 //! ```
 //!
-//! F̃_p is the tangent of the springs where the mass would go at V. F̃_d is a straight line through the FV curve at
-//! v̂ = V + v − v_0, where the mass would be if it followed the driven end. Its derivative is the greater of the tangent and
-//! the secant to standstill:
+//! F̃_p is the tangent of the springs at the displacement that the mass would reach at V. F̃_d is a straight line
+//! through the FV curve at v̂ = V + v − v_0, the velocity of a mass that follows the moving end. The derivative of F̃_d
+//! is the greater of two: that of the tangent, and that of the secant to standstill:
 //!
-//! - by the secant F̃_d(u) = F_d(0) + s u with s ≥ 0: a dashpot, which takes energy whatever s and h are. A digressive
-//!   curve's tangent would carry the force of full speed through standstill and push the mass on;
-//! - a progressive curve's tangent is the greater: Newton's method from the steep side, which does not overshoot either,
-//!   while its secant would fall short and swing.
+//! - The secant F̃_d(u) = F_d(0) + s u with s ≥ 0 is a linear dashpot, which dissipates energy for all s and h. The
+//!   tangent of a digressive curve would act with the force of full speed at standstill and accelerate the mass.
+//! - The tangent of a progressive curve is the greater. It is Newton's method from the steep side, which does not
+//!   overshoot. The secant would be too low and oscillate.
 //!
 //! Both agree with F_d to the first order in h, so the method has order 1, and every derivative is explicit.
 //!
-//! A line says nothing of what lies far beyond the place it was drawn at: where the driven end turns round, v̂ may lie beside
-//! standstill or inside a jump of the curve, and a spring of a table has another derivative past its next point. There the step is
-//! one that no element makes, and is taken again as backward Euler proper ([`After::holds`]).
+//! A linearization does not hold far from its position. When the moving end reverses, v̂ may lie near standstill or
+//! inside a jump of the curve. A spring of a table has another derivative after its next point. The step would then be
+//! unphysical, and is repeated by backward Euler without linearization ([`After::holds`]).
 
 use super::reach::{springs, within_reach};
 use crate::assembly::Elements;
@@ -28,12 +28,12 @@ use crate::element::{Motion, Response};
 use crate::input::PathPoint;
 use crate::tables::{ForceLaw, Tables};
 
-/// The mass before the step, and what the step is given.
+/// State of the mass before the step, and inputs of the step.
 pub(super) struct Before {
     /// Displacement and velocity of the mass.
     pub x: f64,
     pub v: f64,
-    /// What the driven end's velocity gains in the step.
+    /// Increase of the moving end's velocity in the step.
     pub gain: f64,
     /// h.
     pub h: f64,
@@ -41,7 +41,7 @@ pub(super) struct Before {
     pub side: (f64, f64),
 }
 
-/// What the step came to.
+/// Result of the step.
 pub(super) struct After {
     /// Displacement and velocity of the mass.
     pub x: f64,
@@ -52,7 +52,7 @@ pub(super) struct After {
     pub spring: f64,
     /// ∂u/∂(impulse on the mass): 1/(m + h (c_s + s) + h² (k_s + F_p')), 1/kg.
     pub by_impulse: f64,
-    /// ∂u/∂v̂: how far the answer leans on the guess.
+    /// ∂u/∂v̂: sensitivity of the solution to the guess.
     pub by_guess: f64,
     /// |F_d(v̂) − F_d(0)|.
     level: f64,
@@ -60,23 +60,24 @@ pub(super) struct After {
     offset: f64,
 }
 
-/// Speed beside which a secant is not taken any shorter, m/s: far below all that matters.
+/// Speed added to that of a secant, m/s, which avoids a division by zero. Far below all speeds that matter.
 const STANDSTILL: f64 = 1e-9;
 
-/// How far beyond the force at v̂ the line may lead, as a factor. Less has more steps taken again where the driven end turns
-/// round, at the cost of a stage; more lets the force be so many times that of the curve. Not tuned: one value was tried.
+/// Largest force of the line relative to the force at v̂. A smaller value repeats more steps where the moving end
+/// reverses, each at the cost of a stage. A larger value accepts forces that exceed the curve by that factor. Not
+/// tuned: one value was tried.
 const BEYOND: f64 = 2.0;
-/// What the springs' tangent may miss, as a part of the forces on the mass: about the error of the method.
+/// Allowed error of the springs' tangent, relative to the forces on the mass: about the error of the method.
 const MISSED: f64 = 0.05;
 
 impl After {
-    /// Whether the FV curve's line was left near the place it was drawn at.
+    /// Returns whether the solution stayed close enough to the position of the FV curve's linearization.
     #[inline(always)]
     pub fn holds(&self) -> bool {
         (self.primary - self.offset).abs() <= BEYOND * self.level
     }
 
-    /// Derivatives of the springs in a step to `end`.
+    /// Returns whether the springs' tangent holds after a step to `end`.
     #[inline(always)]
     pub fn springs_hold(&self, elements: &Elements<impl Tables>, end: &PathPoint, side: (f64, f64)) -> bool {
         if !elements.is_nonlinear() {
@@ -88,7 +89,7 @@ impl After {
 }
 
 impl Before {
-    /// Where the springs on the mass are linearised in a step to `end`.
+    /// Returns the motion about which the springs on the mass are linearized in a step to `end`.
     #[inline(always)]
     pub fn springs_at(&self, end: &PathPoint) -> Motion {
         Motion {
@@ -100,7 +101,7 @@ impl Before {
     }
 }
 
-/// Moves the mass by one step to the driven end at `end`; `springs` are those on the mass at `springs_at`.
+/// Advances the mass by one step to the moving end at `end`; `springs` is the force on the mass at `springs_at`.
 #[inline(always)]
 pub(super) fn take(
     elements: &Elements<impl Tables>,
@@ -113,7 +114,7 @@ pub(super) fn take(
     let h = before.h;
     let mut held = springs.force + springs.d_force_d_x * (before.x - springs_at);
     let mut spring_derivative = h * springs.d_force_d_x;
-    // Known to the compiler to be 0 while no element on the mass depends on velocity.
+    // The compiler knows that this is 0 while no element on the mass depends on velocity.
     if springs.d_force_d_v != 0.0 {
         held -= springs.d_force_d_v * before.v;
         spring_derivative += springs.d_force_d_v;
@@ -128,7 +129,7 @@ pub(super) fn take(
     let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
     let (u, primary, by_impulse, by_guess);
     if curve.derivative * speed <= level {
-        // s = level/speed, with both sides of the balance times the speed: one division in all.
+        // s = level/speed. Both sides of the balance are multiplied by the speed, so that one division is enough.
         let divide = 1.0 / (inertia * speed + h * level);
         let share = impulse * divide;
         u = share * speed;

@@ -1,4 +1,4 @@
-//! The stages of a step as one sees them who follows, and the derivatives of the answer found on the way.
+//! The stages of a step as observers see them, and the derivatives of the output that come from them.
 
 use super::tableau::MOST_STAGES;
 use crate::assembly::Elements;
@@ -7,54 +7,54 @@ use crate::input::PathPoint;
 use crate::math::pair;
 use crate::tables::{Owned, Tables};
 
-/// What happened in one stage: all that a derivative of the step needs.
+/// Values of one stage: all that a derivative of the step needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage<'a> {
-    /// Place of the stage in its substep.
+    /// Index of the stage in its substep.
     pub index: usize,
-    /// Whether it ends the substep.
+    /// Whether the stage ends the substep.
     pub last: bool,
     /// γh of the stage, s.
     pub g: f64,
-    /// What it takes of the gains of the stages before it.
+    /// Weights of the gains of the previous stages.
     pub row: &'a [f64],
-    /// The driven end.
+    /// Motion of the moving end.
     pub path: PathPoint,
     /// Known part of the velocity of the mass, V.
     pub known_velocity: f64,
-    /// Displacement and velocity of the mass after the stage.
+    /// Displacement of the mass after the stage.
     pub x_m: f64,
-    /// Velocity of the mass.
+    /// Velocity of the mass after the stage.
     pub u: f64,
-    /// a + g F_d': what divides every derivative of u.
+    /// a + g F_d', the denominator of every derivative of u.
     pub denominator: f64,
     /// Resistance of the spring over g, N s/m.
     pub resistance: f64,
-    /// Springs on the mass, linearised.
+    /// Linearized force of the springs on the mass.
     pub inner: Response,
-    /// Place about which they were linearised.
+    /// Position about which they were linearized.
     pub inner_at: f64,
-    /// ∂u/∂v̂ over the velocity v̂ about which the FV curve was linearised; 0 where the curve itself was solved.
+    /// ∂u/∂v̂ over the velocity v̂ about which the FV curve was linearized; 0 if the curve itself was solved.
     pub by_guess: f64,
-    /// What the driven end adds to v̂, over the displacement and velocity at the end of the step.
+    /// Derivatives of v̂ over the displacement and velocity at the end of the step, through the moving end.
     pub guess_by_end: [f64; 2],
-    /// Derivative of the linearized springs over the place of their linearization.
+    /// Derivative of the linearized springs over the position of their linearization.
     pub line: Line,
 }
 
-/// Derivative of the springs' linearization at the mass over the place x̂ about which it was made.
+/// Derivative of the linearized spring force at the mass over the position x̂ of its linearization.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// ∂F̃_p/∂x̂ = F_p''(x̂) (x_m − x̂), N/m; 0 for a linear spring, and where no derivative is requested.
     pub by_place: f64,
-    /// What moves x̂.
+    /// Quantity on which x̂ depends.
     pub origin: LineOrigin,
 }
 
-/// What moves the place about which the springs were linearized.
+/// Quantity on which the position of the springs' linearization depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineOrigin {
-    /// The known displacement, and γh times the velocity of the stage before.
+    /// The known displacement and γh times the velocity of the previous stage.
     Predicted,
     /// The moving end: the prediction lies beyond the reach of the series spring.
     Reach,
@@ -67,9 +67,9 @@ impl Line {
     pub const CONSTANT: Line = Line { by_place: 0.0, origin: LineOrigin::Predicted };
 }
 
-/// Follows the stages of a step; used for derivatives. The step itself does not depend on it.
+/// Observer of the stages of a step, used for derivatives. The step itself does not depend on it.
 pub trait Follow<T: Tables = Owned> {
-    /// Whether the answer's derivatives are asked for.
+    /// Returns whether the derivatives of the output are requested.
     #[inline(always)]
     fn wants_derivatives(&self) -> bool {
         false
@@ -78,8 +78,8 @@ pub trait Follow<T: Tables = Owned> {
     /// Called after every stage.
     fn stage(&mut self, elements: &Elements<T>, stage: &Stage);
 
-    /// Slopes of k_s x_m + c_s v_m over displacement and velocity at the end of the step: what the series force loses
-    /// because the mass yields. Zero where the derivatives of the output are to hold the mass still.
+    /// Returns the derivatives of k_s x_m + c_s v_m over displacement and velocity at the end of the step. The yielding
+    /// mass reduces the series force by this amount. Zero if the derivatives of the output treat the mass as fixed.
     #[inline(always)]
     fn yields(&self) -> [f64; 2] {
         [0.0; 2]
@@ -88,17 +88,17 @@ pub trait Follow<T: Tables = Owned> {
 
 /// Derivatives of the mass's motion over the displacement and velocity at the end of the step.
 pub(super) struct ByEnd {
-    /// Whether they are asked for.
+    /// Whether the derivatives are requested.
     wanted: bool,
-    /// Whether anything depends on the end of the step yet: not before its first stage.
+    /// Whether any state depends on the end of the step; false before the first substep ends.
     moved: bool,
     x: [f64; 2],
     v: [f64; 2],
-    /// Of k_s x_m + c_s v_m: what the series force loses because the mass yields.
+    /// Derivatives of k_s x_m + c_s v_m: the reduction of the series force by the yielding mass.
     yields: [f64; 2],
-    /// Of the velocity of the stage before, from which the next one predicts.
+    /// Derivatives of the velocity of the previous stage, from which the next stage predicts.
     predicted: [f64; 2],
-    /// Of each stage of the substep: g × velocity and g × acceleration.
+    /// Derivatives for each stage of the substep: of g × velocity and g × acceleration.
     gains: [[[f64; 2]; 2]; MOST_STAGES],
 }
 
@@ -128,7 +128,7 @@ impl<T: Tables> Follow<T> for ByEnd {
         let (mut x, mut v) = ([0.0; 2], [0.0; 2]);
         let mut u = drive.map(|d| d * divide);
         let mut yields = [0.0; 2];
-        // A first stage starts from what the end of the step cannot change.
+        // The start of a first stage does not depend on the end of the step.
         if s.index > 0 || self.moved {
             (x, v) = (self.x, self.v);
             for (a, [moved, push]) in s.row.iter().zip(&self.gains).take(s.index) {
@@ -143,7 +143,7 @@ impl<T: Tables> Follow<T> for ByEnd {
             u = match s.line.origin {
                 LineOrigin::Predicted => pair(|k| u[k] - by_place * (x[k] + s.g * self.predicted[k]) * divide),
                 LineOrigin::Reach => pair(|k| u[k] - by_place * s.path.x_by_end[k] * divide),
-                // The place moves with the solution: x + g u.
+                // The position of the linearization is that of the solution: x + g u.
                 LineOrigin::Solution => {
                     let share = 1.0 / (s.resistance + s.g * by_place);
                     pair(|k| (s.resistance * u[k] - by_place * x[k]) * share)

@@ -1,4 +1,4 @@
-//! The internal mass through the stages of a step: the plain step, where nothing but springs and the FV curve acts on it.
+//! The internal mass in the stages of the plain step, where only springs and the FV curve act on it.
 
 use super::cheap;
 use super::follow::{Follow, Line, LineOrigin, Stage};
@@ -12,7 +12,7 @@ use crate::input::Path;
 use crate::math::pair;
 use crate::tables::Tables;
 
-/// Where the mass is, and what acts on it.
+/// Motion of the mass and the forces on it.
 #[derive(Clone, Copy)]
 pub(super) struct Mass {
     pub x: f64,
@@ -21,7 +21,7 @@ pub(super) struct Mass {
     pub inner: f64,
 }
 
-/// One substep under way.
+/// One substep in progress.
 struct Substep<'a, T: Tables, P> {
     elements: &'a Elements<T>,
     primary: P,
@@ -29,20 +29,21 @@ struct Substep<'a, T: Tables, P> {
     /// Start and length of the substep as fractions of the step.
     theta: f64,
     part: f64,
-    /// Whether its end is the end of the step.
+    /// Whether the substep ends the step.
     ends_step: bool,
-    /// Its length, s, and 1 over it.
+    /// Length of the substep, s, and its reciprocal.
     h: f64,
     per_h: f64,
     side: (f64, f64),
     start: Mass,
     predicted: f64,
-    /// Of each stage: g × velocity and g × acceleration.
+    /// For each stage: g × velocity and g × acceleration.
     gains: [[f64; 2]; MOST_STAGES],
 }
 
 impl<T: Tables, P: Primary> Substep<'_, T, P> {
-    /// All stages, up to four, written out, so that their places are constants. `MAY_BEND`: with springs that no straight line may stand for.
+    /// Runs all stages, up to four, unrolled so that their indices are constants. `MAY_BEND`: some spring may be
+    /// nonlinear.
     #[inline(always)]
     fn written_out<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         let mut mass = self.stage::<MAY_BEND>(method, 0, follow);
@@ -58,7 +59,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         mass
     }
 
-    /// All stages; `MAY_BEND` as there.
+    /// Runs all stages in a loop; `MAY_BEND` as in `written_out`.
     #[inline(always)]
     fn run<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         let mut mass = self.start;
@@ -68,13 +69,13 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         mass
     }
 
-    /// All stages with springs that may bend, once for all who ask.
+    /// Runs all stages with springs that may be nonlinear, compiled once for all callers.
     #[inline(never)]
     fn run_apart(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         self.run::<true>(method, follow)
     }
 
-    /// One stage; `MAY_BEND` as there.
+    /// Runs one stage; `MAY_BEND` as in `written_out`.
     #[inline(always)]
     fn stage<const MAY_BEND: bool>(&mut self, method: &Tableau, index: usize, follow: &mut impl Follow<T>) -> Mass {
         let e = &self.elements.paths.series_compliance;
@@ -102,7 +103,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let a = resistance + inner_derivative;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = mass_rate * known_v + drive - inner_known;
-        // Three iterations are below the method's own error.
+        // The error after three iterations is below the error of the method.
         let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_derivative) = (inner_known, inner_derivative);
@@ -153,46 +154,47 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
     }
 }
 
-/// What answers a stage: the velocity of the mass, the FV curve there, and the springs about a place.
+/// Solution of a stage: the velocity of the mass, the FV curve there, and the linearized springs.
 struct Balance {
     u: f64,
     fd: Value,
     inner: Response,
     inner_at: f64,
-    /// The springs as `inner_known` + `inner_slope` u.
+    /// The springs as `inner_known` + `inner_derivative` u.
     inner_known: f64,
     inner_derivative: f64,
 }
 
-/// What a stage holds still while its springs are sought.
+/// Constants of a stage while its springs are linearized again.
 struct Held {
     g: f64,
     resistance: f64,
     /// X.
     known: f64,
-    /// Displacement of the driven end.
+    /// Displacement of the moving end.
     driven: f64,
     /// The right side without the springs.
     r: f64,
 }
 
-/// What the springs' straight line may miss, as a part of the forces on the mass: the error that the automatic method is held
-/// to. More lets through forces that no spring makes.
+/// Allowed error of the springs' linearization, relative to the forces on the mass.
+///
+/// It is the error limit of the automatic choice of method. A larger value accepts forces that no spring produces.
 const MISSED: f64 = 1e-3;
-/// What is left of a balance of large forces that cancel, as a part of them.
+/// Allowed residual of a balance of large forces that cancel, relative to these forces.
 const ROUNDING: f64 = 1e-12;
-/// Most rounds until it misses no more. Past [`PATIENCE`] every other one halves the bracket.
+/// Largest number of iterations. After [`PATIENCE`] of them, every other iteration bisects the bracket.
 const ITERATIONS: usize = 60;
 const PATIENCE: usize = 6;
 
 impl<T: Tables, P: Primary> Substep<'_, T, P> {
     /// Solves a stage with nonlinear springs.
     ///
-    /// Their line about the predicted position holds neither beyond the next point of a table nor far out on a power.
-    /// A mass that meets a force that no spring makes would be thrown.
+    /// The linearization about the predicted position does not hold beyond the next point of a table nor far out on a
+    /// power. A mass under such an unphysical force would overshoot.
     ///
-    /// The springs rise with the place and the curve with the velocity, so what is left of the balance rises with u: each
-    /// answer of the line about the last closes a bracket, and halves of it take over where the lines go to and fro.
+    /// The spring force rises with the displacement and the curve with the velocity, so the residual of the balance
+    /// rises with u. Each solution therefore narrows a bracket. Bisection takes over where the solutions oscillate.
     #[inline(never)]
     fn settle(&self, held: &Held, balance: &mut Balance) {
         let Held { g, resistance, known, driven, r } = *held;
@@ -231,7 +233,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
 }
 
 impl<'a, T: Tables, P: Primary> Substep<'a, T, P> {
-    /// The substep from `start` over the part `part` of the step, from its fraction `theta` on.
+    /// Makes the substep that starts at the fraction `theta` of the step and has the length `part`.
     #[inline(always)]
     fn new(drive: &Drive<'a, T, P>, theta: f64, part: f64, ends_step: bool, start: Mass) -> Substep<'a, T, P> {
         let h = drive.path.length() * part;
@@ -252,7 +254,7 @@ impl<'a, T: Tables, P: Primary> Substep<'a, T, P> {
     }
 }
 
-/// What moves the internal mass during a step.
+/// Inputs of the internal mass during a step.
 #[derive(Clone, Copy)]
 pub(super) struct Drive<'a, T: Tables, P> {
     pub elements: &'a Elements<T>,
@@ -299,8 +301,8 @@ pub(super) fn move_mass<T: Tables>(
     }
 }
 
-/// Substeps of the cheaper methods, written out: by the table they take 12 % more. That of five stages, which no plain step is given unless it is
-/// asked for, goes by it.
+/// Takes substeps of a cheaper method with its stages unrolled: with the tableau as a variable they take 12 % longer.
+/// The method of five stages uses the loop, because a plain step has it only on request.
 #[inline(never)]
 fn in_two_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
@@ -308,7 +310,7 @@ fn in_two_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, 
     })
 }
 
-/// [`in_two_stages`], compiled once for a plain damper.
+/// Takes substeps of three stages: see [`in_two_stages`].
 #[inline(never)]
 fn in_three_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
@@ -316,7 +318,7 @@ fn in_three_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass
     })
 }
 
-/// [`in_two_stages`], compiled once for other dampers.
+/// Takes substeps of four stages: see [`in_two_stages`].
 #[inline(never)]
 fn in_four_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
@@ -324,7 +326,7 @@ fn in_four_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass,
     })
 }
 
-/// [`move_mass`] for nonlinear springs or a fading curve; separate, so that others do not pay for it.
+/// Runs [`move_mass`] for nonlinear springs or a fading curve; separate, so that other dampers have no extra cost.
 #[inline(never)]
 fn move_mass_apart<T: Tables>(
     method: &Tableau,
@@ -338,7 +340,8 @@ fn move_mass_apart<T: Tables>(
     })
 }
 
-/// Takes one substep after the other: each from its fraction of the step over its part, the last to the end.
+/// Takes all substeps in sequence. `take` gets the start and length as fractions of the step, and whether it is the
+/// last.
 #[inline(always)]
 fn in_substeps(substeps: u32, mut mass: Mass, mut take: impl FnMut(f64, f64, bool, Mass) -> Mass) -> Mass {
     let part = 1.0 / substeps as f64;
@@ -350,7 +353,7 @@ fn in_substeps(substeps: u32, mut mass: Mass, mut take: impl FnMut(f64, f64, boo
     mass
 }
 
-/// [`move_mass`] by cheap steps.
+/// Runs [`move_mass`] by cheap steps.
 #[inline(never)]
 fn move_mass_cheaply<T: Tables>(
     drive: &Drive<T, impl Primary>,

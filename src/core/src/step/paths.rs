@@ -1,14 +1,15 @@
 //! The step of a damper whose series path or hydraulic path has elements of its own (see [`crate::paths`]).
 //!
-//! Every stage is one scalar equation in the velocity w of the oil at the valves:
+//! Every stage is one scalar equation in the oil velocity w at the valves:
 //!
 //! ```text
 //! F_h = N(s F_d(w)),   q = q(F_h),   e − g ė(F_h, e) = E,   u = w + b + (s(x − g v, q) − S)/g + σ (e − E)/g
 //! m (u − V)/g = F_s(x − X − g u, v − u) − F_p(X + g u) − F_h        (or u = v)
 //! ```
 //!
-//! with the stage's known parts X, V, S, E. It is solved to rounding (see [`crate::paths::solve`]), so its derivatives are
-//! those of the implicit function. The temperature is so slow that a stage damps with its known part.
+//! with the stage's known parts X, V, S, E. It is solved to rounding (see [`crate::paths::solve`]), so its derivatives
+//! are those of the implicit function. The temperature changes so slowly that the damping in a stage uses its known
+//! part.
 
 mod on_mass;
 mod stage;
@@ -33,40 +34,41 @@ pub use stage::Seed;
 
 /// Bounds of the length of a step, s.
 ///
-/// Above the first the states move by more than their own rounding; below the second the host's motion is less than
-/// any damper's stroke.
+/// A step above the first moves the states by more than their rounding errors. In a step below the second the host's
+/// motion is smaller than the stroke of any damper.
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 100.0;
 
-/// What a stage starts from.
+/// Known quantities at the start of a stage.
 struct Known<'a> {
     index: usize,
     last: bool,
     row: &'a [f64],
     g: f64,
     moved_from: MovedFrom,
-    /// Time over which a stage takes a late valve: g, or all since the substep began.
+    /// Time over which the stage advances the valve's state: g, or the whole time since the substep began.
     since: f64,
-    /// Whether it is the latter.
+    /// Whether `since` is the whole time since the substep began.
     valve_jumps: bool,
-    /// By how much the valve raised the force in the last stage.
+    /// Factor by which the valve raised the force in the previous stage.
     raised: f64,
     states: [f64; STATES],
-    /// Those of them that were brought back into their ranges, as bits.
+    /// States that were clamped to their ranges, as bits.
     kept: u32,
-    /// Where what acts on the mass with a state starts from.
+    /// Initial values of the elements with a state on the mass.
     on_mass: MassStart,
 }
 
-/// Where a stage moves the driven end from, X: what it does to a column that counts stroke is s(x) − s(X).
+/// Displacement X of the moving end before a stage. A column that counts stroke changes by s(x) − s(X).
 ///
-/// X is put together from the stages before as the states are, so that in a whole step a column whose pressure holds has been moved by the
-/// stroke, whatever the speeds were at which the stages looked. By their speeds, X = x − g v, the cheapest method did not move it at all in a
-/// stroke that ends at rest, and the others by up to a stroke too much where one step goes from end to end.
+/// X is combined from the previous stages like the states. In a whole step a column at constant pressure then moves by
+/// the exact stroke, independent of the speeds at the stages. With X = x − g v from those speeds, the cheapest method
+/// did not move the column at all in a stroke that ends at rest. The other methods erred by up to a stroke in a step
+/// from end to end.
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,
-    /// Slopes over the displacement and the velocity at the end of the step.
+    /// Derivatives over the displacement and the velocity at the end of the step.
     by_end: [f64; 2],
 }
 
@@ -77,7 +79,7 @@ impl MovedFrom {
         MovedFrom { x: point.x, by_end: point.x_by_end }
     }
 
-    /// From the `start` of the substep and the strokes of the stages before, which the stage weighs by `row`.
+    /// Combines the `start` of the substep and the strokes of the previous stages, with the weights `row`.
     #[inline(always)]
     fn of(start: &MovedFrom, row: &[f64], strokes: &[MovedFrom], index: usize) -> MovedFrom {
         let mut from = *start;
@@ -90,7 +92,7 @@ impl MovedFrom {
         from
     }
 
-    /// To a point: the stroke of a stage.
+    /// Returns the stroke of a stage that ends at a point.
     #[inline(always)]
     fn to(&self, point: &PathPoint) -> MovedFrom {
         let [by_x, by_v] = point.x_by_end;
@@ -101,7 +103,7 @@ impl MovedFrom {
 /// States and forces after a stage.
 struct Balance {
     states: [f64; STATES],
-    /// Force of the driven end.
+    /// Force on the moving end.
     force: f64,
     primary: f64,
     inner: f64,
@@ -114,37 +116,36 @@ pub trait FollowPaths {
     fn paths_stage(&mut self, stage: &dyn StageDerivatives);
 }
 
-/// A stage as one sees it who follows, whatever it is compiled for.
+/// Interface of a stage for the derivative code, for every set of compiled elements.
 pub trait StageDerivatives {
-    /// Velocity at which the FV curve was read.
+    /// Returns the velocity at which the FV curve was evaluated.
     fn oil_velocity(&self) -> f64;
-    /// Velocities at which a late valve read it beside that; 0 where none did.
+    /// Returns the further velocities at which a lagging valve evaluated the curve; 0 without such a valve.
     fn valve_read(&self) -> [f64; 2];
-    /// Displacement of the mass after the stage.
+    /// Returns the displacement of the mass after the stage.
     fn mass_displacement(&self) -> f64;
-    /// Slopes of the force of the series path over k_s and c_s, and of the inertia over m: what moves the stage when
-    /// these do.
+    /// Returns the derivatives of the series path's force over k_s and c_s, and of the inertia force over m.
     fn series_by_frame(&self) -> [f64; 3];
-    /// Carries derivatives over the stage. `seed` says how their direction moves the stage itself; its known parts are
-    /// filled in here.
+    /// Carries derivatives over the stage. `seed` contains the derivatives of the inputs of the stage; this function
+    /// fills in those of the known parts.
     fn carry(&self, derivatives: &mut Carried, seed: Seed);
 }
 
-/// Follows each stage within the step; compiled for each follower.
+/// Observer of each stage within the step, compiled for each implementation.
 ///
-/// It is [`PathsByEnd`] here, and others through [`Told`] in their crate.
+/// [`PathsByEnd`] implements it here; other crates implement [`FollowPaths`] and are wrapped in [`Told`].
 pub(super) trait EachStage {
-    /// Whether the answer's derivatives are asked for.
+    /// Returns whether the derivatives of the output are requested.
     fn wants_derivatives(&self) -> bool;
-    /// Whether anybody follows.
+    /// Returns whether the observer evaluates the stages.
     fn follows(&self) -> bool;
     /// Called after every stage.
     fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>);
-    /// Slopes of the force over displacement and velocity at the end of the step.
+    /// Returns the derivatives of the force over displacement and velocity at the end of the step.
     fn derivatives(&self) -> [f64; 2];
 }
 
-/// Somebody who follows from outside.
+/// Wrapper of an observer outside this module.
 pub(super) struct Told<'a, F>(pub &'a mut F);
 
 impl<F: FollowPaths> EachStage for Told<'_, F> {
@@ -172,18 +173,18 @@ impl<F: FollowPaths> EachStage for Told<'_, F> {
 /// Derivatives in one direction, carried from stage to stage.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried {
-    /// Of the states.
+    /// Derivatives of the states.
     pub states: [f64; STATES],
-    /// Of the force of the driven end.
+    /// Derivative of the force on the moving end.
     pub force: f64,
-    /// Of each stage: g × rate of the states.
+    /// Derivatives of g × rate of the states, for each stage.
     gains: [[f64; STATES]; MOST_STAGES],
     /// Derivatives of the states of elements on the mass.
     on_mass: on_mass::States,
 }
 
 impl Carried {
-    /// Nothing depends on the direction yet.
+    /// Zero derivatives.
     pub const NONE: Carried = Carried {
         states: [0.0; STATES],
         force: 0.0,
@@ -203,7 +204,7 @@ impl Carried {
                 *known = if stage.kept & 1 << place == 0 { *known } else { 0.0 };
             }
         }
-        // Until its last stage the states are those at the start of the substep.
+        // Until the last stage, the states are those at the start of the substep.
         let start = [self.states[place::X], self.states[place::U]];
         let on_mass = stage.on_mass();
         if let Some(on_mass) = on_mass {
@@ -232,7 +233,7 @@ pub struct PathsByEnd {
 }
 
 impl PathsByEnd {
-    /// At the start of a step nothing depends on its end. Where they are not `wanted` nothing is followed, and they stay 0.
+    /// Makes zero derivatives for the start of a step. If they are not `wanted`, they stay 0.
     #[inline(always)]
     pub fn new(wanted: bool) -> PathsByEnd {
         PathsByEnd { by_end: [Carried::NONE; 2], wanted }
@@ -269,7 +270,7 @@ impl EachStage for PathsByEnd {
     }
 }
 
-/// The known part of a stage: the start plus Σ a_ij/γ_j gains_j over the stages before it.
+/// Computes the known part of a stage: the start plus Σ a_ij/γ_j gains_j over the previous stages.
 #[inline(always)]
 fn known_part<const ON: u32>(
     start: &[f64; STATES],
@@ -288,11 +289,11 @@ fn known_part<const ON: u32>(
     known
 }
 
-/// Brings openings and fillings back into their ranges, and says which as bits.
+/// Clamps openings and fillings to their ranges and returns the clamped ones as bits.
 ///
-/// Every stage ends inside them, but what the method of fourth order puts together for the next, with weights of up to 31, need
-/// not lie there: a valve that is open two and a half times over takes more than all its force away, and the stage's
-/// equation then has no one answer.
+/// Every stage ends within the ranges. The fourth-order method combines stages with weights of up to 31, so its known
+/// parts can lie outside. A valve opened to 2.5 times its range would cancel more than its whole force. The equation of
+/// the stage would then have no unique solution.
 #[inline(always)]
 fn keep<const ON: u32>(e: &Paths<impl Tables>, known: &mut [f64; STATES]) -> u32 {
     let mut kept = 0;
@@ -312,7 +313,7 @@ fn keep<const ON: u32>(e: &Paths<impl Tables>, known: &mut [f64; STATES]) -> u32
     kept
 }
 
-/// What a stage adds to the states.
+/// Returns the change of the states in a stage.
 #[inline(always)]
 fn gain<const ON: u32>(after: &[f64; STATES], known: &[f64; STATES]) -> [f64; STATES] {
     let mut gain = [0.0; STATES];
@@ -324,19 +325,19 @@ fn gain<const ON: u32>(after: &[f64; STATES], known: &[f64; STATES]) -> [f64; ST
     gain
 }
 
-/// What the paths answer at the end of a step.
+/// Force of the paths at the end of a step, with its derivatives.
 pub(super) struct Through {
     pub force: f64,
     pub d_force_d_x: f64,
     pub d_force_d_v: f64,
 }
 
-/// A step length that the paths can take.
+/// Clamps a step length to the range of the paths.
 pub(super) fn held(dt: f64) -> f64 {
     dt.clamp(SHORTEST, LONGEST)
 }
 
-/// What moves the states of the paths during a step.
+/// Inputs of the states of the paths during a step.
 #[derive(Clone, Copy)]
 pub(super) struct Drive<'a, T: Tables> {
     pub model: &'a Model<T>,
@@ -347,7 +348,7 @@ pub(super) struct Drive<'a, T: Tables> {
     pub method: &'a Tableau,
 }
 
-/// Moves the states of both paths along the path of the driven end.
+/// Advances the states of both paths along the motion of the moving end.
 pub(super) fn advance<T: Tables>(
     drive: &Drive<T>,
     state: &mut State,
@@ -364,7 +365,7 @@ pub(super) fn advance<T: Tables>(
     if has_states_on_mass {
         now.on_mass = on_mass::read(&drive.model.elements, &state.internal);
     }
-    /// Elements that are on alone.
+    /// Compiles one function for each of the listed sets of elements.
     macro_rules! compiled {
         ($($on:expr,)*) => {
             match () {
@@ -410,16 +411,16 @@ fn advance_on<const ON: u32>(drive: &Drive<impl Tables>, now: &mut Now, follow: 
     }
 }
 
-/// Where the states are, and the forces there.
+/// Current states and forces.
 #[derive(Clone, Copy)]
 struct Now {
     states: [f64; STATES],
     /// States of the elements on the mass.
     on_mass: on_mass::States,
     oil_velocity: f64,
-    /// Velocity of the driven end.
+    /// Velocity of the moving end.
     driven: f64,
-    /// By how much a late valve raises the force.
+    /// Factor by which a lagging valve raises the force.
     raised: f64,
     force: f64,
     primary: f64,
@@ -447,29 +448,31 @@ struct Substep<'a, T: Tables> {
     /// Start and length as fractions of the step.
     theta: f64,
     part: f64,
-    /// Whether its end is the end of the step.
+    /// Whether the substep ends the step.
     ends_step: bool,
     /// Side force and temperature.
     side: (f64, f64),
 }
 
-/// Pieces of a substep in which a void closes.
+/// Number of pieces into which a substep is divided when a void closes in it.
 const PIECES: u32 = 16;
 /// A void smaller than this, m, is about to close.
 const CLOSING: f64 = 2e-5;
 /// A void smaller than this, m, is closed.
 const SHUT: f64 = 1e-9;
 
-/// Pieces of a substep in which something turns that the method of the model carries on beyond its turn.
+/// Number of pieces of a substep in which the model's method overshoots a reversal.
 const CALM: u32 = 8;
-/// How many times further from the force of its latest stage than a straight line through the stages a substep may end. One
-/// that starts level and bends with the square of time goes on 1.75 times as far. At 2.5 rubber that is let go in a step of 2 ms
-/// ended 1.8 times too high (search, seed 295465, case 53629), at 2 it does not; a spool that turned went 3.2 times as far.
+/// Allowed distance of a substep's end force from the force of its latest stage, relative to linear extrapolation.
+///
+/// A force that starts with zero slope and grows with the square of time goes 1.75 times as far. At 2.5 a bushing
+/// released in a step of 2 ms ended 1.8 times too high (search, seed 295465, case 53629); at 2 it does not. A spool at
+/// a reversal went 3.2 times as far.
 const THROWN: f64 = 2.0;
-/// Smallest spread relative to the size of those forces: below it, an end so near is no throw.
+/// Smallest relevant spread, relative to the size of those forces: an end within it is not an overshoot.
 const BESIDE: f64 = 0.02;
 
-/// Whether the `stages` before the last account for a force at the `end`. A force that is no number is not accounted for.
+/// Returns whether the force at the `end` is consistent with the `stages` before the last. A force that is NaN is not.
 #[inline(always)]
 fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -482,45 +485,45 @@ fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
     (end - latest).abs() <= near
 }
 
-/// What a substep came to.
+/// Outcome of a substep.
 enum Ended {
-    /// Its end.
+    /// The substep reached its end.
     Well,
     /// A void closed inside it.
     VoidClosed,
-    /// It was thrown beyond what its stages know.
+    /// The end force overshot what the stages support.
     Thrown,
 }
 
 impl<T: Tables> Substep<'_, T> {
-    /// By the method of the model; in pieces where something turns inside that this would carry on beyond its turn.
+    /// Takes the substep by the model's method, or in pieces if that method would overshoot a reversal inside it.
     ///
-    /// # What keeps the force near
-    /// Each stage has an answer (see [`crate::paths::solve`]) and its own force is one that the elements make. What a method
-    /// puts together from its stages need not be: the last row of the one of fourth order weighs them by up to 31. Where
-    /// the force at the end lies further from that of the latest stage than those of all stages account for, the substep is done
-    /// again by the method of second order, which is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16,
-    /// 1979): two motions of a damper that only takes energy do not part in it, however sharply its elements turn.
+    /// # Protection against overshoot
+    /// Each stage has a solution (see [`crate::paths::solve`]), and its force is physical. The combination of the
+    /// stages need not be: the last row of the fourth-order method has weights of up to 31. The force at the end may
+    /// therefore lie further from that of the latest stage than the stages support. The substep is then repeated by the
+    /// second-order method, which is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16, 1979).
+    /// Two motions of a damper that only dissipates energy do not diverge in it, however sharply its elements reverse.
     ///
-    /// The same is asked of the force of the valves where a column of two chambers counts the stroke that it has taken up: put
-    /// together from stages on both sides of rest, where the chambers' lengths differ, that may stand for a force of neither,
-    /// and a strong damping of the series path, whose own force spreads far, hides it.
+    /// The valve force is checked too if a column of two chambers counts its stroke. Stages on both sides of rest,
+    /// where the chambers' lengths differ, may combine to a force that fits neither side. The check of the total force
+    /// misses this if the series damping is strong, because that force spreads widely.
     #[inline(always)]
     fn take<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) {
         let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(now);
         let ended = if turns { Ended::VoidClosed } else { self.run_watched::<ON>(method, now, follow) };
         match ended {
             Ended::Well => (),
-            // Known to the compiler, so that nothing else is compiled for it.
+            // The compiler knows this condition, so that it compiles no other variant.
             Ended::VoidClosed if const { ON & CAVITATION != 0 } => {
                 self.in_pieces::<ON>(&EULER, PIECES, now, follow);
             }
-            // So rare that it is compiled once for all.
+            // This is so rare that it is compiled once for all variants.
             Ended::VoidClosed | Ended::Thrown => self.in_pieces::<ANY>(&SECOND, CALM, now, follow),
         }
     }
 
-    /// Runs a substep and checks its end; pieces of the same elements use the same code.
+    /// Runs a substep and checks its end. Pieces with the same elements share the code.
     #[inline(always)]
     fn run_watched<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) -> Ended {
         if const { ON & CAVITATION != 0 } {
@@ -542,8 +545,10 @@ impl<T: Tables> Substep<'_, T> {
         self.run::<ON>(method, now, watched, follow)
     }
 
-    /// All stages of one method. `watched`: unless it ends where it should not; its last stage is then told to nobody, so that
-    /// who follows is where the substep began.
+    /// Runs all stages of one method.
+    ///
+    /// With `watched` it returns early if the end fails a check. The observer does not see that last stage, so it stays
+    /// at the start of the substep.
     #[inline(always)]
     fn run<const ON: u32>(&self, method: &Tableau, now: &mut Now, watched: bool, follow: &mut impl EachStage) -> Ended {
         let e = &self.elements.paths;
@@ -568,7 +573,7 @@ impl<T: Tables> Substep<'_, T> {
             }
             let kept = keep::<ON>(e, &mut known);
             overshot |= known[place::VOID] < 0.0;
-            // The oil follows the driven end, but where a void takes up the motion.
+            // The oil follows the moving end, except where a void takes up the motion.
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - driven };
             let guess = oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
@@ -629,14 +634,14 @@ impl<T: Tables> Substep<'_, T> {
         Ended::Well
     }
 
-    /// Whether the driven end turns round beside a void, whose pressure then jumps.
+    /// Returns whether the moving end reverses while a void is open, where the pressure then jumps.
     #[inline(always)]
     fn driven_turns(&self, from: &Now) -> bool {
         let void = from.states[place::VOID];
         void > 0.0 && self.path.point(self.theta).v * self.path.point(self.theta + self.part).v <= 0.0
     }
 
-    /// In short pieces. Those of the first order keep a void from closing further than it is open.
+    /// Runs the substep in short pieces. First-order pieces prevent a void from closing by more than it is open.
     #[inline(never)]
     fn in_pieces<const ON: u32>(&self, method: &Tableau, pieces: u32, now: &mut Now, follow: &mut impl EachStage) {
         let part = self.part / f64::from(pieces);

@@ -1,4 +1,4 @@
-//! What the valves make of the velocity of the mass in the plain step: the FV curve, or that times a factor. Pure.
+//! Valve force over the velocity of the mass in the plain step: the FV curve, possibly times a factor.
 
 use crate::assembly::Elements;
 use crate::curve::Value;
@@ -6,20 +6,20 @@ use crate::tables::{ForceLaw, Tables};
 
 /// A force that rises with the velocity of the mass.
 pub(super) trait Primary: Copy {
-    /// That of an element set at a temperature that the host gives.
+    /// Prepares the force for a temperature that the host gives.
     fn new(e: &Elements<impl Tables>, temperature: f64) -> Self;
 
-    /// Whether it is the FV curve as it is.
+    /// Returns whether it is the FV curve without a factor.
     fn is_plain(&self) -> bool;
 
-    /// Force and derivative at a velocity.
+    /// Returns force and derivative at a velocity.
     fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value;
 
-    /// The velocity u with a u + F(u) = r, and force and derivative there.
+    /// Returns the velocity u with a u + F(u) = r, with force and derivative there.
     fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value);
 }
 
-/// Householder steps inside a piece of the FV curve: what they leave is below the error of every method.
+/// Householder steps inside a piece of the FV curve: their residual error is below the error of every method.
 const STEPS: usize = 3;
 
 /// The FV curve.
@@ -93,7 +93,7 @@ impl Primary for Faded {
     }
 }
 
-/// Whichever of the two a damper has.
+/// The force of any damper: plain or faded.
 #[derive(Clone, Copy)]
 pub(super) struct Any(Option<Faded>);
 

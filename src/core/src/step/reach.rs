@@ -1,16 +1,16 @@
-//! The springs on the mass, as far from the driven end as a series spring reaches.
+//! The springs on the mass within the reach of the series spring about the moving end.
 
 use crate::assembly::Elements;
 use crate::element::{Motion, Response};
 use crate::math::{max, min};
 use crate::tables::Tables;
 
-/// Deflection of the series spring, m, beyond which the springs on the mass are taken as straight.
+/// Deflection of the series spring, m, beyond which the springs on the mass are linear.
 pub(super) const REACH: f64 = 0.05;
 
-/// A position within the reach of the series spring about the moving end.
+/// Clamps a position to the reach of the series spring about the moving end.
 ///
-/// A mass thrown by a jump would otherwise use the derivative of a hardening spring at a position that it never
+/// A mass thrown by a jump would otherwise get the derivative of a hardening spring at a position that it never
 /// reaches.
 #[inline(always)]
 pub(super) fn within_reach(x: f64, driven: f64) -> f64 {
@@ -18,9 +18,9 @@ pub(super) fn within_reach(x: f64, driven: f64) -> f64 {
     min(high, max(low, x))
 }
 
-/// The springs on the mass at a position, linear beyond the reach of the series spring about the moving end.
+/// Evaluates the springs on the mass at a position, linear beyond the reach of the series spring about the moving end.
 ///
-/// They are linear about the returned position, with the force at x itself.
+/// Returns the response at the clamped position, the force at x itself, and the clamped position.
 #[inline(always)]
 pub(super) fn springs(
     e: &Elements<impl Tables>,
@@ -34,10 +34,10 @@ pub(super) fn springs(
     (inner, inner.force + inner.d_force_d_x * (x - at), at)
 }
 
-/// Half the width of the difference that gives the second derivative of a spring, m.
+/// Half the width of the central difference for the second derivative of a spring, m.
 const CURVATURE_WIDTH: f64 = 1e-6;
 
-/// ∂F̃_p/∂x̂ of the springs' line about `at`, evaluated at the mass: F_p''(x̂) (x_m − x̂), N/m.
+/// Computes ∂F̃_p/∂x̂ of the springs' line about `at`, evaluated at the mass: F_p''(x̂) (x_m − x̂), N/m.
 #[inline(never)]
 pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &Motion, x_m: f64) -> f64 {
     let derivative = |x: f64| e.inner(&Motion { displacement: x, ..*at }).d_force_d_x;

@@ -1,32 +1,32 @@
-//! The methods as tables: diagonally implicit Runge–Kutta, L-stable and stiffly accurate.
+//! Tableaus of the methods: diagonally implicit Runge–Kutta, L-stable and stiffly accurate.
 
 use crate::integration::Method;
 
-/// Most stages of a method.
+/// Largest number of stages of a method.
 pub(super) const MOST_STAGES: usize = 5;
 
 /// A diagonally implicit method; its last row is the result (stiffly accurate).
 pub(super) struct Tableau {
     /// Number of stages.
     pub stages: usize,
-    /// γ: the diagonal, the same in all stages.
+    /// γ, the diagonal entry of all stages.
     pub gamma: f64,
     /// 1/γ.
     pub per_gamma: f64,
-    /// a_ij/γ below the diagonal: what a stage takes of γ h times the rates of those before.
+    /// a_ij/γ below the diagonal: weights of γ h times the rates of the previous stages.
     pub weights: [[f64; MOST_STAGES]; MOST_STAGES],
-    /// Places of the stages inside the step.
+    /// Times of the stages as fractions of the step.
     pub c: [f64; MOST_STAGES],
-    /// The latest stage before the end; 0 where its end is not watched: see [`super::paths`].
+    /// Index of the latest stage before the end; 0 if the end is not checked: see [`super::paths`].
     pub latest: usize,
-    /// Whether the plain step takes it along straight lines, in closed form ([`super::cheap`]).
+    /// Whether the plain step linearizes the forces and has a closed form ([`super::cheap`]).
     pub along_lines: bool,
-    /// Minimum extrapolation from the latest stage to the end, in parts of the spread of the stages before.
+    /// Minimum extrapolation from the latest stage to the end, relative to the spread of the previous stages.
     pub goes_on: f64,
 }
 
 impl Tableau {
-    /// That of a method.
+    /// Returns the tableau of a method.
     #[inline(always)]
     pub fn for_method(method: Method) -> &'static Tableau {
         match method {
@@ -39,7 +39,8 @@ impl Tableau {
         }
     }
 
-    /// From γ and the rows below it. The places are the sums of the rows; what is not used is 0.
+    /// Builds a tableau from γ and the rows below the diagonal. The times are the sums of the rows; unused entries are
+    /// 0.
     const fn new(stages: usize, gamma: f64, below: [[f64; MOST_STAGES]; MOST_STAGES], ends_within: f64) -> Tableau {
         let mut rows = Tableau {
             stages,
@@ -86,14 +87,15 @@ impl Tableau {
     }
 }
 
-/// How far from its latest stage a step through the paths may end at least, in halves of the spread of its stages. With 1 the method of four
-/// stages was taken to be thrown at every twentieth step of free play, where it was not.
+/// Minimum extrapolation from the latest stage to the end of a step through the paths, relative to the spread of the
+/// stages. With half of this value every twentieth step of free play was wrongly reported as an overshoot of the method
+/// of four stages.
 const ENDS_WITHIN: f64 = 1.0;
 
 /// [`Method::BackwardEuler`].
 pub(super) static EULER: Tableau = Tableau::new(1, 1.0, [[0.0; 5]; 5], ENDS_WITHIN);
 
-/// [`Method::Euler`]: the same where it is not along lines.
+/// [`Method::Euler`]; where it is not linearized it equals [`EULER`].
 pub(super) static ALONG_LINES: Tableau =
     Tableau { along_lines: true, ..Tableau::new(1, 1.0, [[0.0; 5]; 5], ENDS_WITHIN) };
 
@@ -104,11 +106,11 @@ pub(super) static SECOND: Tableau = {
     Tableau::new(2, gamma, below, ENDS_WITHIN)
 };
 
-/// The smallest γ with which three stages of order 2 are L-stable, rounded up, and with it the smallest error (Hairer & Wanner,
-/// table IV.6.4).
+/// The smallest γ with which three stages of order 2 are L-stable, rounded up. It also has the smallest error (Hairer &
+/// Wanner, table IV.6.4).
 const THREE_STAGE_GAMMA: f64 = 0.180_425_4;
-/// The second stage's place, which the conditions of order leave free: least error over dampers of every kind at 1 ms, flat
-/// about it.
+/// Time of the second stage, which the order conditions leave free. It has the least error over all kinds of dampers at
+/// 1 ms, and the minimum is flat.
 const THREE_STAGE_PLACE: f64 = 0.663;
 
 /// [`Method::ThreeStage`].
@@ -120,9 +122,9 @@ pub(super) static THREE_STAGE: Tableau = {
     Tableau::new(3, gamma, below, ENDS_WITHIN)
 };
 
-/// The smallest γ with which four stages of order 3 are L-stable, rounded up (the same table).
+/// The smallest γ with which four stages of order 3 are L-stable, rounded up (Hairer & Wanner, table IV.6.4).
 const THIRD_GAMMA: f64 = 0.223_647_9;
-/// The places of the two inner stages, which the conditions of order leave free: as [`THREE_STAGE_PLACE`].
+/// Times of the two inner stages, which the order conditions leave free: chosen like [`THREE_STAGE_PLACE`].
 const THIRD_PLACES: [f64; 2] = [0.607, 0.877];
 
 /// [`Method::Third`].
@@ -142,7 +144,7 @@ pub(super) static THIRD: Tableau = {
     Tableau::new(4, g, below, ENDS_WITHIN)
 };
 
-/// [`Method::Fourth`]. Its weights reach 31, and it is watched the more closely.
+/// [`Method::Fourth`]. Its weights reach 31, so its end is checked with a tighter limit.
 pub(super) static FOURTH: Tableau = Tableau::new(
     5,
     0.25,

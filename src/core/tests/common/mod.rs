@@ -1,4 +1,4 @@
-//! What the property tests share: motions, an independent reference and random models.
+//! Shared code of the property tests: motions, an independent reference and random models.
 #![allow(dead_code)]
 
 use dashpot_core::parameter::names;
@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 pub const METHODS: [Method; 5] = [Method::Euler, Method::Second, Method::Fourth, Method::Third, Method::ThreeStage];
 
-/// The elements with private states.
+/// The elements with internal states.
 pub const WITH_STATES: [&str; 11] = [
     "lagged_polynomial",
     "presliding_friction",
@@ -37,7 +37,7 @@ pub const HYDRAULICS: [&str; 7] = [
     "valve_hysteresis",
 ];
 
-/// Models with every element of the coupled paths, alone and together.
+/// Returns models with every element of the coupled paths, alone and together.
 pub fn paths() -> Vec<(&'static str, Params)> {
     let of = |on: &[&str], changes: &[(&str, f64)]| {
         let mut p = params(changes);
@@ -172,7 +172,7 @@ pub fn paths() -> Vec<(&'static str, Params)> {
     ]
 }
 
-/// The default model with some numbers changed.
+/// Makes the default model with some parameters changed.
 pub fn model(changes: &[(&str, f64)]) -> Model {
     Model::new(&params(changes)).unwrap()
 }
@@ -185,13 +185,13 @@ pub fn params(changes: &[(&str, f64)]) -> Params {
     params
 }
 
-/// Sine from its lower end, where it rests.
+/// Makes a sine that starts at rest at its lower end.
 pub fn sine(amplitude: f64, frequency: f64) -> impl Fn(f64) -> (f64, f64) {
     let w = TAU * frequency;
     move |t| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin())
 }
 
-/// Forces at each multiple of `dt` of the kernel's step.
+/// Computes the forces of the kernel's step at each multiple of `dt`.
 pub fn step_forces(
     model: &Model,
     motion: &impl Fn(f64) -> (f64, f64),
@@ -212,10 +212,10 @@ pub fn step_forces(
         .collect()
 }
 
-/// Reference forces from the classical explicit Runge–Kutta method on the continuous equations with `parts` steps in
-/// each `dt`.
+/// Computes reference forces by the classical explicit Runge–Kutta method on the continuous equations, with `parts`
+/// steps in each `dt`.
 ///
-/// It shares only the right-hand side with the kernel's step, and sees the exact motion.
+/// It shares only the right-hand side with the kernel's step, and uses the exact motion.
 pub fn reference_forces(
     model: &Model,
     motion: &impl Fn(f64) -> (f64, f64),
@@ -256,7 +256,7 @@ pub fn reference_forces(
         .collect()
 }
 
-/// Root-mean-square and largest difference as shares of the largest reference force.
+/// Returns the root mean square and the largest difference, relative to the largest reference force.
 pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     let square: f64 = forces.iter().zip(exact).map(|(f, e)| (f - e) * (f - e)).sum();
@@ -264,7 +264,7 @@ pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     ((square / exact.len() as f64).sqrt() / top, largest / top)
 }
 
-/// A model with these elements alone.
+/// Makes a model with these elements alone.
 pub fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p = params(changes);
     p.disable_all();
@@ -274,7 +274,7 @@ pub fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     Model::new(&p).unwrap()
 }
 
-/// The default model with these elements on as well.
+/// Makes the default model with these elements on in addition.
 pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p = params(changes);
     for element in elements {
@@ -283,10 +283,10 @@ pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     Model::new(&p).unwrap()
 }
 
-/// Any parameter set that the table and the elements allow.
+/// Draws any parameter set that the table and the elements allow.
 ///
-/// Each number is anywhere between its bounds (evenly, or evenly by decade where the bounds span decades), with any
-/// elements on and any integration.
+/// Each number is anywhere between its bounds (uniform, or uniform by decade if the bounds span decades). Any elements
+/// are on, with any integration.
 pub fn any_params() -> impl Strategy<Value = Params> {
     let shares = prop::collection::vec(0.0..1.0f64, table().count());
     let points = prop::collection::vec((1e-4..1.0f64, 0.0..1.0f64), 2..20);
@@ -306,7 +306,7 @@ pub fn any_params() -> impl Strategy<Value = Params> {
                         params.set(Number::find(p.name).unwrap(), (share * 8.0).floor()).ok()?
                     }
                     Shape::Scalar => {
-                        // Other sizes are the same in proportion (`sizes`).
+                        // Other sizes are equivalent by proportion (`sizes`).
                         let (least, most) = p.of_a_car;
                         let low = if least > 0.0 { least } else { 1e-9 * most };
                         let by_decade = low * (most / low).powf(*share);
@@ -344,7 +344,7 @@ pub fn any_params() -> impl Strategy<Value = Params> {
     )
 }
 
-/// The set without its silent elements, for the message of a failure.
+/// Formats the parameters of the elements that are on, for the message of a failure.
 pub fn told(params: &Params) -> String {
     let mut text = String::new();
     for row in table() {

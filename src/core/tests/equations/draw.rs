@@ -14,21 +14,21 @@ pub struct Case {
     pub state: State,
 }
 
-/// How a number is drawn.
+/// Distribution of a number.
 enum Span {
-    /// Evenly.
+    /// Uniform.
     Even(f64, f64),
-    /// Evenly by decade.
+    /// Uniform by decade.
     Decade(f64, f64),
-    /// A size by decades, of either sign.
+    /// Magnitude uniform by decade, of either sign.
     Either(f64, f64),
-    /// 0 in one case of four, or evenly by decade.
+    /// 0 in one case of four, otherwise uniform by decade.
     Perhaps(f64, f64),
-    /// The default in one case of three, or evenly by decade.
+    /// The default in one case of three, otherwise uniform by decade.
     Else(f64, f64),
 }
 
-/// Numbers whose default says nothing of their size, and those whose effect needs values far from it.
+/// Numbers whose default does not indicate their magnitude, and those whose effect needs values far from the default.
 const SPANS: &[(&str, Span)] = &[
     ("fv_rebound_v2", Span::Decade(0.3, 2.0)),
     ("fv_rebound_v1", Span::Decade(0.02, 0.25)),
@@ -73,7 +73,7 @@ const SPANS: &[(&str, Span)] = &[
     ("rebound_stop_damping", Span::Perhaps(100.0, 2e4)),
 ];
 
-/// Times by which other numbers lie above or below their default.
+/// Largest factor between other numbers and their default.
 const AROUND: f64 = 5.0;
 
 fn value(r: &mut Random, number: Number) -> f64 {
@@ -106,7 +106,7 @@ fn value(r: &mut Random, number: Number) -> f64 {
 /// The points of a curve.
 type Points = (Vec<f64>, Vec<f64>);
 
-/// Points that rise, some of them level; zero lies somewhere among them.
+/// Draws points that rise or stay level; zero lies between the first and the last.
 fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     let count = 2 + r.one_of(15);
     let (mut u, mut f) = (vec![0.0], vec![0.0]);
@@ -122,7 +122,7 @@ fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     (u, f)
 }
 
-/// A curve with a further point at 0, where it has no force.
+/// Moves a point of a curve to 0, where its force is then zero.
 fn through_zero((mut u, mut f): Points) -> Points {
     let middle = u.iter().filter(|u| **u < 0.0).count();
     let up = f[middle];
@@ -168,13 +168,13 @@ fn params(r: &mut Random, first: Element) -> Params {
     params
 }
 
-/// A speed of any size, of either sign; 0 now and then.
+/// Draws a speed of any magnitude and either sign; sometimes 0.
 fn speed(r: &mut Random) -> f64 {
     let size = if r.chance(0.3) { r.decade(1e-6, 3.0) } else { r.between(0.0, 2.0) };
     [size, -size][r.one_of(2)] * f64::from(u8::from(!r.chance(0.03)))
 }
 
-/// A state where a damper may have it, and a void that rounding has left below 0.
+/// Draws a state in the range of dampers; a void is sometimes slightly negative, as from rounding.
 fn state(r: &mut Random, (name, unit): (&str, &str), x: f64) -> f64 {
     match (name, unit) {
         ("internal_mass", _) => x + r.between(-1.0, 1.0) * r.decade(1e-6, 3e-3),
@@ -194,13 +194,13 @@ fn state(r: &mut Random, (name, unit): (&str, &str), x: f64) -> f64 {
     }
 }
 
-/// The case of a number; each element is first in its turn.
+/// Draws the case with this index; each element in turn is surely on.
 pub fn case(r: &mut Random, index: usize) -> Case {
     let names: Vec<&str> = names().collect();
     let first = Element::find(names[index % names.len()]).unwrap();
     loop {
         let params = params(r, first);
-        // What does not fit together is refused, and drawn anew.
+        // A set that does not fit together is rejected and drawn again.
         let Ok(model) = Model::new(&params) else { continue };
         let (x, v) = (r.between(-0.1, 0.1), speed(r));
         let side_force = if r.chance(0.1) { 0.0 } else { r.between(-3e3, 3e3) };

@@ -1,4 +1,4 @@
-//! Cases out to the program that has the equations of the book, answers in.
+//! Sends cases to the program with the equations of the book and reads its results.
 
 use crate::draw::Case;
 use crate::kernel::states;
@@ -10,13 +10,13 @@ use std::fmt::Debug;
 /// A constant of the page, by section and name.
 pub type Constant = (String, String);
 
-/// A case that is asked for, and by how much one of the constants is changed for it.
+/// A case to compute, and the factor on one of the constants, if any.
 pub struct Question<'a> {
     pub case: &'a Case,
     pub shift: Option<(&'a Constant, f64)>,
 }
 
-/// One number of an answer.
+/// One number of a result.
 pub struct Answer {
     pub question: usize,
     pub kind: String,
@@ -24,7 +24,7 @@ pub struct Answer {
     pub value: f64,
 }
 
-/// An object; names and words of the table are plain, and numbers are written so that they are read back to the last digit.
+/// Formats a JSON object. Names and words of the table need no escapes, and numbers keep their last digit.
 fn object(members: impl Iterator<Item = (impl Debug, String)>) -> String {
     let members: Vec<String> = members.map(|(name, value)| format!("{name:?}: {value}")).collect();
     format!("{{{}}}", members.join(", "))
@@ -59,7 +59,7 @@ fn json(question: &Question) -> String {
     object(members.into_iter())
 }
 
-/// What the equations of the page answer; `None` where there is no Python, which is told.
+/// Computes the results by the equations of the page; `None` without Python, which is then reported.
 pub fn answers(questions: &[Question]) -> Option<Vec<Answer>> {
     let text: Vec<String> = questions.iter().map(json).collect();
     let said = python::run("answer.py", &format!("[{}]", text.join(",\n")))?;

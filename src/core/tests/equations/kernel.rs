@@ -1,15 +1,15 @@
-//! What the kernel answers to a case, under the names that the page gives it.
+//! Results of the kernel for a case, under the names of the page.
 
 use crate::draw::Case;
 use dashpot_core::{Model, State, evaluate};
 
-/// The states of a model with their names, in its order.
+/// Returns the states of a model with their names, in the order of the model.
 pub fn states<'a>(model: &'a Model, state: &'a State) -> impl Iterator<Item = (&'static str, f64)> + 'a {
     let values = [state.mass_displacement, state.mass_velocity].into_iter().chain(state.internal);
     (0..model.states()).zip(values).map(|(i, value)| (model.state_name(i).expect("a state").0, value))
 }
 
-/// Kind, name and value of every number.
+/// Returns kind, name and value of every number.
 pub fn answers(case: &Case) -> Vec<(&'static str, &'static str, f64)> {
     let (output, rates) = evaluate(&case.model, &case.state, &case.input);
     let parts = [

@@ -1,6 +1,8 @@
-//! The equations of the book (docs/book/src/equations.md) are the kernel's. A program in Python that follows that page alone (`damper.py`) answers random
-//! dampers at random instants as the kernel does; the formulas of the page, computed as they are printed, give what that program gives; and the page
-//! leaves out nothing that the kernel's table has.
+//! Checks that the equations of the book (docs/book/src/equations.md) are those of the kernel.
+//!
+//! A Python program that follows the page alone (`damper.py`) must agree with the kernel for random dampers at random
+//! instants. The formulas of the page, evaluated as printed, must agree with that program. The page must contain
+//! everything in the kernel's parameter table.
 
 mod draw;
 mod exchange;
@@ -17,21 +19,22 @@ use exchange::{Constant, Question, answers};
 use proptest::test_runner::RngSeed;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What two programs may differ by, as a share of a number and 1: both round.
+/// Allowed difference of the two programs, relative to the number plus 1: both round.
 const SHARE: f64 = 1e-9;
-/// Tolerance where the velocity of the oil is the root of an equation.
+/// Tolerance if the oil velocity is the root of an equation.
 ///
-/// The error of Newton's method in the kernel is mostly below 1e-13 m/s, but sometimes larger near a knee. So one
-/// number in this many may differ by so much.
+/// The error of Newton's method in the kernel is mostly below 1e-13 m/s, but sometimes larger near a knee. One number
+/// in `RARE` may therefore differ by this much.
 const SOLVED: f64 = 1e-6;
 const RARE: usize = 10_000;
-/// Beside 1: settled states may be small. tanh and exp are the kernel's own, exact to some 1e-16 of their largest value.
+/// Absolute tolerance of steady states, which may be small. The kernel's own tanh and exp are accurate to about 1e-16
+/// of their largest value.
 const ROUNDING: f64 = 1e-13;
 
-/// A filter can bring a settled void to within this of the length beyond which the law has none, m. Rounding then says which it is.
+/// Distance from the longest void at rest, m, within which rounding decides whether a filter leaves a void.
 const LIMIT: f64 = 1e-9;
 
-/// Whether a number of some kind is the same.
+/// Returns whether two numbers of some kind agree.
 fn agree(kind: &str, one: f64, other: f64, share: f64) -> bool {
     let size = one.abs().max(other.abs());
     (one - other).abs() <= if kind == "settled" { share * size + ROUNDING } else { share * (size + 1.0) }
@@ -41,7 +44,7 @@ fn on(case: &Case) -> Vec<&'static str> {
     names().filter(|name| case.params.is_on(Element::find(name).expect("an element"))).collect()
 }
 
-/// Cases of a seed that is another one in every run.
+/// Draws cases from a seed that differs in every run.
 fn cases(count: u32) -> Vec<Case> {
     let config = drawn(count);
     let RngSeed::Fixed(seed) = config.rng_seed else { panic!("a seed") };
@@ -85,7 +88,7 @@ fn the_page_and_the_kernel_answer_alike() {
         near.len(),
         near.join("\n")
     );
-    // A form that is never drawn proves nothing.
+    // A form that is never drawn is not tested.
     let mut forms = BTreeSet::new();
     for case in &cases {
         for row in table() {
@@ -107,20 +110,20 @@ fn the_page_and_the_kernel_answer_alike() {
     }
 }
 
-/// Constants that no answer shows: what they decide is below rounding, or happens at forces that no damper has.
+/// Constants that affect no result: their effect is below rounding, or occurs at forces that no damper has.
 const UNSEEN: [&str; 3] = ["STEADY", "LEAST", "OCTAVES"];
 
-/// A comparison that a constant could leave through would prove nothing of its value.
+/// If a constant had no effect on any result, the comparison would not test its value.
 #[test]
 fn every_constant_of_the_page_counts() {
-    // Always the same: what is looked at is the comparison, not the damper.
+    // Always the same cases, because this tests the comparison and not the damper.
     let mut random = Random(1);
     let cases: Vec<Case> = (0..2000).map(|index| draw::case(&mut random, index)).collect();
     let constants = page::constants(&page::text());
     assert!(constants.len() > 30, "{constants:?}");
     let mut questions = Vec::new();
     for constant in constants.iter().filter(|(_, name)| !UNSEEN.contains(&&**name)) {
-        // The stops share theirs; the flow past the valves belongs to the oil column.
+        // Both stops share their constants; the leakage past the valves belongs to the oil column.
         let elements: &[&str] = match &*constant.0 {
             "The hydraulic path" => &["oil_compressibility", "aeration"],
             section => &[section],
@@ -146,7 +149,7 @@ fn every_constant_of_the_page_counts() {
     assert!(unseen.is_empty(), "a tenth more of these changes no answer: {unseen:?}");
 }
 
-/// The program could follow the kernel, and the page neither.
+/// The program could follow the kernel while the page does not.
 #[test]
 fn the_formulas_of_the_page_are_those_of_the_program() {
     let Some(said) = python::run("formulas.py", "") else { return };

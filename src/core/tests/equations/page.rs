@@ -1,25 +1,25 @@
-//! What the page of the equations says: its names and its constants.
+//! Names and constants of the page of equations.
 
 use crate::exchange::Constant;
 use std::path::{Path, PathBuf};
 
-/// Where it is.
+/// Returns the path of the page.
 pub fn path() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/src/equations.md")
 }
 
-/// All of it.
+/// Reads the whole page.
 pub fn text() -> String {
     std::fs::read_to_string(path()).expect("the page of the equations")
 }
 
-/// The part under a heading that names an element, up to the next heading.
+/// Returns the part under a heading that names an element, up to the next heading.
 pub fn section<'a>(page: &'a str, element: &str) -> Option<&'a str> {
     let (_, rest) = page.split_once(&format!("\n### `{element}`\n"))?;
     Some(rest.split("\n#").next().unwrap_or(rest))
 }
 
-/// The rows of its tables of constants.
+/// Returns the rows of its tables of constants.
 pub fn constants(page: &str) -> Vec<Constant> {
     let (mut section, mut found) = ("", Vec::new());
     for line in page.lines() {

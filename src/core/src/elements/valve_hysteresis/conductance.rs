@@ -1,37 +1,38 @@
-//! What the passage of a late valve conducts: g(h) = W(h)²/h, read off the FV curve and kept as a table.
+//! Conductance of the passage of a lagging valve, g(h) = W(h)²/h, computed from the FV curve and stored as a table.
 
 use crate::tables::{Conducted as At, Conduction, ForceLaw};
 
-/// Resistance beside the FV curve, N s/m, so that W is found where the curve is level.
+/// Resistance added to the FV curve, N s/m, so that W is unique where the curve is level.
 const LEVEL: f64 = 5.0;
-/// Conductance, m²/(s² N) times N, that keeps g above zero where the FV curve stands still.
+/// Squared velocity, m²/s², that keeps g above zero where the FV curve gives no velocity.
 const LEAST: f64 = 1e-12;
-/// Householder steps in which W is found: there is time when a model is prepared.
+/// Number of Householder steps for W; the time matters little, because they run only when a model is prepared.
 const STEPS: usize = 8;
-/// Places to each power of two, and bits of a number behind those that count them.
+/// Number of nodes per power of two, and number of bits of a number below those that count the nodes.
 const PER_OCTAVE: usize = 16;
 const BEHIND: u32 = 48;
-/// Powers of two from the opening force on. Beyond them g is taken from the FV curve itself.
+/// Powers of two from the opening force on. Beyond them g is computed from the FV curve itself.
 const OCTAVES: usize = 12;
 const PLACES: usize = OCTAVES * PER_OCTAVE;
 
-/// g over the force h, for both strokes: cubics between places that divide every power of two evenly, never beyond the
-/// values at either end.
+/// g over the force h, for both strokes: cubics between nodes that divide every power of two evenly.
+///
+/// Each cubic stays between the values at its ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Conductance {
-    /// The leading bits of the first place.
+    /// The leading bits of the first node's force.
     first: u64,
     strokes: [[At; PLACES + 1]; 2],
 }
 
-/// The velocity W at which the FV curve has the force h on a stroke.
+/// Computes the velocity W at which the FV curve has the force h on a stroke.
 #[inline(always)]
 fn velocity(curve: &impl ForceLaw, h: f64, stroke: f64) -> (f64, f64) {
     let (w, read) = curve.solve::<STEPS>(LEVEL, h * stroke + curve.at_zero());
     (w, read.derivative)
 }
 
-/// g and its derivative from the FV curve itself.
+/// Computes g and its derivative from the FV curve itself.
 pub(crate) fn exact(curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
     let (w, derivative) = velocity(curve, h, stroke);
     let g = (w * w + LEAST) / h;
@@ -48,28 +49,28 @@ fn limited(derivative: f64, limits: [Option<f64>; 2]) -> f64 {
     })
 }
 
-/// Three times the derivative of the chord from a node to the next.
+/// Returns three times the derivative of the chord from a node to the next.
 fn limit(first: u64, node: usize, from: &At, to: &At) -> f64 {
     3.0 * (to.g - from.g) / (force_of(first, node + 1) - force_of(first, node))
 }
 
-/// Force of a node of the table that begins at the place `first`.
+/// Returns the force of a node of the table whose first node has the leading bits `first`.
 fn force_of(first: u64, node: usize) -> f64 {
     f64::from_bits((first + node as u64) << BEHIND)
 }
 
-/// The interval of the table that holds the force h, and its position there, 0..1; `None` beyond the table.
+/// Returns the interval of the table that contains the force h, and its position there, 0..1; `None` beyond the table.
 #[inline(always)]
 fn interval_of(first: u64, h: f64) -> Option<(usize, f64)> {
     const ONE: u64 = 1.0_f64.to_bits();
     let bits = h.to_bits();
     let interval = (bits >> BEHIND).wrapping_sub(first) as usize;
-    // The bits behind the place are how far h is on the way to the next.
+    // The bits below the node number are the position of h between two nodes.
     let s = f64::from_bits(ONE | (bits & ((1 << BEHIND) - 1)) << (52 - BEHIND)) - 1.0;
     (interval < PLACES).then_some((interval, s))
 }
 
-/// The cubic between two nodes of which h lies at the position s.
+/// Evaluates the cubic between two nodes at h, which lies at the position s.
 #[inline(always)]
 fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
     let octave = f64::from_bits(h.to_bits() & !((1 << 52) - 1));
@@ -79,7 +80,9 @@ fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
     At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
 }
 
-/// What the table from the force `opens` on would hold at h, computed without it: for an FV curve that changes from step to step.
+/// Computes the value at h of a table that starts at the force `opens`, without the table.
+///
+/// Used for an FV curve that changes from step to step.
 pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) -> At {
     let first = opens.to_bits() >> BEHIND;
     let Some((interval, s)) = interval_of(first, h) else { return exact(curve, h, stroke) };
@@ -96,10 +99,11 @@ pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) 
 }
 
 impl Conductance {
-    /// Room for a table: nothing may be asked of it before [`Conductance::set`]. All zeros, so that it takes no room in the program.
+    /// Memory for a table, invalid before [`Conductance::set`]. All zeros, so that it takes no space in the program
+    /// file.
     pub const UNSET: Conductance = Conductance { first: 0, strokes: [[At { g: 0.0, by_h: 0.0 }; PLACES + 1]; 2] };
 
-    /// From the force `opens` on, which h never falls below.
+    /// Fills the table from the force `opens` on; h is never below it.
     pub fn set(&mut self, curve: &impl ForceLaw, opens: f64) {
         let table = self;
         table.first = opens.to_bits() >> BEHIND;
@@ -140,7 +144,8 @@ impl Conduction for Conductance {
     }
 }
 
-/// The velocity W where g was `g` at a force, and the derivative of g over the height of the FV curve there.
+/// Returns the velocity W at which the conductance is `g` at the force h, and the derivative of g over the FV force
+/// there.
 #[inline(always)]
 pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
     let square = g * h - LEAST;
@@ -169,7 +174,7 @@ mod tests {
                 let h = 130.0 * 1.004_f64.powi(k);
                 let (w, derivative) = velocity(&curve, h, stroke);
                 let g = table.conducted(&curve, h, stroke).g;
-                // Beside a level part the table rounds the corner.
+                // Next to a level part the table rounds the corner.
                 let close = if derivative > 1500.0 { 3e-3 } else { 0.4 };
                 assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
             }

@@ -15,21 +15,21 @@ use core::cell::Cell;
 
 /// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
-/// y is the valve's opening, S = ½ (1 + tanh) its characteristic. The FV curve holds the opening y_∞; a valve that is
-/// behind it makes the force larger while it opens, and smaller while it closes. It opens at F_0 + Δ and closes at
-/// F_0 − Δ however slow the motion.
+/// y is the valve's opening, S = ½ (1 + tanh) its characteristic. The FV curve includes the steady opening y_∞. A valve
+/// that lags behind it increases the force while it opens, and reduces the force while it closes. It opens at F_0 + Δ
+/// and closes at F_0 − Δ, however slow the motion.
 ///
-/// *Play* and *spool*: the valve stands where a force p had it, and passes oil there as an orifice does,
+/// *Play* and *spool*: the valve has the steady position of a force p, where it passes oil like an orifice:
 ///
 /// ```text
 /// F_h g(h(p)) = F g(h(F)),   g(h) = W(h)²/h,   h(x) = F_0 + ½ (x − F_0 + √((x − F_0)² + b²))
 /// ```
 ///
-/// All forces are counted from that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is what
-/// the whole passage conducts; below the opening force F_0 it is shut, over b it opens; one that is shut still lets a
-/// hundredth through. Forces against the stroke leave it shut. The pressure F_h moves it: with play, p follows by a play of P
-/// beyond which it takes the time τ, τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p); a spool has mass,
-/// τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
+/// All forces are relative to that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is
+/// the conductance of the whole passage. Below the opening force F_0 the valve is closed, and it opens over the width
+/// b. A closed valve still passes a hundredth. A force against the stroke leaves it closed. The pressure F_h moves the
+/// valve. With play, p follows F_h only beyond the play P, with the time constant τ: τ dp/dt = ⟨|F_h − p| − P
+/// |F_h|/(|F_h| + P)⟩ sgn(F_h − p). A spool has mass: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
@@ -44,7 +44,7 @@ pub struct ValveHysteresis<T: Tables = Owned> {
     conductance: T::Conductance,
 }
 
-/// How it is late.
+/// Cause of the valve's lag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     Opening,
@@ -52,7 +52,7 @@ enum Form {
     Spool,
 }
 
-/// What it answers, as numbers that may be differentiated by.
+/// Force and state of the valve, as numbers that may carry derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Late<R> {
     /// F_h.
@@ -63,33 +63,34 @@ pub(crate) struct Late<R> {
     pub read: [f64; 2],
 }
 
-/// What the passage conducts where the valve stands.
+/// The passage at a position of the valve.
 #[derive(Clone, Copy)]
 struct Passage {
     /// g(h(x)).
     g: f64,
     /// h.
     h: f64,
-    /// Slope of g over x.
+    /// Derivative of g over x.
     d_force_d_x: f64,
 }
 
-/// Most rounds in which opening and what it feeds back on itself are brought together.
+/// Largest number of iterations for the opening and its feedback.
 const ITERATIONS: usize = 4;
 /// P_0, N.
 const SOFT: f64 = 10.0;
-/// Substep over τ from which play is taken at once.
+/// Substep relative to τ from which on the state with play is computed in one step.
 const LONG: f64 = 1.0;
-/// Share of the oil that finds its way through a valve that is shut: late valves make at most a hundred times the force.
+/// Fraction of the oil that passes a closed valve: a lagging valve increases the force at most a hundredfold.
 const LEAKS: f64 = 0.01;
-/// Most steps in which F_h is found, and the relative step that is the last: it leaves the square of it.
+/// Largest number of steps for F_h, and the relative size of the last step: the remaining error is about its square.
 const STEPS: usize = 60;
 const CLOSE: f64 = 1e-7;
-/// Force, N, below which the valve makes nothing late.
+/// Force, N, below which the lag is neglected.
 const NOTHING: f64 = 1e-9;
-/// Share of the force by which a valve stands apart from where that has it, at least: below it the difference is rounding.
+/// Smallest deviation of the valve from its steady position, relative to the force: below it the difference is
+/// rounding.
 const STEADY: f64 = 1e-12;
-/// What a round may leave of the last so that three, and two, rounds do.
+/// Largest contraction factors of an iteration at which three, and two, iterations suffice.
 const SHRINKS: [f64; 2] = [0.06, 2e-3];
 
 impl Describe for ValveHysteresis {
@@ -150,13 +151,13 @@ impl Prepare for ValveHysteresis {
     }
 
     fn check(_: &View<Self>) -> Result<(), Fault> {
-        // The bounds of its numbers are all that it asks for.
+        // The bounds of its parameters are all that it needs.
         Ok(())
     }
 }
 
 impl<T: Tables> ValveHysteresis<T> {
-    /// From the parameters, with a passage whose conductance is kept there.
+    /// Makes the valve from the parameters, with the given conductance of its passage.
     pub(crate) fn of(p: &View<ValveHysteresis>, conductance: T::Conductance) -> Self {
         let form = match p.number(own!("valve_form")) {
             1.0 => Form::Play,
@@ -178,12 +179,12 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// Force from which on the conductance is tabulated, N.
+    /// Returns the force from which on the conductance is tabulated, N.
     pub(crate) fn tabulated_from(&self) -> f64 {
         self.middle
     }
 
-    /// Borrows the conductance of the passage.
+    /// Returns this valve with another, possibly borrowed, conductance.
     pub(crate) fn with_conductance<U: Tables>(&self, conductance: U::Conductance) -> ValveHysteresis<U> {
         ValveHysteresis {
             form: self.form,
@@ -198,20 +199,20 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// What its passage conducts.
+    /// Returns the conductance of the passage.
     pub(crate) fn conductance(&self) -> &T::Conductance {
         &self.conductance
     }
 }
 
-/// S.
+/// Computes the characteristic S.
 #[inline(always)]
 fn opening<R: Real>(x: R) -> R {
     (x.tanh().plus(1.0)) * 0.5
 }
 
 impl ValveHysteresis {
-    /// Reads what its passage conducts off the FV curve.
+    /// Computes the conductance of its passage from the FV curve.
     pub(crate) fn join(&mut self, curve: &FvCurve) {
         if self.form != Form::Opening {
             self.conductance.set(curve, self.middle);
@@ -220,36 +221,36 @@ impl ValveHysteresis {
 }
 
 impl<T: Tables> ValveHysteresis<T> {
-    /// Whether its state is the force at which it stands, and not an opening.
+    /// Returns whether its state is a force p, and not an opening.
     pub(crate) fn holds_force(&self) -> bool {
         self.form != Form::Opening
     }
 
-    /// Whether it has mass, and with it a second state: its rate times τ, N.
+    /// Returns whether it has mass, and thus a second state: dp/dt times τ, N.
     #[inline(always)]
     pub(crate) fn is_spool(&self) -> bool {
         self.form == Form::Spool
     }
 
-    /// Where its state lies: an opening between shut and open.
+    /// Returns the range of its state: an opening between closed and open.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.form == Form::Opening { (0.0, 1.0) } else { (f64::NEG_INFINITY, f64::INFINITY) }
     }
 
-    /// Opening form: what the opening is drawn to.
+    /// Opening form: returns the value toward which the opening relaxes.
     #[inline(always)]
     fn target<R: Real>(&self, force: R, y: R) -> R {
         let pressed = force.abs() + y * (2.0 * self.half_width);
         opening(pressed.plus(-self.middle - self.half_width) * self.per_width)
     }
 
-    /// Opening form: the opening at the end of an implicit stage that is `known` at its start; inside 0 to 1 as that is.
+    /// Opening form: computes the opening after an implicit stage that starts from `known`. Both lie between 0 and 1.
     #[inline(always)]
     fn opened<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
         let divide = 1.0 / (1.0 + per);
-        // The characteristic is nowhere steeper than ½.
+        // The derivative of the characteristic is at most ½.
         let shrinks = self.half_width * self.per_width * per * divide;
         let spared = SHRINKS.iter().filter(|enough| shrinks < **enough).count();
         let rounds = if shrinks > 0.0 { ITERATIONS - spared } else { 1 };
@@ -260,14 +261,14 @@ impl<T: Tables> ValveHysteresis<T> {
         y
     }
 
-    /// Opening form: F_h at an opening.
+    /// Opening form: computes F_h at an opening.
     #[inline(always)]
     fn at_opening<R: Real>(&self, force: R, y: R) -> R {
         let steady = opening(force.abs().plus(-self.middle) * self.per_width);
         force * ((steady - y) * self.share).plus(1.0)
     }
 
-    /// Play form: ⟨y⟩ sgn(F − p) at the end of a stage that p begins at.
+    /// Play form: computes ⟨y⟩ sgn(F − p) at the end of a stage that starts at p.
     ///
     /// y = |F − p| − P |F|/(|F| + P), `per` is g/τ, and ⟨y⟩ = y²/(y + P_0) begins smoothly.
     #[inline(always)]
@@ -279,7 +280,7 @@ impl<T: Tables> ValveHysteresis<T> {
         if y.value() <= 0.0 {
             return R::constant(0.0);
         }
-        // x = y − (g/τ) ⟨x⟩: what is left of y when the stage ends.
+        // x = y − (g/τ) ⟨x⟩ is the remaining y at the end of the stage.
         let half = y.plus(-SOFT) * 0.5;
         let root = (half * half + y * ((1.0 + per) * SOFT)).sqrt();
         let left = (half + root) * (1.0 / (1.0 + per));
@@ -287,15 +288,15 @@ impl<T: Tables> ValveHysteresis<T> {
         if behind.value() < 0.0 { -moved } else { moved }
     }
 
-    /// Whether a substep of length `h` moves the valve from its start to each stage directly.
+    /// Returns whether a substep of length `h` moves the valve from its start to each stage directly.
     ///
-    /// Otherwise play would store the stages of a long step, which go to and fro.
+    /// Otherwise the play would keep a trace of the stages of a long step, which oscillate.
     #[inline(always)]
     pub(crate) fn jumps(&self, h: f64) -> bool {
         self.form == Form::Play && h * self.per_time > LONG
     }
 
-    /// The known part of a stage, from those of its states: a number that the force alone has to be added to.
+    /// Computes the known part of a stage from those of its states, to which only a force term is added.
     #[inline(always)]
     pub(crate) fn known(&self, stands: f64, rate: f64, g: f64) -> f64 {
         if !self.is_spool() {
@@ -305,7 +306,7 @@ impl<T: Tables> ValveHysteresis<T> {
         stands * (1.0 + 2.0 * self.damping * per) + per * rate
     }
 
-    /// p at the end of an implicit stage at whose end the force is `force`.
+    /// Computes p at the end of an implicit stage whose final force is `force`.
     #[inline(always)]
     fn follows<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
@@ -316,7 +317,7 @@ impl<T: Tables> ValveHysteresis<T> {
         known + self.beyond(force, known, per) * per
     }
 
-    /// What the passage conducts where a force has the valve stand that is x along the stroke, which has the sign `stroke`.
+    /// Computes the passage at the valve position of the force x along the stroke; `stroke` is its sign.
     #[inline(always)]
     fn conducts(&self, curve: &impl ForceLaw, x: f64, stroke: f64) -> Passage {
         let beyond = x - self.middle;
@@ -327,16 +328,16 @@ impl<T: Tables> ValveHysteresis<T> {
         Passage { g: at.g, h, d_force_d_x: 0.5 * (1.0 + beyond / root) * at.by_h }
     }
 
-    /// Increase of F by a valve at p, with its derivative over the ratio of the conductances of the passage at F and
-    /// at p.
+    /// Computes the factor by which a valve at p increases F, with its derivative over the ratio of two conductances.
     ///
-    /// `widens` is the derivative of that ratio over the force along the stroke, at p.
+    /// They are those of the passage at F and at p. `widens` is the derivative of the conductance over the force along
+    /// the stroke, at p.
     #[inline(always)]
     fn raises(&self, force: f64, p: f64, ratio: f64, widens: f64) -> (f64, f64) {
         let ahead = (force - p) * force;
-        // Where it stands where F has it, rounding would choose.
+        // At the steady position of F, rounding would otherwise decide.
         let opens = if ahead.abs() <= STEADY * force * force { widens > 0.0 } else { (ratio > 1.0) == (ahead > 0.0) };
-        // Where the FV curve rises by more than the square no valve opens.
+        // Where the FV curve rises faster than the square of the velocity, no valve opens.
         if !opens {
             return (1.0, 0.0);
         }
@@ -344,8 +345,8 @@ impl<T: Tables> ValveHysteresis<T> {
         (ratio * (1.0 + LEAKS) * divide, (1.0 + LEAKS) * divide * divide)
     }
 
-    /// F_h, and where the valve stands, after an implicit stage. `raised` is F_h/F where it was solved last, and is solved
-    /// from there.
+    /// Computes F_h and the state of the valve after an implicit stage. `raised` is F_h/F of the previous solution,
+    /// which is also the initial guess.
     #[inline(always)]
     pub(crate) fn stage(
         &self,
@@ -365,7 +366,7 @@ impl<T: Tables> ValveHysteresis<T> {
         late
     }
 
-    /// Stage of a valve at the position of a given force; separate, so that the more common case does not pay for it.
+    /// Computes the stage of a valve whose state is a force; separate, so that the more common case has no extra cost.
     #[cold]
     #[inline(never)]
     fn stage_by_force(
@@ -382,8 +383,8 @@ impl<T: Tables> ValveHysteresis<T> {
         }
         let stroke = if force < 0.0 { -1.0 } else { 1.0 };
         let steady = self.conducts(curve, force * stroke, stroke);
-        // F_h is F through the valve that F_h itself moves. The more it opens the less it makes, so there is one answer:
-        // Newton's steps in the logarithm of its size.
+        // F_h is F increased by the valve that F_h itself moves. A larger opening gives a smaller force, so there is
+        // one solution. Newton steps use the logarithm of |F_h|.
         let mut found = force * raised;
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut left = STEPS;
@@ -393,7 +394,7 @@ impl<T: Tables> ValveHysteresis<T> {
             let ratio = steady.g / now.g;
             let (by, derivative) = self.raises(force, p.value, ratio, now.d_force_d_x);
             let late = force * by;
-            // ∂F_h over what the passage conducts at F, and at p.
+            // ∂F_h over the conductance of the passage at F, and at p.
             let (by_steady, by_now) = (force * derivative / now.g, -force * derivative * ratio / now.g);
             let by_p = by_now * now.d_force_d_x * stroke;
             let steep = 1.0 - found * by_p * p.derivative(0) / late;
@@ -406,13 +407,13 @@ impl<T: Tables> ValveHysteresis<T> {
                 let held = step.clamp(-1.0, 1.0);
                 let mut next = size * (2.0 + held) / (2.0 - held);
                 if next <= low || next >= high {
-                    // Beside the end of the play the derivative is that of the other side.
+                    // Near the end of the play the derivative is that of the other side.
                     next = 0.5 * (low + high);
                 }
                 found = next * stroke;
                 continue;
             }
-            // So close that the last step goes straight.
+            // The last step is small enough to be linear.
             let on = found * step;
             let per = 1.0 / (1.0 - by_p * p.derivative(0));
             let [(first, steady_by), (second, now_by)] = [steady, now].map(|at| by_raised(curve, at.g, at.h, stroke));
@@ -435,7 +436,7 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// F_h at given states, and the rates of these: `stands` and, for a spool, its rate times τ.
+    /// Computes F_h at given states and the state derivatives: those of `stands` and, for a spool, of dp/dt times τ.
     #[inline(always)]
     pub(crate) fn now<R: Real>(&self, curve: &impl ForceLaw, force: R, [stands, rate]: [R; 2]) -> (R, [R; 2]) {
         let none = R::constant(0.0);
@@ -457,7 +458,7 @@ impl<T: Tables> ValveHysteresis<T> {
         (late, [self.beyond(late, stands, 0.0) * self.per_time, none])
     }
 
-    /// Where it comes to rest under a steady force, from where it stands.
+    /// Returns the steady state under a constant force, from a given state.
     #[inline(always)]
     pub(crate) fn rests(&self, force: f64, stands: f64) -> f64 {
         if self.form == Form::Opening { self.target(force, stands) } else { force }

@@ -1,9 +1,9 @@
-//! Elements with a state that act on the mass in a stage: friction and gas behind a series path that carries the whole.
+//! Elements with a state that act on the mass in a stage: friction and gas, if the series path carries their force too.
 //!
-//! In a stage the mass goes from where it is at the start of the substep to where the stage puts it, at constant
-//! acceleration over the time of the stage. Each element knows its state after such a travel in closed form, so that the
-//! method of the step does not integrate a contact that turns over within micrometres. The force rises with the place of
-//! the mass: the stage has one answer.
+//! In a stage the mass moves from its position at the start of the substep to that of the stage. Its acceleration is
+//! constant over the time of the stage. Each element computes its state after such a motion in closed form. The method
+//! of the step therefore need not integrate a contact that reverses within micrometers. The force rises with the
+//! displacement of the mass, so the stage has a unique solution.
 
 use crate::assembly::Elements;
 use crate::dual::{Dual, Real};
@@ -12,10 +12,10 @@ use crate::input::Travel;
 use crate::state::MAX_INTERNAL;
 use crate::tables::Tables;
 
-/// Most elements with a state that act on the mass: presliding friction and the gas spring.
+/// Largest number of elements with a state that act on the mass: presliding friction and the gas spring.
 pub(super) const MOST: usize = 2;
 
-/// Their states at the start of a substep.
+/// States of these elements.
 pub(super) type States = [f64; MOST];
 
 /// State at the end and force of each of these elements.
@@ -23,27 +23,28 @@ type Ends = [[Dual<2>; 2]; MOST];
 
 const NO_ENDS: Ends = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
 
-/// What acts on the mass in a stage, and the states that it leaves.
+/// Forces of these elements in a stage, and their states after it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassForces {
     /// With derivatives over displacement of the mass and state at the end and start.
     ends: Ends,
-    /// With derivatives over displacement and velocity of the mass at the start; found where they are asked for.
+    /// With derivatives over displacement and velocity of the mass at the start; computed only on request.
     by_start: Ends,
 }
 
-/// Where these elements start from, and the time since.
+/// Initial values of these elements, and the time since then.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassStart {
     /// Displacement and velocity of the mass at the start of the substep.
     pub mass: [f64; 2],
     pub states: States,
-    /// Time from there to the stage, s.
+    /// Time from the start of the substep to the stage, s.
     pub time: f64,
 }
 
 impl MassStart {
-    /// After a travel of the mass to `end`, at these displacements and velocities; each state by `lifted`.
+    /// Propagates the elements' states over a motion of the mass to `end`. `lifted` turns each state into a dual
+    /// number.
     #[inline(never)]
     fn propagate(
         &self,
@@ -67,7 +68,7 @@ impl MassForces {
     /// No element with a state acts on the mass.
     pub(super) const NONE: MassForces = MassForces { ends: NO_ENDS, by_start: NO_ENDS };
 
-    /// After a travel of the mass to `end`.
+    /// Propagates the elements over a motion of the mass to `end`.
     #[inline(always)]
     pub(super) fn stage(elements: &Elements<impl Tables>, from: &MassStart, end: f64) -> MassForces {
         let [x0, u0] = from.mass.map(Dual::constant);
@@ -75,7 +76,7 @@ impl MassForces {
         MassForces { ends, by_start: NO_ENDS }
     }
 
-    /// Finds the derivatives over the start.
+    /// Computes the derivatives over the start.
     #[inline(always)]
     pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &MassStart, end: f64) {
         let [x0, u0] = from.mass;
@@ -83,7 +84,7 @@ impl MassForces {
             from.propagate(elements, [Dual::along(x0, 0), Dual::along(u0, 1), Dual::constant(end)], Dual::constant);
     }
 
-    /// Force on the mass and its derivative over the place of the mass.
+    /// Returns the force on the mass and its derivative over the displacement of the mass.
     #[inline(always)]
     pub(super) fn force(&self) -> [f64; 2] {
         let mut sum = [0.0; 2];
@@ -94,13 +95,13 @@ impl MassForces {
         sum
     }
 
-    /// The states.
+    /// Returns the states after the stage.
     #[inline(always)]
     pub(super) fn states(&self) -> States {
         self.ends.map(|[state, _]| state.value)
     }
 
-    /// Straight on by a way of the mass.
+    /// Extrapolates the states linearly by a displacement of the mass.
     #[inline(always)]
     pub(super) fn go(&mut self, way: f64) {
         for [state, _] in &mut self.ends {
@@ -108,14 +109,15 @@ impl MassForces {
         }
     }
 
-    /// Derivative of the force in a direction in which displacement, velocity and states at the start move, with the end
-    /// of the mass held.
+    /// Returns the derivative of the force in a direction of displacement, velocity and states at the start. The end of
+    /// the mass is fixed.
     #[inline(always)]
     pub(super) fn force_by_start(&self, start: [f64; 2], states: &States) -> f64 {
         self.along(1, start, states).into_iter().sum()
     }
 
-    /// Derivatives of the states in that direction, in which the mass ends further by `end`.
+    /// Returns the derivatives of the states in that direction; the final displacement of the mass has the derivative
+    /// `end`.
     #[inline(always)]
     pub(super) fn states_along(&self, end: f64, start: [f64; 2], states: &States) -> States {
         let mut along = self.along(0, start, states);
@@ -151,7 +153,7 @@ pub(super) fn read(elements: &Elements<impl Tables>, internal: &[f64; MAX_INTERN
     states
 }
 
-/// Puts them where they are kept.
+/// Writes the states of these elements back to the internal states.
 pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal: &mut [f64; MAX_INTERNAL]) {
     elements.visit_stateful(&mut MassVisitor {
         next: 0,
@@ -163,7 +165,7 @@ pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal:
     });
 }
 
-/// Visits those that act on the mass, counted in their order, with the places of their states.
+/// Visitor of the elements on the mass, numbered in their order, with the indices of their states.
 struct MassVisitor<F> {
     next: usize,
     act: F,
@@ -187,7 +189,7 @@ mod tests {
     use crate::number;
     use crate::parameter::{Element, Params};
 
-    /// One more would have no place, and no force.
+    /// A further element would have no slot, so its force would be missing.
     #[test]
     fn each_element_on_the_mass_has_a_place() {
         let mut params = Params::new();

@@ -1,4 +1,4 @@
-//! One stage of the step through the paths: its equation, its answer, and the derivatives of that.
+//! One stage of the step through the paths: its equation, its solution, and the derivatives of the solution.
 
 use super::on_mass::{MassForces, MassStart};
 use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
@@ -20,75 +20,75 @@ use crate::paths::{Paths, STATES, place};
 use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
 
-/// Relative step of Newton's method that is the last of a stage: it leaves the square of it.
+/// Relative size of the last Newton step in a stage: the remaining error is about its square.
 const TOLERANCE: f64 = 1e-5;
 
-/// One stage after it was solved: all that a derivative of the step needs. `ON` is what acts in it
+/// A solved stage: all that a derivative of the step needs. `ON` is the set of elements that act in it
 /// ([`crate::paths::acting`]).
 #[derive(Clone, Copy, Debug)]
 pub struct PathsStage<'a, T: Tables, const ON: u32> {
     paths: &'a Paths<T>,
-    /// Place of the stage in its substep.
+    /// Index of the stage in its substep.
     pub index: usize,
-    /// Whether it ends the substep.
+    /// Whether the stage ends the substep.
     pub last: bool,
-    /// What it takes of the gains of the stages before it.
+    /// Weights of the gains of the previous stages.
     pub row: &'a [f64],
-    /// The driven end.
+    /// Motion of the moving end.
     pub path: PathPoint,
-    /// Where the stage moves it from.
+    /// Displacement of the moving end before the stage.
     pub(super) moved_from: MovedFrom,
-    /// Velocity at which the FV curve was read.
+    /// Velocity at which the FV curve was evaluated.
     pub oil_velocity: f64,
-    /// Displacement and velocity of the mass after the stage.
+    /// Displacement of the mass after the stage.
     pub x_m: f64,
-    /// Velocity of the mass.
+    /// Velocity of the mass after the stage.
     pub u: f64,
     g: f64,
-    /// Time over which the late valve was taken, and whether that is all since the substep began.
+    /// Time over which the state of a lagging valve was advanced.
     since: f64,
     pub(super) valve_jumps: bool,
-    /// By how much it raised the force.
+    /// Factor by which the valve raised the force.
     pub(super) raised: f64,
     known: [f64; STATES],
     from_start: MassStart,
     has_states_on_mass: bool,
-    /// Those of them that were brought back into their ranges, as bits.
+    /// States that were clamped to their ranges, as bits.
     pub(super) kept: u32,
-    /// Whether the void is closed after it, whatever is left of it by a hair or beyond.
+    /// Whether the void counts as closed after the stage, even if a rounding error of it remains.
     pub(super) shuts: bool,
-    /// Slope of the FV curve.
+    /// Derivative of the FV curve.
     derivative: f64,
     at: Look,
     /// 1/(dR/dw).
     per: f64,
 }
 
-/// One direction in which what a stage depends on moves.
+/// Derivatives of the inputs of a stage in one direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Seed {
     /// Known parts of the states.
     pub known: [f64; STATES],
-    /// Displacement and velocity of the driven end.
+    /// Displacement of the moving end.
     pub x: f64,
-    /// Velocity of the driven end.
+    /// Velocity of the moving end.
     pub v: f64,
-    /// Place from which the stage moves it.
+    /// Displacement of the moving end before the stage.
     pub from: f64,
-    /// Height of the FV curve where it was read.
+    /// Force of the FV curve at the evaluated velocity.
     pub curve: f64,
-    /// Height of the FV curve at standstill.
+    /// Force of the FV curve at standstill.
     pub standing: f64,
-    /// Its height above that at the velocities that the late valve read it: see [`StageSlopes::valve_read`].
+    /// Force of the FV curve relative to that at standstill, at the velocities of [`StageDerivatives::valve_read`].
     pub read: [f64; 2],
-    /// Force of the series path, all else held: see [`StageSlopes::series_by_frame`].
+    /// Force of the series path, all else constant: see [`StageDerivatives::series_by_frame`].
     pub series: f64,
-    /// Force of springs and inertia that holds the mass back, all else held.
+    /// Restoring force of springs and inertia on the mass, all else constant.
     pub drag: f64,
 }
 
 impl Seed {
-    /// Nothing moves.
+    /// Zero derivatives.
     pub const NONE: Seed = Seed {
         known: [0.0; STATES],
         x: 0.0,
@@ -105,21 +105,21 @@ impl Seed {
 /// The derivatives of a stage in one direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Derivative {
-    /// Of the states after the stage.
+    /// Derivatives of the states after the stage.
     pub states: [f64; STATES],
-    /// Of the force between driven end and ground through both paths.
+    /// Derivative of the force between moving end and ground through both paths.
     pub force: f64,
 }
 
-/// What follows from a velocity of the oil, with its derivatives.
+/// Quantities that follow from an oil velocity, with their derivatives.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     residual: Residual,
     valves: Valves,
     column: Column,
-    /// What flows past the valves.
+    /// Flow through the bypass of the valves.
     past: Past,
-    /// e, its derivatives over F_h, velocity of the driven end and E, and those of what the oil makes of it.
+    /// e with its derivatives over F_h, velocity of the moving end and E, and those of the oil's part of e − E.
     void: f64,
     void_by: [f64; 3],
     oil_void_by: [f64; 3],
@@ -127,19 +127,19 @@ struct Look {
     u_by_force: f64,
     x: f64,
     u: f64,
-    /// What gives way in the bushing.
+    /// Relaxing deflections of the bushing.
     relaxed: Relaxed,
-    /// (k_1 z + k_2 y)/k_s over the rate of the deflection.
+    /// Derivative of (k_1 z + k_2 y)/k_s over the rate of the deflection.
     relaxing_by_rate: f64,
     law: series::Derivatived,
     inner: Response,
     on_mass: MassForces,
-    /// d(force on the mass)/du, held back.
+    /// d(restoring force on the mass)/du.
     resists: f64,
 }
 
 impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
-    /// Solves the stage from a guess of the velocity of the oil.
+    /// Solves the stage from a guess of the oil velocity.
     #[inline(always)]
     pub(super) fn solve(
         elements: &'a Elements<T>,
@@ -168,10 +168,10 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             factors,
         };
         let least = if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
-        // So short that the mass has not moved by more than a picometre.
+        // Limit for a stage so short that the mass moves by less than a picometer.
         let short = 1e-9 / (g * (1e-3 + guess.abs()));
         let tolerance = min(short, TOLERANCE);
-        // Where nothing lies between the driven end and the valves, the oil goes with it.
+        // If nothing lies between the moving end and the valves, the oil moves with the end.
         let is_sought = acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE);
         let (from, rounds) = if is_sought { (guess, ITERATIONS) } else { (path.v, 0) };
         let mut at = Look::NONE;
@@ -204,12 +204,12 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         }
     }
 
-    /// Evaluates the root itself, for derivatives.
+    /// Evaluates the equation again at the root itself, for the derivatives.
     ///
-    /// Those of the last evaluation belong to a point one Newton step away. Where a force is nonlinear, as behind
-    /// rubber or in a void whose gas expands, the weights of a method turn that error into a hundredth of the
-    /// derivative of the step. No other element is so nonlinear within a Newton step. States and forces do not
-    /// change.
+    /// The derivatives of the last evaluation belong to a point one Newton step away. If a force is strongly nonlinear,
+    /// as in a bushing or in a void with expanding gas, the weights of the method amplify that error. It reaches a
+    /// hundredth of the derivative of the step. No other element is so nonlinear within a Newton step. States and
+    /// forces do not change.
     #[inline(always)]
     pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
@@ -237,7 +237,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
     }
 
-    /// Finds the derivatives of what acts on the mass with a state over the start of the substep.
+    /// Computes the derivatives of the elements with a state on the mass over the start of the substep.
     #[inline(always)]
     pub(super) fn look_at_start(&mut self, elements: &Elements<T>) {
         if self.on_mass().is_some() {
@@ -245,13 +245,13 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         }
     }
 
-    /// What acts on the mass with a state, if anything does.
+    /// Returns the forces of the elements with a state on the mass, if there are any.
     #[inline(always)]
     pub(super) fn on_mass(&self) -> Option<&MassForces> {
         (acts::<ON>(self.paths, WHOLE) && self.has_states_on_mass).then_some(&self.at.on_mass)
     }
 
-    /// States and forces after the stage.
+    /// Returns states and forces after the stage.
     #[inline(always)]
     pub(super) fn balance(&self) -> Balance {
         let (e, at, g) = (self.paths, &self.at, self.g);
@@ -287,7 +287,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         Balance { states, force, primary, inner: at.inner.force, on_mass: self.on_mass().map(MassForces::states) }
     }
 
-    /// The derivatives of the stage in one direction.
+    /// Computes the derivatives of the stage in one direction.
     #[inline(always)]
     pub fn along(&self, seed: &Seed) -> Derivative {
         let (e, at, g) = (self.paths, &self.at, self.g);
@@ -304,7 +304,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             read: seed.read,
             selective: known[place::SELECTIVE],
         };
-        // First with w held, then w as it follows.
+        // First with w constant, then with the derivative of w.
         let [held, ..] = at.valves.along::<ON>(e, &moves, leaks);
         let mut u_held = at.u_by_force * held;
         let [void_by_force, void_by_v, void_by_void] = at.void_by;
@@ -412,11 +412,11 @@ impl<T: Tables, const ON: u32> StageDerivatives for PathsStage<'_, T, ON> {
     }
 }
 
-/// What a stage is given.
+/// Inputs of a stage.
 struct Given<'a, T: Tables> {
     elements: &'a Elements<T>,
     path: PathPoint,
-    /// Where the stage moves the driven end from.
+    /// Displacement of the moving end before the stage.
     from: f64,
     /// Side force and temperature.
     side: (f64, f64),
@@ -442,10 +442,11 @@ impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
     }
 }
 
-/// Force on the mass parallel to the oil, linear beyond the reach of the series spring about the moving end.
+/// Evaluates the force on the mass parallel to the oil, linear beyond the reach of the series spring about the moving
+/// end.
 ///
-/// The plain step does the same: from a hardening spring at a far guess Newton's method would return only part of the
-/// way.
+/// The plain step has the same limit: with a hardening spring, Newton's method from a distant guess would converge
+/// slowly.
 #[inline(always)]
 fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };
@@ -455,7 +456,7 @@ fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, 
 }
 
 impl Look {
-    /// Nothing was looked at.
+    /// The value before any evaluation.
     const NONE: Look = Look {
         residual: Residual { value: 0.0, by_w: 0.0, by_curve: 0.0 },
         valves: Valves::NONE,
@@ -475,7 +476,7 @@ impl Look {
         resists: 0.0,
     };
 
-    /// Goes straight on by a step of w.
+    /// Extrapolates all quantities linearly by a step of w.
     #[inline(always)]
     fn go<const ON: u32>(&mut self, e: &Paths<impl Tables>, g: f64, step: f64, derivative: f64) {
         let moves = Moves { curve: derivative * step, w: step, ..Moves::NONE };
