@@ -1,4 +1,4 @@
-//! Empty and not-a-number cells: a few rows are dropped, many are refused.
+//! Handles empty and not-a-number cells: drops a few rows, and rejects a record with many.
 
 use crate::data::samples::Samples;
 use crate::error::RecordError;
