@@ -108,7 +108,7 @@ fn stand_alone(time: &[f64], x: &[f64], cycles: &[Cycle], noise: f64) -> bool {
     }
 }
 
-/// Leaves out first and last cycles that the tail of a run-up or run-down still bends; says whether there were any.
+/// Removes first and last cycles that the end of a run-up or run-down distorts. Returns whether any were removed.
 fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
     let before = cycles.len();
     let (stroke, stroke_tolerance) = typical(cycles, Cycle::stroke, END_TOLERANCE);
