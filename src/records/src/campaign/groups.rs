@@ -87,7 +87,7 @@ pub enum GroupError {
     Read(#[from] RecordError),
 }
 
-/// Reads record files and folders as one campaign, always with the same options.
+/// Function that reads record files and folders as one campaign, always with the same options.
 pub type Read<'a> = dyn Fn(&[PathBuf]) -> Result<Campaign, RecordError> + 'a;
 
 /// Placeholder for the name of the group in a pattern.

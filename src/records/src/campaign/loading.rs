@@ -81,7 +81,7 @@ impl Campaign {
 pub struct Progress {
     /// Steps done.
     pub done: usize,
-    /// Total number of steps. It may grow when files turn out to hold several tests.
+    /// Total number of steps. It may grow if files contain several tests.
     pub total: usize,
 }
 

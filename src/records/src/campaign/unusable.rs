@@ -87,7 +87,7 @@ impl RecordError {
     }
 }
 
-/// Collects the faults of the parts that a campaign leaves out.
+/// Collection of the faults of the parts that a campaign leaves out.
 pub(crate) struct Sieve {
     strict: bool,
     faults: Vec<RecordError>,

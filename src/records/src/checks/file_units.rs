@@ -198,8 +198,8 @@ impl<'a> Others<'a> {
         Some(low + part * (self.curve.get(&(below as i32 + 1))? - low))
     }
 
-    /// Returns the highest common velocity level of a test and the others, twice. If they have none in common, returns
-    /// the two closest levels.
+    /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. Without a common
+    /// level returns the two closest ones.
     fn beside(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
         let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))

@@ -175,7 +175,7 @@ mod tests {
                 ([1.0, 1e-3, 1.0], "--unit displacement=m, or --unit displacement=mm to insist"),
             ] {
                 let records = campaign(force, 0.05 * force, &USUAL, slip);
-                // A time that is too short by a factor of a thousand gives an implausible speed at once.
+                // A time that is too short by a factor of a thousand may already be rejected for its implausible speed.
                 let message = said(&records);
                 assert!(message.contains(wanted), "{force} {slip:?}: {message}");
             }

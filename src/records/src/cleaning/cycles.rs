@@ -4,7 +4,6 @@
 //! turning points, so that a slow drift has no effect. Turning points count only if the motion between them is large
 //! (hysteresis), so that noise has no effect. The frequency may vary, as with drives without speed control. Cycles
 //! whose stroke or period differs from the rest (run-up, run-down, a pause) are excluded.
-//! taken.
 
 use super::drift::time_mean;
 use crate::data::cycle::Cycle;

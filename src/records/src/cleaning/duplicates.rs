@@ -57,9 +57,9 @@ fn same_time(samples: &mut Samples) {
 
 /// Removes blocks that repeat the rows just before them under new time stamps (a buffer written twice).
 ///
-/// A noise-free periodic record repeats itself too. One of two further conditions must therefore hold. Either the block
-/// breaks the motion at its seam. Or the rest of the record, one block length apart, is similar but not equal to the
-/// last digit.
+/// A noise-free periodic record repeats itself too, so one of two further conditions must hold. The first is that the
+/// block breaks the motion at its seam. The second is that the rest of the record, one block length apart, is similar
+/// but not equal to the last digit.
 fn new_time(samples: &mut Samples) {
     let channels = [Channel::Force, Channel::Displacement, Channel::Velocity];
     let mut removed: Vec<(usize, usize, usize)> = Vec::new();

@@ -484,7 +484,7 @@ fn loose(text: &str) -> Heading {
 }
 
 /// Reads a long name with one wrong letter, such as `Lead Actuator Displacment`. Excludes times, because `Restzeit` is
-/// not a misspelt `Testzeit`.
+/// not a misspelled `Testzeit`.
 fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
     /// Number of letters above which a name with one wrong letter is unambiguous.
     const LONG: usize = 9;
@@ -570,7 +570,7 @@ pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a s
         .map(|(_, h)| h)
 }
 
-/// Returns the heading that most resembles a misspelt heading of a channel.
+/// Returns the heading that most resembles a misspelled heading of a channel.
 pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a str> {
     /// Number of headings of a file to compare. Hostile files have millions.
     const COMPARED: usize = 200;

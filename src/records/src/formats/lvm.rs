@@ -212,11 +212,11 @@ fn same_clock(packet: &Packet<'_>, cells: &[String], has_x: bool, separator: u8)
     }
 }
 
-/// The packets of a file.
+/// Splits a file into its packets.
 fn packets(text: &str, separator: u8) -> Vec<Packet<'_>> {
     let mut packets: Vec<Packet<'_>> = Vec::new();
     let mut keys: Vec<Vec<String>> = Vec::new();
-    // The heading of the file comes first, then those of packets.
+    // The heading of the file precedes those of the packets.
     let (mut of_file, mut in_heading, mut names_next, mut special) = (true, true, false, false);
     for (index, line) in text.lines().enumerate() {
         let line = line.trim_end_matches('\r');
@@ -254,7 +254,7 @@ mod tests {
     const FILE: &str = "LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\nDecimal_Separator\t.\n\
         Multi_Headings\tYes\nX_Columns\tOne\nTime_Pref\tRelative\nDate\t2024/03/01\nTime\t10:45:47.5\n***End_of_Header***\t\n\t\n";
 
-    /// The heading of a packet that began some seconds after 10:45:47.5.
+    /// Writes the heading of a packet that began `seconds` after 10:45:47.5.
     fn heading(seconds: f64, columns: &[&str]) -> String {
         let all = |text: &str| columns.iter().map(|_| format!("\t{text}")).collect::<String>();
         let time = format!("10:45:{:09.6}", 47.5 + seconds);
