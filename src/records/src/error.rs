@@ -77,7 +77,7 @@ pub struct FilesUnit {
 impl FilesUnit {
     fn sentence(&self) -> Sentence {
         let several = |tests: &[String]| {
-            /// Largest number of tests that the message names. It only counts the rest, to stay readable.
+            /// Largest number of tests that the message names. The message only counts the rest, to stay readable.
             const NAMED: usize = 12;
             let named = Sentence::list(tests.iter().take(NAMED).map(Sentence::as_it_is).collect(), phrases::COMMA);
             match tests.len().saturating_sub(NAMED) {

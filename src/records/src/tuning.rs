@@ -1,8 +1,8 @@
 //! Tuning constants of reading and checking records: thresholds, priors, limits. Each file that uses some has a module.
 //!
 //! Every constant has its unit and its reason, and names a test. The test fails when the constant is doubled or halved,
-//! or changes by a factor of five if two has no effect. `tests/tests/tuning.rs` checks the form. Budgets of readers,
-//! names and physical constants stand in the files that use them.
+//! or changed by a factor of five if a smaller change has no effect. `tests/tests/tuning.rs` checks the form. Budgets
+//! of readers, names and physical constants stand in the files that use them.
 
 /// Constants of `campaign/date_agreement.rs`.
 pub(crate) mod date_agreement {
@@ -249,8 +249,8 @@ pub(crate) mod file_units {
 
     /// Logarithm of the force ratio above which the damper cannot cause the difference: a factor of three and a half.
     ///
-    /// The unit of force closest to the newton is the pound-force, with a logarithm of 1.49. Free play and presliding
-    /// reach 0.7.
+    /// The pound-force is the unit of force closest to the newton. The logarithm of their ratio is 1.49. Free play and
+    /// presliding reach 0.7.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const OFF: f64 = 1.25;

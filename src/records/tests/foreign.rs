@@ -74,6 +74,7 @@ fn when_a_file_says_the_test_began_is_read() {
         let from = seconds(made).unwrap();
         assert!(at(name).is_some_and(|t| (from..from + 1.0).contains(&t)), "{name}: {:?}", at(name));
     }
-    // Without a time, MDF 3 states the earliest time of its writers, and a TDMS channel of times states none.
+    // MDF 3 without a start time contains the earliest time that its writers know. A TDMS channel of times contains no
+    // start time.
     assert_eq!([at("plain.mdf"), at("time.tdms")], [None, None]);
 }

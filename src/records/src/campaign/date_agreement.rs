@@ -1,9 +1,14 @@
 //! Determines the order of day and month in the dates of the files.
 //!
-//! 3/11/2026 is the third of November in Europe and the eleventh of March in America. The user's statement has
-//! precedence. Then follow dates of the same file, and of its campaign, with only one valid order (13/11/2026). Then
-//! follows the number format of the file. Otherwise the order that puts the tests close together is assumed, else the
-//! order as read. A note reports the assumption.
+//! 3/11/2026 is the third of November in Europe and the eleventh of March in America. The evidence, in order of
+//! precedence, is:
+//!
+//! - the user's statement,
+//! - other dates of the same file with only one valid order (13/11/2026), then those of its campaign,
+//! - the number format of the file,
+//! - the order that puts the tests close together, else the order as read.
+//!
+//! A note reports an order from the last item, which is an assumption.
 
 use crate::data::record::Note;
 use crate::data::samples::Samples;

@@ -116,8 +116,8 @@ impl Sieve {
         self.faults.is_empty()
     }
 
-    /// Returns the first fault as an error if no usable test remains. Does so also if the tests with a systematic fault
-    /// are at least as many as the usable ones.
+    /// Returns the first fault as an error if no usable test remains. Returns the first systematic fault if at least as
+    /// many tests have such a fault as are usable.
     ///
     /// A wrong column, unit or sign would give all of them such a fault.
     pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {

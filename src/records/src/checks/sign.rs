@@ -344,7 +344,7 @@ fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Se
 }
 
 fn list(names: &[&Evidence]) -> Sentence {
-    /// Largest number of tests that the message names. It only counts the rest, to stay readable.
+    /// Largest number of tests that the message names. The message only counts the rest, to stay readable.
     const NAMED: usize = 8;
     let quoted = |e: &&Evidence| Sentence::from(phrases::QUOTED).with("test", &e.name);
     let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
@@ -422,9 +422,9 @@ fn direction(
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
     let grows = grows(evidence, fastest);
-    // Two normal distributions give twice the typical ratio, times the found ratio, over the squared scatter. Use half
-    // of that, and at most seven to one, since some dampers are symmetric or inverse. The error of the growth adds to
-    // the scatter of dampers.
+    // For two normal distributions the log odds are 2 · prior ratio · found ratio / scatter². Use half of that, and at
+    // most seven to one, since some dampers are symmetric or inverse. The error of the growth adds to the scatter of
+    // dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });

@@ -578,8 +578,8 @@ pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a 
     known.filter_map(|h| nearest(h, found.iter().copied().take(COMPARED))).next()
 }
 
-/// Returns the number of letters to change, add, remove or exchange with a neighbor to convert one text into the other
-/// (Damerau 1964). Long texts count as infinitely distant.
+/// Returns the number of letter changes, insertions, deletions and exchanges of neighbors that convert one text into
+/// the other (Damerau 1964). Long texts count as infinitely distant.
 fn distance(a: &str, b: &str) -> usize {
     /// Headings are shorter than this. The limit bounds the work on hostile files.
     const LONG: usize = 64;

@@ -13,8 +13,8 @@ use std::fmt;
 pub struct Template(&'static str);
 
 impl Template {
-    /// Makes a template. Only [`phrases!`](super::phrases) may call it, because a template outside its list is in no
-    /// test of the translations.
+    /// Makes a template. Only [`phrases!`](super::phrases) may call this function, because a template outside its list
+    /// is in no test of the translations.
     #[doc(hidden)]
     pub const fn listed(english: &'static str) -> Template {
         Template(english)
@@ -192,7 +192,7 @@ impl Sentence {
         self.and(name, Value::List(list.into_iter().map(Value::Said).collect(), between))
     }
 
-    /// Joins several sentences to one.
+    /// Joins several sentences into one.
     pub fn list(list: Vec<Sentence>, between: Template) -> Self {
         Sentence::from(AS_IT_IS).with_list("text", list, between)
     }

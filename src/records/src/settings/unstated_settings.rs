@@ -68,7 +68,7 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     notes.push(Note { kind: "settings", text });
 }
 
-/// Formats the names of tests, a few if there are many.
+/// Formats the names of tests. Names only the first few of many.
 fn listed(names: &[&str], tests: &[usize]) -> Sentence {
     let quoted = |i: &usize| Sentence::from(phrases::QUOTED).with("test", names[*i]);
     let named = Sentence::list(tests.iter().take(NAMES).map(quoted).collect(), phrases::COMMA);

@@ -32,7 +32,7 @@ pub(super) struct Record {
     pub count: u64,
 }
 
-/// Returns all bytes of a data group. Charges bytes that are not borrowed to the budget.
+/// Returns all bytes of a data group. Charges them to the budget, unless they are borrowed from the file.
 pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String> {
     let limit = UNPACKED.max(RATIO * mdf.len()).min(mdf.budget.bytes_remaining() as usize);
     let first = mdf.any(at)?;
