@@ -67,7 +67,7 @@ impl RigFrame {
         let (low, high) = self.reach_m;
         let amplitude = sine.amplitude_m.min((0.5 + BEYOND) * (high - low));
         let (lowest, highest) = (low + amplitude, high - amplitude);
-        // An amplitude of half the range allows only the middle as mean.
+        // An amplitude of half the range or more allows only the middle as mean.
         let mean = if lowest <= highest { restrict(sine.mean_m, lowest, highest) } else { 0.5 * (low + high) };
         let fastest = (1.0 + BEYOND) * self.speed_m_s / (std::f64::consts::TAU * amplitude);
         RigSine { amplitude_m: amplitude, frequency_hz: sine.frequency_hz.min(fastest), mean_m: mean }

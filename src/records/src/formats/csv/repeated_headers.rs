@@ -38,7 +38,7 @@ impl Blocks {
             let mut seen = false;
             let mut between: Option<usize> = None;
             let mut repeated = false;
-            // The reader counts empty lines to the next record.
+            // The reader attributes empty lines to the record that follows them.
             let mut empty: Option<usize> = None;
             for (index, line) in text.lines().enumerate() {
                 let is_header = line.trim_end() == header;

@@ -97,7 +97,7 @@ pub(super) fn table(
     let mut tests = Vec::new();
     let mut beside = Beside::default();
     while reader.read_byte_record(&mut record).unwrap_or(false) {
-        // The reader counts empty lines to the next record.
+        // The reader attributes empty lines to the record that follows them.
         let (begins, empty) = record.position().map_or((0, 0), |p| {
             let before = text.as_bytes().get(offset + p.byte() as usize..).unwrap_or_default();
             let ends = before.iter().take_while(|b| matches!(b, b'\r' | b'\n'));

@@ -4,7 +4,7 @@ use std::io::{Cursor, Error, Read, Result, Seek, SeekFrom};
 
 use crate::source::{Budget, Exhausted};
 
-/// Unpacked size of a part of a workbook that is always allowed, bytes.
+/// Unpacked size of all parts of a workbook together that is always allowed, bytes.
 ///
 /// The strings need several times their size in memory, so their limit is lower.
 const LARGEST_PART: u64 = 256 << 20;
