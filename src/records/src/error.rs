@@ -1,4 +1,4 @@
-//! Why a record or a campaign cannot be read, in words that say where and what to do.
+//! Errors of reading a record or a campaign. Each message names the place and the remedy.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -8,34 +8,34 @@ use crate::messages::sentence::{Sentence, Template};
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 
-/// The files that are read, for messages.
+/// Lists the file extensions that can be read, for messages.
 fn kinds() -> Sentence {
     let all = crate::file_extensions::EXTENSIONS.map(|ending| format!(".{ending}"));
     let (last, others) = (&all[all.len() - 1], &all[..all.len() - 1]);
     Sentence::from(phrases::KINDS).with("others", others.join(", ")).with("last", last)
 }
 
-/// Options that say the units of channels, with an example each.
+/// Formats the options that state the units of channels, each with an example.
 fn unit_options(channels: impl Iterator<Item = Channel>) -> String {
     channels.map(|channel| format!("--unit {channel}={}", channel.example())).collect::<Vec<_>>().join(" ")
 }
 
-/// A size of a file as people read it.
+/// Formats a file size for readers.
 fn size(bytes: u64) -> String {
     if bytes < 10 << 20 { format!("{bytes} bytes") } else { format!("{} MiB", bytes >> 20) }
 }
 
-/// The place a message speaks of: a file, and the sheet or test within it.
+/// The location that a message refers to: a file, and the sheet or test within it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
     /// The file.
     pub file: PathBuf,
-    /// Sheet or test within the file, where it holds several.
+    /// Sheet or test within the file, if the file holds several.
     pub part: Option<String>,
 }
 
 impl Place {
-    /// A place that is a whole file.
+    /// Makes the location of a whole file.
     pub fn file(file: impl Into<PathBuf>) -> Self {
         Place { file: file.into(), part: None }
     }
@@ -51,33 +51,33 @@ impl fmt::Display for Place {
     }
 }
 
-/// Files of a campaign that are likely written in another unit than the others.
+/// Files of a campaign whose unit likely differs from that of the other files.
 #[derive(Debug, Clone)]
 pub struct FilesUnit {
-    /// The tests whose unit is likely another one.
+    /// The tests whose unit likely differs.
     pub tests: Vec<String>,
     /// The tests that agree with each other.
     pub others: Vec<String>,
     /// Number of all tests.
     pub all: usize,
-    /// One of the tests, by its name.
+    /// Name of the test whose figures the message states.
     pub shown: String,
-    /// A velocity of it, m/s, and its force against the motion there, N.
+    /// A velocity of the test `shown`, m/s, and its force against the motion there, N.
     pub at: (f64, f64),
-    /// The velocity of the others that is closest, and their force.
+    /// The closest velocity of the other tests, m/s, and their force there, N.
     pub expected: (f64, f64),
     /// The channel.
     pub channel: Channel,
-    /// The unit that it was read in.
+    /// The unit in which the channel was read.
     pub written: Unit,
-    /// The units that it is likely in; several where they are nearly the same.
+    /// The likely units. There are several if they are nearly equal.
     pub likely: Vec<Unit>,
 }
 
 impl FilesUnit {
     fn sentence(&self) -> Sentence {
         let several = |tests: &[String]| {
-            /// Tests that are named: more would bury what is said of them, and their number is told.
+            /// Largest number of tests that the message names. The message only counts the rest, to stay readable.
             const NAMED: usize = 12;
             let named = Sentence::list(tests.iter().take(NAMED).map(Sentence::as_it_is).collect(), phrases::COMMA);
             match tests.len().saturating_sub(NAMED) {
@@ -85,7 +85,7 @@ impl FilesUnit {
                 more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
             }
         };
-        // Where the others are not many more, it may be they that are wrong.
+        // If the other tests are not clearly in the majority, theirs may be the wrong unit.
         let either = (2 * self.others.len() < 3 * self.tests.len())
             .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_sentence("others", several(&self.others)));
         let figure = |value: f64| match value {
@@ -111,9 +111,9 @@ impl FilesUnit {
     }
 }
 
-/// Why reading a campaign was refused. Every message names the file, the line where there is one, and what to do.
+/// Reason for which a campaign is rejected. Every message names the file, the line if there is one, and the remedy.
 ///
-/// Lines count from 1 as an editor shows them; in a sheet they are its rows, in a MAT file the elements.
+/// Lines count from 1, as in an editor. They are the rows of a sheet and the elements of a MAT file.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 #[allow(missing_docs)] // the messages are the meaning of variants and fields
@@ -128,7 +128,7 @@ pub enum RecordError {
         source: std::io::Error,
     },
 
-    /// A pipe, a device or a folder where a file is read.
+    /// The path is a pipe, a device or a folder, not a file.
     NotRegular {
         file: PathBuf,
     },
@@ -236,7 +236,7 @@ pub enum RecordError {
         cause: String,
     },
 
-    /// A table of peaks where a record is read.
+    /// The file holds a table of peaks instead of a record.
     IsPeakTable {
         file: PathBuf,
     },
@@ -439,7 +439,7 @@ pub enum RecordError {
 }
 
 impl RecordError {
-    /// What is wrong and what to do, to be said in any language.
+    /// Returns the cause and the remedy as a translatable sentence.
     pub fn sentence(&self) -> Sentence {
         let of = |template: Template, at: &Place| Sentence::from(template).with("at", at);
         let in_line = |template: Template, at: &Place, line: &usize| of(template, at).with("line", line);
@@ -639,7 +639,7 @@ impl RecordError {
         }
     }
 
-    /// The sentence of an error if the campaign does without the file or test; it asks nothing of the user.
+    /// Returns the sentence for a file or test that the campaign leaves out. It asks nothing of the user.
     pub(crate) fn fault(&self) -> Sentence {
         match self {
             RecordError::Header { at, found, near, .. } => {

@@ -1,17 +1,17 @@
-//! How the names of records end.
+//! File extensions of records.
 
 use std::path::Path;
 
-/// How the names of records end, in small letters.
+/// File extensions of records, in lower case.
 pub const EXTENSIONS: [&str; 16] =
     ["csv", "txt", "asc", "dat", "tsv", "tra", "lvm", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim"];
 
-/// Whether a file is read as a record where its folder is given, by its name.
+/// Returns whether a file in a given folder is read as a record, by its extension.
 pub fn is_record_name(path: &Path) -> bool {
     EXTENSIONS.contains(&extension(path).as_str())
 }
 
-/// The ending of a name, in small letters.
+/// Returns the extension of a file name, in lower case.
 pub(crate) fn extension(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }

@@ -1,4 +1,4 @@
-//! Rig tests made up for the unit tests: a simple damper on a sine, with rest, run-up, run-down and noise.
+//! Synthetic rig tests for the unit tests: a simple damper on a sine, with standstill, run-up, run-down and noise.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -27,7 +27,8 @@ impl Random {
     }
 }
 
-/// Test number `k` of a campaign: three cycles of a sine of this amplitude and peak velocity, whose force follows displacement and velocity.
+/// Returns test number `k` of a campaign: three cycles of a sine with the given amplitude and peak velocity. `force`
+/// computes the force from displacement and velocity.
 pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl FnMut(f64, f64) -> f64) -> Record {
     let omega = speed / amplitude;
     let time: Vec<f64> = (0..1500).map(|i| f64::from(i) * 0.002 * TAU / omega).collect();
@@ -46,7 +47,7 @@ pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl 
     }
 }
 
-/// A record without force whose displacement is this at equal times, as read from a file that is called long.
+/// Returns the samples of the file `long.txt`: the given displacement at equal time steps, without force.
 pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
     let n = displacement.len();
     Samples {
@@ -76,9 +77,9 @@ pub(crate) struct SineTest {
     pub frequency: f64,
     pub amplitude: f64,
     pub mean: f64,
-    /// Whole steady cycles; a run-up of one cycle comes before, a run-down of one after.
+    /// Number of whole steady cycles. A run-up of one cycle precedes them and a run-down of one cycle follows.
     pub cycles: usize,
-    /// Rest before the run-up and after the run-down, in cycles.
+    /// Standstill before the run-up and after the run-down, in cycles.
     pub rest: f64,
     pub per_cycle: usize,
     /// Force noise, N, with autocorrelation `lag1`.
@@ -117,7 +118,7 @@ impl SineTest {
         1.0 / self.frequency
     }
 
-    /// Time of the first steady crossing, s.
+    /// Returns the time of the first upward crossing of the steady cycles, s.
     pub fn steady_from(&self) -> f64 {
         (self.rest + 1.0) * self.period()
     }
@@ -130,7 +131,7 @@ impl SineTest {
         let (mut time, mut x, mut v, mut force) = (vec![], vec![], vec![], vec![]);
         let mut noise = random.normal();
         for i in 0..n {
-            // Half a sample off, so that no sample lies on a turning point.
+            // Shift the phase by a fraction of a sample, so that no sample lies on a turning point.
             let phase = (i as f64 + 0.37) / self.per_cycle as f64 - self.rest;
             let envelope = phase.min(self.cycles as f64 + 2.0 - phase).clamp(0.0, 1.0);
             let slope = if envelope > 0.0 && envelope < 1.0 {
@@ -174,7 +175,7 @@ impl SineTest {
     }
 }
 
-/// Samples as a CSV file in SI.
+/// Formats samples as a CSV file in SI units.
 pub(crate) fn csv(samples: &Samples) -> String {
     let mut text = String::from("time_s");
     let (x, v) = (samples.displacement.as_ref(), samples.velocity.as_ref());

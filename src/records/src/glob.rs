@@ -2,7 +2,7 @@
 
 use wildmatch::WildMatch;
 
-/// Whether a name matches a pattern. Takes time in proportion to both lengths, whatever the pattern.
+/// Returns whether a name matches a pattern. The time is proportional to both lengths for every pattern.
 pub fn matches(pattern: &str, name: &str) -> bool {
     WildMatch::new(pattern).matches(name)
 }

@@ -1,8 +1,8 @@
-//! Rig records: reading files of every usual kind, cleaning them, and saying what was done.
+//! Rig records: reads files of all common formats, cleans them and reports each change.
 //!
-//! [`load`] is the way in. After it everything is SI, rebound (extension) and tension positive.
+//! [`load`] is the entry point. All data after it are in SI units, with rebound (extension) and tension positive.
 //!
-//! The folders, from the bottom up; each uses only those before it, and the files beside them:
+//! The folders follow in order of dependency. Each uses only the folders before it and the files of this folder:
 //! `messages`, `quantities`, `dates`, `data`, `columns`, `formats`, `signal`, `cleaning`, `checks`, `settings`, `peaks`, `campaign`.
 
 mod campaign;

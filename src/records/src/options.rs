@@ -1,4 +1,4 @@
-//! What the user may say about his records.
+//! Statements of the user about the records.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::str::FromStr;
@@ -11,18 +11,18 @@ use crate::quantities::setting_value::SettingRules;
 use crate::quantities::unit::Unit;
 use crate::tuning::options::{GAINS, LARGEST_FORCE_ZERO, LARGEST_MASS, LARGEST_POSITION, LONGEST_DELAY, SAMPLE_RATES};
 
-/// The direction in which displacement, velocity and force of a file are counted positive.
+/// The positive direction of displacement, velocity and force in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Positive {
-    /// Extension and tension positive, the convention inside.
+    /// Extension and tension positive, the internal convention.
     Rebound,
     /// Compression positive.
     Compression,
 }
 
 impl Positive {
-    /// The name as the command line writes it.
+    /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Positive::Rebound => "rebound",
@@ -30,7 +30,7 @@ impl Positive {
         }
     }
 
-    /// The other direction.
+    /// Returns the opposite direction.
     #[must_use]
     pub fn opposite(self) -> Positive {
         match self {
@@ -52,47 +52,48 @@ impl FromStr for Positive {
     }
 }
 
-/// How to read a campaign; the default leaves everything to the files.
+/// Options for reading a campaign. By default all information comes from the files.
 #[derive(Debug, Clone)]
 pub struct Options {
-    /// Units given by the user; they win over the header (`--unit force=kN`).
+    /// Units given by the user. They take precedence over the header (`--unit force=kN`).
     pub units: BTreeMap<Channel, Unit>,
     /// Column headings given by the user (`--column force="Load Cell 1"`), or numbers of columns from 1.
     pub columns: BTreeMap<Channel, String>,
     /// Channels not to be read even if there is a column for them (`--ignore velocity`).
     pub ignore: BTreeSet<Channel>,
-    /// Direction counted positive in the files, after the flips below; worked out from the data if not given.
+    /// Positive direction of the files after the flips below (`--positive`). Estimated from the data if not given.
     pub positive: Option<Positive>,
-    /// Turn the sign of the force (`--flip force`).
+    /// Reverse the sign of the force (`--flip force`).
     pub flip_force: bool,
-    /// Turn the sign of displacement and velocity (`--flip motion`).
+    /// Reverse the sign of displacement and velocity (`--flip motion`).
     pub flip_motion: bool,
     /// Samples per second of files that have no column of time, 1/s (`--sample-rate`).
     pub sample_rate_hz: Option<f64>,
-    /// Which of day and month comes first in dates such as 3/11/2026; worked out from the files if not given (`--dates`).
+    /// Order of day and month in dates such as 3/11/2026 (`--dates`). Determined from the files if not given.
     pub dates: Option<DateOrder>,
-    /// Displacement at the first sample, m, in the file's direction. Used where only a velocity was recorded.
+    /// Displacement at the first sample, m, in the file's direction. Used if only a velocity was recorded.
     pub initial_position: f64,
-    /// How much later than the motion the force was recorded, s (`--delay`).
+    /// Lag of the recorded force behind the motion, s (`--delay`).
     pub delay_s: f64,
-    /// What the force channel shows without force, N, in the file's direction (`--force-zero`).
+    /// Reading of the force channel at zero force, N, in the file's direction (`--force-zero`).
     pub force_zero_n: f64,
-    /// What the displacement channel shows where displacement is to be zero, m, in the file's direction
-    /// (`--displacement-zero`).
+    /// Reading of the displacement channel at the desired zero, m, in the file's direction (`--displacement-zero`).
     pub displacement_zero_m: f64,
-    /// Factor on the force, after its zero was taken off (`--gain`).
+    /// Factor on the force, applied after the zero is subtracted (`--gain`).
     pub gain: f64,
-    /// Factors on other channels than the force, such as 1.02 where a displacement sensor shows too little (`--gain displacement=1.02`).
+    /// Factors on channels other than the force (`--gain displacement=1.02` for a displacement sensor that reads too
+    /// low).
     pub gains: BTreeMap<Channel, f64>,
     /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
     pub rig_mass_kg: f64,
-    /// What the damper was set to, where neither a channel nor the names of the tests say it (`campaign.toml`).
+    /// Setting of the damper, for tests without a setting channel and without a setting in their names
+    /// (`campaign.toml`).
     pub settings: SettingRules,
-    /// Files and tests to leave out, by name; `*` stands for anything (`--exclude`).
+    /// Files and tests to leave out, by name. `*` matches any text (`--exclude`).
     pub exclude: Vec<String>,
     /// Read the records in the subfolders of a folder as tests of the same campaign (`--subfolders`).
     pub subfolders: bool,
-    /// Refuse files that are no records and tests that have a fault of their own, instead of leaving them out (`--strict`).
+    /// Reject files that are no records and faulty tests instead of leaving them out (`--strict`).
     pub strict: bool,
 }
 
@@ -123,7 +124,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Makes sure that the numbers can be.
+    /// Checks that the numbers are within their limits.
     ///
     /// # Errors
     /// A sentence that names the number.
@@ -172,7 +173,7 @@ impl Options {
         }
     }
 
-    /// These options, and where they say nothing, those of a profile.
+    /// Merges these options with those of a profile. These options take precedence.
     pub fn over(&self, profile: &Options) -> Options {
         let number = |own: f64, other: f64, nothing: f64| if own == nothing { other } else { own };
         let mut all = self.clone();
@@ -208,7 +209,7 @@ impl Options {
 mod tests {
     use super::*;
 
-    /// A change of one number.
+    /// A change of one number of the options.
     type Change<'a> = &'a dyn Fn(&mut Options, f64);
 
     #[test]

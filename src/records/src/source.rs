@@ -1,7 +1,7 @@
 //! The bytes of a record file, and the budget of work and memory for reading them.
 //!
-//! Every reader gets its bytes here. A file that states a size, points twice at one block or repeats a text pays for each use, so
-//! the cost of reading is bounded by the size of the file.
+//! Every reader gets its bytes here. A file that states a size, refers twice to one block or repeats a text is charged
+//! for each use. The size of the file thus limits the cost of reading.
 
 use std::fs::File;
 use std::io::Read as _;
@@ -13,10 +13,12 @@ use crate::error::{Place, RecordError};
 
 /// Largest record file, bytes: an hour of four channels at 1 kHz as text has 130 MB.
 pub(crate) const LARGEST: u64 = 256 << 20;
-/// Memory for what a reader makes of a file, bytes: this much for any file, and so many times its size. 16-bit numbers become numbers of
-/// eight bytes, compressed ones pack three to one. Cleaning then needs up to three times as much; a file of 10 MiB stays within 1 GiB.
+/// Memory for the data that a reader makes of a file, bytes: a constant for any file, plus a multiple of the file's
+/// size. 16-bit numbers become numbers of eight bytes; compressed ones pack three to one. Cleaning then needs up to
+/// three times as much. A file of 10 MiB stays within 1 GiB.
 const MEMORY: (u64, u64) = (192 << 20, 10);
-/// Work for a file, in steps of about a nanosecond: this many for any file, and so many per byte. A text costs 30 per byte.
+/// Work for a file, in steps of about a nanosecond: a constant for any file, plus a number per byte. A text costs 30
+/// per byte.
 const WORK: (u64, u64) = (2_000_000_000, 200);
 
 /// A record file in memory.
@@ -30,7 +32,7 @@ impl Source {
     /// Reads a whole file.
     ///
     /// # Errors
-    /// Where it cannot be read, is no regular file, is empty, or is larger than [`LARGEST`].
+    /// The file cannot be read, is not a regular file, is empty, or is larger than [`LARGEST`].
     pub fn read(file: &Path) -> Result<Source, RecordError> {
         let bytes = bytes(file, LARGEST)?;
         if bytes.is_empty() {
@@ -39,16 +41,16 @@ impl Source {
         Ok(Source { file: file.into(), budget: Budget::new(bytes.len() as u64), bytes })
     }
 
-    /// The file as a place of messages.
+    /// Returns the file as the location of a message.
     pub fn place(&self) -> Place {
         Place::file(&self.file)
     }
 }
 
-/// The bytes of a regular file of at most `largest` bytes.
+/// Reads the bytes of a regular file of at most `largest` bytes.
 ///
 /// # Errors
-/// Where the file cannot be read, is no regular file (a pipe blocks for ever, a device never ends), or is larger.
+/// The file cannot be read, is larger, or is not a regular file. A pipe would block forever, and a device never ends.
 pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
     let unreadable = |source| RecordError::Read { file: file.into(), source };
     let metadata = std::fs::metadata(file).map_err(unreadable)?;
@@ -59,7 +61,7 @@ pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
     if metadata.len() > largest {
         return Err(too_large(metadata.len()));
     }
-    // A file may grow while it is read, and some state no size.
+    // A file may grow while it is read, and some files state no size.
     let mut bytes = Vec::with_capacity(metadata.len() as usize + 1);
     File::open(file).map_err(unreadable)?.take(largest + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > largest {
@@ -68,10 +70,10 @@ pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
     Ok(bytes)
 }
 
-/// The text of a regular file of at most `largest` bytes, in UTF-8.
+/// Reads the text of a regular file of at most `largest` bytes, in UTF-8.
 ///
 /// # Errors
-/// The errors of [`bytes`], and a file that is no text.
+/// The errors of [`bytes`], or a file that is not text.
 pub(crate) fn text(file: &Path, largest: u64) -> Result<String, RecordError> {
     String::from_utf8(bytes(file, largest)?).map_err(|error| {
         let source = std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error());
@@ -79,13 +81,13 @@ pub(crate) fn text(file: &Path, largest: u64) -> Result<String, RecordError> {
     })
 }
 
-/// Largest file that is no record but a table, a model or a description, bytes.
+/// Size limit of files that are not records, such as tables, models and descriptions, bytes.
 const LARGEST_SMALL: u64 = 16 << 20;
 
-/// The bytes of a table, a model or a description: a regular file of at most 16 MiB.
+/// Reads the bytes of a table, a model or a description: a regular file of at most 16 MiB.
 ///
 /// # Errors
-/// Where it cannot be read, is a pipe or a device, or is larger.
+/// The file cannot be read, is a pipe or a device, or is larger.
 pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
     bytes(file, LARGEST_SMALL).map_err(|error| match error {
         RecordError::Read { source, .. } => source,
@@ -95,16 +97,16 @@ pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
     })
 }
 
-/// The text of a table, a model or a description, in UTF-8.
+/// Reads the text of a table, a model or a description, in UTF-8.
 ///
 /// # Errors
-/// The errors of [`read_small`], and a file that is no text.
+/// The errors of [`read_small`], or a file that is not text.
 pub fn read_small_text(file: &Path) -> std::io::Result<String> {
     String::from_utf8(read_small(file)?)
         .map_err(|_| std::io::Error::new(std::io::ErrorKind::InvalidData, "it is no text in UTF-8"))
 }
 
-/// Work and memory that are left for reading one file. Clones share what is left.
+/// The remaining work and memory for reading one file. Clones share the remainder.
 #[derive(Debug, Clone)]
 pub(crate) struct Budget(Arc<Left>);
 
@@ -114,56 +116,56 @@ struct Left {
     memory: AtomicU64,
 }
 
-/// The budget of a file is used up.
+/// The error of a budget that is used up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Exhausted;
 
 impl Budget {
-    /// The budget of a file of so many bytes.
+    /// Makes the budget of a file with the given number of bytes.
     pub fn new(bytes: u64) -> Budget {
         let of = |(any, per_byte): (u64, u64)| AtomicU64::new(any + per_byte * bytes);
         Budget(Arc::new(Left { work: of(WORK), memory: of(MEMORY) }))
     }
 
-    /// Charges work, in steps of about a nanosecond: a block that is visited, a byte that is unpacked.
+    /// Charges work, in steps of about a nanosecond, for example for a visited block or an unpacked byte.
     pub fn work(&self, steps: u64) -> Result<(), Exhausted> {
         charge(&self.0.work, steps)
     }
 
-    /// Charges memory that is held until the file has been read, bytes, and the work of filling it.
+    /// Charges memory that stays in use until the file has been read, bytes, and the work of filling it.
     pub fn hold(&self, bytes: u64) -> Result<(), Exhausted> {
         charge(&self.0.memory, bytes)?;
         self.work(bytes)
     }
 
-    /// Gives back memory that was held for a while.
+    /// Returns memory that was in use temporarily.
     pub fn free(&self, bytes: u64) {
         self.0.memory.fetch_add(bytes, Relaxed);
     }
 
-    /// Charges so many numbers of eight bytes.
+    /// Charges the memory of `count` numbers of eight bytes.
     pub fn numbers(&self, count: u64) -> Result<(), Exhausted> {
         self.hold(count.saturating_mul(8))
     }
 
-    /// Memory that is left, bytes.
+    /// Returns the remaining memory, bytes.
     pub fn bytes_remaining(&self) -> u64 {
         self.0.memory.load(Relaxed)
     }
 }
 
 fn charge(left: &AtomicU64, amount: u64) -> Result<(), Exhausted> {
-    // One thread reads a file; the atomic only lets parts of a reader share the budget.
+    // One thread reads a file. The atomic only lets parts of a reader share the budget.
     let rest = left.load(Relaxed).checked_sub(amount);
     left.store(rest.unwrap_or(0), Relaxed);
     rest.map(|_| ()).ok_or(Exhausted)
 }
 
 impl Exhausted {
-    /// The cause in messages of readers.
+    /// The cause in the messages of readers.
     pub const CAUSE: &'static str = "it unpacks to more than a file of its size may, or uses its parts too often";
 
-    /// As an error of a place.
+    /// Converts to the error of a location.
     pub fn into_error(self, at: &Place) -> RecordError {
         RecordError::TooCostly { at: at.clone() }
     }
@@ -201,7 +203,7 @@ mod tests {
         std::fs::write(&file, "12345678901").unwrap();
         assert_eq!(bytes(&file, 11).unwrap().len(), 11);
         assert!(message(bytes(&file, 10).unwrap_err()).contains("a.csv: has 11 bytes"));
-        // A hole takes no room on the disk.
+        // A sparse file uses no space on the disk.
         std::fs::File::create(&file).unwrap().set_len(2 << 30).unwrap();
         assert!(message(Source::read(&file).err().unwrap()).contains("2048 MiB"));
     }

@@ -1,4 +1,4 @@
-//! All that reading says, for those who translate it.
+//! All texts of the messages about records, for translators.
 
 use crate::formats::unsupported;
 use crate::messages::phrases::TEMPLATES;
@@ -6,16 +6,16 @@ use crate::messages::sentence::{Template, each_once};
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value;
 
-/// What a channel, a direction, or the end of a record is called.
+/// Words for channels, directions and the end of a record.
 const WORDS: &[&str] =
     &["rebound", "compression", "displacement or velocity", "an incomplete cycle or run-down", "rest", "nothing"];
 
-/// Every template of a sentence.
+/// Returns every sentence template.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Every English text that is said of records, each once: sentences with the places of their values, and words.
+/// Returns every English text of messages about records once: words, and sentences with placeholders for values.
 pub fn texts() -> Vec<&'static str> {
     each_once(
         TEMPLATES,

@@ -1,15 +1,15 @@
-//! Small files that are made to cost gigabytes or minutes.
+//! Small files that are constructed to cost gigabytes or minutes.
 //!
-//! A part that is used many times, counts that no file holds, trees that lead twice to a node. Each is read or
-//! rejected within a gibibyte and ten seconds of processor time.
+//! Examples are a part that is used many times, counts that no file contains, and trees that lead twice to a node. Each
+//! is read or rejected within a gibibyte and ten seconds of processor time.
 //!
-//! A reader that asks for more memory ends this process with a signal, and so fails the test.
+//! A reader that asks for more memory ends this process with a signal, which fails the test.
 
 use dashpot_records::{Options, Unit, load};
 use std::io::Write as _;
 use std::path::Path;
 
-/// Address space of this process, bytes: a gibibyte for the reader, and the program itself with its threads' stacks.
+/// Address space of this process, bytes: a gibibyte for the reader, and memory for the program and its thread stacks.
 #[cfg(target_os = "linux")]
 const SPACE: u64 = (1 << 30) + (512 << 20);
 /// Processor time for one file, s.
@@ -23,10 +23,10 @@ fn limit_memory() {
     }
 }
 
-/// Processor time of this process, s; elsewhere than on Linux that of the wall.
+/// Returns the processor time of this process, s. Without Linux it is the wall-clock time.
 fn seconds() -> f64 {
     static START: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
-    // Hundredths of a second, of the program and of the system for it.
+    // User and system time in hundredths of a second.
     let used = std::fs::read_to_string("/proc/self/stat").ok().and_then(|stat| {
         let fields: Vec<&str> = stat.rsplit_once(')')?.1.split_whitespace().collect();
         Some(fields[11].parse::<f64>().ok()? + fields[12].parse::<f64>().ok()?)
@@ -34,7 +34,7 @@ fn seconds() -> f64 {
     used.map_or_else(|| START.elapsed().as_secs_f64(), |ticks| ticks / 100.0)
 }
 
-/// Loads a file within the time; the message where it is rejected.
+/// Loads a file within the time limit. Returns the message if the file is rejected.
 fn answer(path: &Path) -> Result<usize, String> {
     let begin = seconds();
     let mut options = Options::default();
@@ -62,7 +62,7 @@ const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
 const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
 const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
 
-/// A workbook of so many sheets that are all the same part.
+/// Makes a workbook whose sheets all refer to the same part.
 fn workbook(sheets: usize, data: &str, others: &[(&str, String)]) -> Vec<u8> {
     let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     let mut put = |name: &str, text: &str| {
@@ -108,7 +108,7 @@ fn small_files_never_cost_more_than_a_gibibyte_and_ten_seconds() {
     known();
 }
 
-/// Files of this kind that were found before, where they are.
+/// Loads known files of this kind, if they are available.
 fn known() {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/hostile");
     let Ok(entries) = std::fs::read_dir(&data) else {
@@ -121,7 +121,7 @@ fn known() {
 }
 
 fn texts(folder: &Path) {
-    // As many rows as ten mebibytes hold, of a damper on a sine.
+    // As many rows as ten mebibytes contain, of a damper on a sine.
     let rows: String = (0..560_000_u32)
         .map(|i| {
             let t = 0.001 * f64::from(i);
@@ -135,7 +135,7 @@ fn texts(folder: &Path) {
     let _ = answer(&folder.join("short.csv"));
     rejected(folder, "line.csv", "a,".repeat(5 << 20).as_bytes());
     rejected(folder, "quotes.csv", "\"a\"\"".repeat(5 << 19).as_bytes());
-    // A heading of keys and one of names, each compared with the other.
+    // A heading with many keys and one with many names, each compared with the other.
     let head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tOne\n***End_of_Header***\n\nChannels\t2\n";
     let keys = "k\tv\n".repeat(400_000);
     let names = "n\t".repeat(400_000);
@@ -144,7 +144,7 @@ fn texts(folder: &Path) {
         "keys.lvm",
         format!("{head}{keys}***End_of_Header***\nX_Value\tx_mm\tF_N\t{names}\n0\t1\t2\n").as_bytes(),
     );
-    // A long note that every one of many tests would keep.
+    // A long note that would be stored with each of many tests.
     let tests: String = (0..300_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let columns = "c".repeat(20_000);
     rejected(folder, "notes.csv", format!("test,time_s,x_mm,F_N,{columns}\n{tests}").as_bytes());
@@ -184,7 +184,7 @@ fn workbooks(folder: &Path) {
         "<xf fontId=\"0\"/>".repeat(500_000)
     );
     told(rejected(folder, "styles.xlsx", &workbook(1, row, &[("xl/styles.xml", styles)])));
-    // A row for every cell, far out.
+    // Every cell has its own row and is in a remote column.
     let far: String = (2..2_000_000).map(|k| format!("<row><c r=\"ALL{k}\"><v>1</v></c></row>")).collect();
     told(rejected(folder, "far.xlsx", &workbook(1, &format!("{heading}{far}"), &[])));
 }
@@ -193,14 +193,14 @@ mod mdf {
     use super::rejected;
     use std::path::Path;
 
-    /// A file of blocks, which are put one behind the other.
+    /// A file of consecutive blocks.
     struct File(Vec<u8>);
 
     impl File {
         fn new() -> File {
             let mut bytes = vec![0; 64];
             bytes[..16].copy_from_slice(b"MDF     4.10    ");
-            // The heading comes first; its link to the first group is filled in at the end.
+            // The heading comes first. Its link to the first group is filled in at the end.
             let mut file = File(bytes);
             file.put(b"HD", &[0; 6], &[0; 32]);
             file
@@ -224,14 +224,14 @@ mod mdf {
             self.put(b"TX", &[], &[text.as_bytes(), &[0]].concat())
         }
 
-        /// A channel of a byte: the next one, its name and its conversion.
+        /// Adds a channel of one byte with links to the next one, its name and its conversion.
         fn channel(&mut self, next: u64, name: u64, conversion: u64) -> u64 {
             let mut data = [0_u8; 72];
             data[8] = 8;
             self.put(b"CN", &[next, 0, name, 0, conversion, 0, 0, 0], &data)
         }
 
-        /// A group of records of one byte.
+        /// Adds a group of records of one byte.
         fn group(&mut self, next: u64, channel: u64, id: u64, records: u64) -> u64 {
             let data = [&id.to_le_bytes()[..], &records.to_le_bytes(), &[0; 8], &1_u32.to_le_bytes(), &[0; 4]].concat();
             self.put(b"CG", &[next, channel, 0, 0, 0, 0], &data)
@@ -248,7 +248,7 @@ mod mdf {
     }
 
     pub fn files(folder: &Path) {
-        // Thousands of groups of one block of data.
+        // Thousands of groups that share one block of data.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -256,7 +256,7 @@ mod mdf {
         let group = file.group(0, channel, 0, 8 << 20);
         let first = (0..4000).fold(0, |next, _| file.data_group(next, group, data, 0));
         rejected(folder, "data.mf4", &file.done(first));
-        // The same compressed, and in a list that names it many times.
+        // The block is compressed, and a list names it many times.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -284,7 +284,7 @@ mod mdf {
             first = file.data_group(first, group, data, 0);
         }
         rejected(folder, "channels.mf4", &file.done(first));
-        // Many names in one long text, and many conversions by one long table.
+        // Many channels share one long name and one long conversion table.
         let mut file = File::new();
         let name = file.text(&"n".repeat(1 << 20));
         let mut head = [0_u8; 24];
@@ -302,7 +302,7 @@ mod mdf {
             first = file.data_group(first, group, data, 0);
         }
         rejected(folder, "texts.mf4", &file.done(first));
-        // Records of many groups by their numbers, the one that comes last again and again.
+        // Records of many groups with numbers. All records belong to the last group.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -346,7 +346,7 @@ mod hdf5 {
         [(1, shape), (3, number)]
     }
 
-    /// A file with these names for one object, which begins at the byte that `object` gets.
+    /// Makes a file with `names` links to one object. `object` gets the position of the object.
     fn file(names: usize, object: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
         let (root, tree, heap) = (96_u64, 200_u64, 300_u64);
         let segment: Vec<u8> = (0..names).flat_map(|k| format!("n{k:05}\0\0").into_bytes()).collect();
@@ -373,7 +373,7 @@ mod hdf5 {
         out
     }
 
-    /// A chunked set of doubles, deflated where asked for; behind its header stands its tree.
+    /// Makes a chunked data set of doubles, optionally deflated, followed by its tree.
     fn chunked(count: u64, chunk: u32, deflated: bool, at: u64, tree: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
         let [shape, number] = doubles(count);
         let layout = |tree: u64| {
@@ -399,7 +399,7 @@ mod hdf5 {
     }
 
     pub fn files(folder: &Path) {
-        // Levels that each lead twice to the next: two to the thirtieth ways.
+        // A tree in which each level leads twice to the next: two to the thirtieth paths.
         let dag = |first: u64| -> Vec<u8> {
             let length = node(1, 0, &[0, 0]).len() as u64;
             let levels = (0..30).flat_map(|k| node(30 - k, 0, &[first + length * (u64::from(k) + 1); 2]));
@@ -407,7 +407,7 @@ mod hdf5 {
         };
         let message = rejected(folder, "tree.mat", &file(1, |at| chunked(1000, 100, false, at, dag)));
         assert!(message.contains("twice to the same node"), "{message}");
-        // One chunk of zeros in hundreds of places.
+        // One chunk of zeros at hundreds of positions.
         let mut packer = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
         std::io::Write::write_all(&mut packer, &vec![0; 32 << 20]).unwrap();
         let packed = packer.finish().unwrap();
@@ -416,7 +416,7 @@ mod hdf5 {
             [node(0, packed.len() as u32, &[first + length; 3000]), packed.clone()].concat()
         };
         rejected(folder, "chunk.mat", &file(1, |at| chunked(1000, 4 << 20, true, at, many)));
-        // Thousands of names for one set, and a set that was never written.
+        // Thousands of names for one data set, and a data set that was never written.
         let set = |at: u64| -> Vec<u8> {
             let [shape, number] = doubles(1 << 20);
             let layout = |data: u64| (8, [&[3, 1][..], &data.to_le_bytes(), &(8_u64 << 20).to_le_bytes()].concat());
@@ -491,7 +491,7 @@ fn tdms(folder: &Path) {
             let path = format!("/'g'/'c{k}'");
             out.extend((path.len() as u32).to_le_bytes());
             out.extend(path.bytes());
-            // Bytes, in one dimension, so many of them; no property.
+            // Type: bytes in one dimension with the given number of values. There are no properties.
             out.extend(20_u32.to_le_bytes());
             out.extend([5_u32.to_le_bytes(), 1_u32.to_le_bytes()].concat());
             out.extend(values.to_le_bytes());
@@ -499,14 +499,14 @@ fn tdms(folder: &Path) {
         }
         out
     };
-    // Segments that leave a long list of channels as it is.
+    // Segments that reuse a long list of channels.
     let first = segment(0b1110, &objects(16_000, 1), &[]);
     let again = segment(0b1000, &[], &[]);
     rejected(folder, "segments.tdms", &[first.clone(), again.repeat(300_000)].concat());
-    // The same objects named again in every segment.
+    // Segments that each name the same objects again.
     let named = segment(0b1010, &objects(16_000, 1)[..], &[]);
     rejected(folder, "objects.tdms", &[first, named.repeat(12)].concat());
-    // Channels of no values beside one of a byte, in chunks of a byte.
+    // Channels without values and one with a byte, in chunks of one byte.
     let mut meta = objects(16_000, 0);
     let last = meta.len() - 12;
     meta[last..last + 8].copy_from_slice(&1_u64.to_le_bytes());

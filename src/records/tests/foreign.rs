@@ -1,4 +1,4 @@
-//! Files that other people's writers made (`foreign/make.py`): each holds the same test, and each must give it back.
+//! Files of third-party writers (`foreign/make.py`). All contain the same test and must be read to the same data.
 
 use dashpot_records::{Options, Record, load};
 use std::f64::consts::TAU;
@@ -13,17 +13,18 @@ fn only(name: &str) -> Record {
     campaign.records.remove(0)
 }
 
-/// The damper and the motion of `make.py`.
+/// Checks a file against the damper and the motion of `make.py`.
 fn check(name: &str, tolerance: f64) {
     let record = only(name);
     assert!((record.frequency - 2.0).abs() < 0.01, "{name}: {} Hz", record.frequency);
     assert!((record.amplitude - 0.020).abs() < 2e-5, "{name}: {} m", record.amplitude);
     let w = 2.0 * TAU;
     for i in 0..record.time.len() {
-        // Velocity from the displacement alone, signed as the one that was derived: what the reader must not get wrong.
+        // Compute the velocity from the displacement alone, with the sign of the derived one. The reader must reproduce
+        // this relation.
         let x = record.displacement[i] / 0.020;
         let v_true = (0.020 * w * (1.0 - (x * x).min(1.0)).sqrt()).copysign(record.velocity[i]);
-        // Near the ends of the stroke the root is steep in the displacement's last digit.
+        // Near the ends of the stroke the root is sensitive to the last digit of the displacement.
         if v_true.abs() < 0.06 {
             continue;
         }
@@ -37,7 +38,7 @@ fn mdf_of_asammdf() {
     for name in ["plain.mf4", "deflated.mf4", "apart.mf4"] {
         check(name, 1.0);
     }
-    // Counts of a micrometre: the velocity near the end of the stroke follows from them.
+    // The resolution is a micrometer. The velocity near the end of the stroke depends on it.
     check("transposed.mf4", 12.0);
 }
 
@@ -45,7 +46,7 @@ fn mdf_of_asammdf() {
 fn mdf_3_of_asammdf() {
     check("plain.mdf", 1.0);
     check("counts.mdf", 12.0);
-    // Loggers call them .dat, as rigs do their texts.
+    // Loggers name such files .dat, as rigs name their text files.
     let folder = tempfile::tempdir().unwrap();
     let dat = folder.path().join("counts.dat");
     std::fs::copy(Path::new(FOLDER).join("counts.mdf"), &dat).unwrap();
@@ -73,6 +74,7 @@ fn when_a_file_says_the_test_began_is_read() {
         let from = seconds(made).unwrap();
         assert!(at(name).is_some_and(|t| (from..from + 1.0).contains(&t)), "{name}: {:?}", at(name));
     }
-    // MDF 3 without a time has the first one that its writers know, and a TDMS channel of times has none.
+    // MDF 3 without a start time contains the earliest time that its writers know. A TDMS channel of times contains no
+    // start time.
     assert_eq!([at("plain.mdf"), at("time.tdms")], [None, None]);
 }

@@ -1,6 +1,6 @@
-//! Files that are damaged or made to harm: every one is read or refused in words, within a gibibyte of memory.
+//! Damaged and malicious files. Each is read or rejected with a message, within a gibibyte of memory.
 //!
-//! A reader that asks for more ends this process with a signal, and so fails the test.
+//! A reader that asks for more ends this process with a signal, which fails the test.
 
 #[allow(dead_code)] // texts are damaged elsewhere
 #[path = "../../../tests/hostile.rs"]
@@ -11,7 +11,7 @@ use dashpot_records::{Options, Unit, load};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-/// Address space of this process, bytes: a gibibyte for the reader, and the program itself with its threads' stacks.
+/// Address space of this process, bytes: a gibibyte for the reader, and memory for the program and its thread stacks.
 #[cfg(target_os = "linux")]
 const SPACE: u64 = (1 << 30) + (512 << 20);
 
@@ -23,7 +23,7 @@ fn limit_memory() {
     }
 }
 
-/// Loads a file; panics and signals are the failures, an answer of either kind is none.
+/// Loads a file. Panics and signals are failures. Success and an error message both pass.
 fn answer(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize, String> {
     let file = folder.join(name);
     std::fs::write(&file, bytes).unwrap();
@@ -36,7 +36,7 @@ fn answer(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize, String> {
     answer
 }
 
-/// Time, displacement in mm and force of a damper on a sine.
+/// Returns time, displacement in mm and force of a damper on a sine.
 fn rows() -> Vec<[f64; 3]> {
     (0..120)
         .map(|i| {
@@ -60,7 +60,7 @@ const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
 const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
 const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
 
-/// The parts of a workbook of one sheet.
+/// Makes the parts of a workbook with one sheet.
 fn workbook() -> Vec<(&'static str, Vec<u8>)> {
     let strings = ["time_s", "x_mm", "F_N"];
     let mut sheet = format!("<worksheet xmlns=\"{MAIN}\"><sheetData><row r=\"1\">");
@@ -105,7 +105,7 @@ fn zip(parts: &[(&str, Vec<u8>)]) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
-/// One variable of a MAT file of version 5.
+/// Makes one variable of a MAT file of version 5.
 fn variable(name: &str, values: &[f64]) -> Vec<u8> {
     let element = |kind: u32, data: &[u8]| {
         let mut out = [kind.to_le_bytes(), (data.len() as u32).to_le_bytes()].concat();
@@ -172,12 +172,12 @@ fn rpc() -> Vec<u8> {
     out
 }
 
-/// A file that another writer made.
+/// Reads a file of a third-party writer.
 fn foreign(name: &str) -> Vec<u8> {
     std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/foreign").join(name)).unwrap()
 }
 
-/// Sound files of every format, which the mutations start from.
+/// Makes valid files of every format as seeds of the mutations.
 fn seeds() -> Vec<(&'static str, Vec<u8>)> {
     let mts =
         [b"MTS793|BTW|ENU|1|2|.|/|:|1|0|0|A\n".to_vec(), text("\t", "Time Sec\tAxial Displacement mm\tAxial Force N")]
@@ -227,7 +227,7 @@ fn thousands_of_damaged_files_and_known_bombs_are_read_or_refused() {
         let (name, seed) = &seeds[round % seeds.len()];
         let mut bytes = seed.clone();
         if *name == "e.xlsx" && round % 3 > 0 {
-            // Damage inside the parts, which the archive's checksums do not give away.
+            // Damage inside the parts, which the archive's checksums do not reveal.
             let mut parts = workbook();
             let k = random.below(parts.len());
             mutate(&mut random, &mut parts[k].1);
@@ -257,7 +257,7 @@ fn bombs(folder: &Path) {
     drop(parts);
     assert!(bomb.len() < 10 << 20);
     assert!(answer(folder, "bomb.xlsx", &bomb).unwrap_err().contains("unpacks to more"));
-    // Strings announced that are not there, and a cell at the end of the largest sheet.
+    // Announced strings that do not exist, and a cell at the end of the largest sheet.
     let mut parts = workbook();
     parts[4].1 = String::from_utf8(parts[4].1.clone())
         .unwrap()
@@ -273,7 +273,7 @@ fn bombs(folder: &Path) {
     let bomb = mat(&[zeros], true);
     assert!(bomb.len() < 1 << 20);
     assert!(answer(folder, "bomb.mat", &bomb).unwrap_err().contains("unpacks to more"));
-    // Hundreds of thousands of tests of one row each; of columns; rows that all repeat.
+    // Hundreds of thousands of tests with one row each, a file with as many columns, and rows that all repeat.
     let names: String = (0..450_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let refused = answer(folder, "names.csv", format!("test,time_s,x_mm,F_N\n{names}").as_bytes()).unwrap_err();
     assert!(refused.contains("only 1 usable") && refused.len() < 1000, "{refused}");

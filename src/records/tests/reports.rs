@@ -1,4 +1,5 @@
-//! Situations that users reported, as made inputs (`../shared/data/reports`, whose README says what is right of each).
+//! Situations that users reported, as synthetic inputs (`../shared/data/reports`, whose README states the correct
+//! result of each).
 
 use dashpot_records::{Campaign, Options, PeakOptions, Positive, Unit, load, peak_clicks, read_peaks};
 use dashpot_test_support::reported;
@@ -8,13 +9,13 @@ fn read(path: &Path) -> Campaign {
     load(&[path.to_path_buf()], &Options::default(), &|_| ()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// All that was said, of the campaign and of its tests.
+/// Joins all notes of the campaign and of its tests.
 fn told(campaign: &Campaign) -> String {
     let notes = campaign.records.iter().flat_map(|record| &record.notes).chain(&campaign.notes);
     notes.map(|note| format!("{}: {}\n", note.kind, note.text)).collect()
 }
 
-/// Largest force against the motion, N.
+/// Returns the largest absolute force, N.
 fn strongest(campaign: &Campaign) -> f64 {
     campaign.records.iter().flat_map(|r| &r.force).fold(0.0, |most: f64, f| most.max(f.abs()))
 }
@@ -45,10 +46,10 @@ fn rows_of_an_earlier_run_are_skipped_and_millis_are_time() {
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
     assert!(told(&campaign).contains("the first 7 rows"), "{}", told(&campaign));
-    // The stale rows are 33 s late and show next to no force.
+    // The stale rows are 33 s late and contain almost no force.
     let first: Vec<(f64, f64)> = campaign.records.iter().map(|r| (r.time[0], r.force[0])).collect();
     assert!(first.iter().all(|(time, force)| *time < 10.0 && force.abs() > 1.0), "{first:?}");
-    // The same with the heading that small boards write.
+    // Repeat the test with the heading of small boards.
     let folder = tempfile::tempdir().unwrap();
     for entry in std::fs::read_dir(&path).unwrap().flatten() {
         let text = std::fs::read_to_string(entry.path()).unwrap().replace("Time [ms]", "Millis");
@@ -68,7 +69,7 @@ fn a_late_velocity_is_not_used() {
     };
     let campaign = smoothed("Smoothed_Velocity");
     assert!(told(&campaign).contains("'Smoothed_Velocity [mm/s]' comes"), "{}", told(&campaign));
-    // What is used goes with the displacement, whichever column it would have been.
+    // The velocity in use is derived from the displacement, whichever column was named.
     let without =
         load(&[path.clone()], &Options { ignore: ["velocity".parse().unwrap()].into(), ..Options::default() }, &|_| ())
             .unwrap();
@@ -128,7 +129,7 @@ fn a_table_of_clicks_gives_a_curve_a_click() {
     assert!(
         (fastest.velocity_m_s - 0.254).abs() < 1e-9 && (fastest.force_n - Unit::PoundForce.to_si(140.0)).abs() < 1e-9
     );
-    // As a record it is none, and the way to go is said.
+    // The table is rejected as a record, and the message states the alternative.
     let message = load(&[file], &Options::default(), &|_| ()).unwrap_err().to_string();
     assert!(message.contains("dashpot import peaks"), "{message}");
 }
@@ -162,10 +163,10 @@ fn a_staircase_of_speeds_is_a_test_a_speed() {
         for (speed, wanted) in speeds.iter().zip([10.0, 20.0, 30.0, 50.0, 75.0, 100.0, 150.0]) {
             assert!((speed / wanted - 1.0).abs() < 0.05, "{name}: {speeds:?}");
         }
-        // Nothing stands still, so the direction is hardly known, and that is said.
+        // There is no standstill, so the direction is uncertain, and a note says so.
         let unsure = campaign.notes.iter().any(|note| note.kind == "sign_unsure");
         assert!(unsure == (campaign.sign.confidence < 0.8), "{name}: {:?}", campaign.sign);
-        // Half of what the force jumps by at the turns of the slowest test, which is friction for the most part.
+        // Half the force jump at the turning points of the slowest test, which is mostly friction.
         let slowest = &campaign.records[0];
         let mean = |up: bool| {
             let forces: Vec<f64> = slowest

@@ -1,6 +1,6 @@
 //! Puts the records of a campaign on one clock if their files have date and time.
 //!
-//! Heat and drifts then carry over from file to file.
+//! The states of heat and drift then carry over from file to file.
 
 use crate::data::record::{Note, Record};
 use crate::dates::clock::{DAY, written};
@@ -9,7 +9,8 @@ use crate::messages::sentence::Sentence;
 use crate::tuning::common_clock::{WITH_DATE, WITHOUT_DATE};
 use std::cmp::Ordering;
 
-/// Sets the campaign's clock of every record, and says so, or why not. Records that run on one clock already keep it.
+/// Sets the campaign clock of every record and adds a note about success or failure. Records that already share a clock
+/// keep it.
 pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     let bearing = records.iter().filter(|record| record.begins.is_some()).count();
     if bearing == 0 || records.len() < 2 || apart(records.iter().filter_map(Record::span).collect()) {
@@ -31,7 +32,7 @@ pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     if dated > 0 && dated < records.len() || last - first > if dated > 0 { WITH_DATE } else { WITHOUT_DATE } {
         return notes.push(not(phrases::TOO_FAR_APART.into()));
     }
-    // A file that bears whole seconds began up to one later.
+    // A file that states whole seconds may have begun up to one second later.
     let is_whole = records.iter().all(|record| record.begins.is_some_and(|s| s.fract() == 0.0));
     let later = if is_whole { 1.0 } else { 0.0 };
     if !apart(spans.iter().map(|(from, to)| (from + later, *to)).collect()) {
@@ -50,7 +51,7 @@ pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     notes.push(Note { kind: "clock", text });
 }
 
-/// Whether no two of these spans overlap.
+/// Returns whether no two of the spans overlap.
 pub fn apart(mut spans: Vec<(f64, f64)>) -> bool {
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9)
@@ -74,7 +75,8 @@ mod tests {
         let (records, said) = of(&[Some(morning + 600.0), Some(morning), Some(morning + 60.0)]);
         assert_eq!(records.iter().map(|r| r.span().unwrap().0).collect::<Vec<_>>(), [600.0, 0.0, 60.0]);
         assert!(said.contains("2026-11-25 10:00:00") && said.contains("2026-11-25 10:10:10"), "{said}");
-        // Within the second that a file bears: the next test begins where this one ends.
+        // The files overlap by less than the second to which they state the time. The next test then begins at the end
+        // of this one.
         let (records, said) = of(&[Some(morning + 9.0), Some(morning)]);
         assert_eq!(
             records.iter().map(|r| r.span().unwrap()).collect::<Vec<_>>(),

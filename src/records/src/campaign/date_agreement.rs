@@ -1,8 +1,14 @@
-//! Whether the day or the month comes first in the dates of the files.
+//! Determines the order of day and month in the dates of the files.
 //!
-//! 3/11/2026 is the third of November in Europe and the eleventh of March in America. What the user says counts; then
-//! other dates, of the same file and of its campaign, of which only one reading is a date (13/11/2026); then how the
-//! file writes numbers; then which reading lets the tests lie close together. What is left is assumed, and said.
+//! 3/11/2026 is the third of November in Europe and the eleventh of March in America. The evidence, in order of
+//! precedence, is:
+//!
+//! - the user's statement,
+//! - other dates of the same file with only one valid order (13/11/2026), then those of its campaign,
+//! - the number format of the file,
+//! - the order that puts the tests close together, else the order as read.
+//!
+//! A note reports an order from the last item, which is an assumption.
 
 use crate::data::record::Note;
 use crate::data::samples::Samples;
@@ -15,7 +21,7 @@ use crate::options::Options;
 use crate::tuning::date_agreement::{APART, CLOSER};
 use std::collections::BTreeSet;
 
-/// Settles the order of the dates of all tests, and says what was assumed.
+/// Determines the order of the dates of all tests and adds a note about assumed orders.
 pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
     let orders: BTreeSet<DateOrder> = tests.iter().filter_map(|(_, test)| test.dates.decided).collect();
     let of_all = orders.first().copied().filter(|_| orders.len() == 1);
@@ -64,7 +70,8 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Tests of files with these lines above their tables, and what is said of their dates; the days on which they began.
+    /// Reads tests of files with the given lines above their tables. Returns the days on which the tests began and the
+    /// notes about dates.
     fn read(files: &[&str], options: &Options, usual: Option<DateOrder>) -> (Vec<String>, String) {
         let mut tests: Vec<(&Options, Samples)> = files
             .iter()
@@ -90,7 +97,7 @@ mod tests {
         assert_eq!(days, ["2026-03-11"]);
         assert!(said.contains("3/11/2026") && said.contains("2026-03-11") && said.contains("--dates"), "{said}");
         let european = (vec!["2026-11-03".to_owned()], String::new());
-        // Another date of the same file, the way of its numbers, the user.
+        // The order follows from another date of the same file, from the number format, or from the user.
         assert_eq!(read(&["Calibrated 25/10/2025\nDate: 3/11/2026 10:00:00"], &plain, None), european);
         assert_eq!(read(&[open], &plain, Some(DateOrder::DayFirst)), european);
         let told = Options { dates: Some(DateOrder::DayFirst), ..Options::default() };
@@ -99,20 +106,21 @@ mod tests {
             read(&["Date: 11/13/2025\nMeasured 3/11/2026 10:00:00"], &plain, Some(DateOrder::DayFirst)).0,
             ["2026-03-11"]
         );
-        // Another file of the campaign, unless files contradict each other.
+        // The order follows from another file of the campaign, unless files contradict each other.
         let others = [open, "13/11/2026 10:00:00", "4/11/2026 10:00:00"];
         assert_eq!(
             read(&others, &plain, None),
             (["2026-11-03", "2026-11-13", "2026-11-04"].map(str::to_owned).to_vec(), String::new())
         );
         assert!(read(&[open, "13/11/2026 9:00:00", "11/13/2026 9:00:00"], &plain, None).1.contains("--dates"));
-        // Dates that are the same in both orders or bear the year first leave nothing open.
+        // Dates that are equal in both orders, or that begin with the year, are unambiguous.
         assert_eq!(read(&["11/11/2026 10:00:00", "2026/03/11 10:00:00", "3.11.2026 10:00:00"], &plain, None).1, "");
         assert!(read(&["3-11-2026 10:00:00"], &plain, None).1.contains("2026-11-03"));
         assert_eq!(read(&["11-25-2026 10:00:00"], &plain, None), (vec!["2026-11-25".to_owned()], String::new()));
     }
 
-    /// Files with this above their tables, as a campaign: the days on which its tests began, and its notes on dates.
+    /// Loads files with the given lines above their tables as a campaign. Returns the days on which its tests began and
+    /// its notes about dates.
     fn loaded(above: &[(&str, bool)], profile: &str) -> (Vec<String>, String) {
         let folder = tempfile::tempdir().unwrap();
         for (k, (lines, semicolons)) in above.iter().enumerate() {
@@ -170,7 +178,7 @@ mod tests {
     #[test]
     fn dates_decide_only_where_one_reading_lies_much_closer_together() {
         let said = |dates: &[&str]| read(dates, &Options::default(), None).1;
-        // 39 days in America and 243 elsewhere; 66 days and 214.
+        // The tests lie 39 days apart in the American order and 243 in the other; then 66 and 214.
         assert!(said(&["1/2/2026 9:00:00", "2/10/2026 9:00:00"]).contains("close together"));
         assert!(!said(&["1/2/2026 9:00:00", "3/9/2026 9:00:00"]).contains("close together"));
     }

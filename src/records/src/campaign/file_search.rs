@@ -14,25 +14,25 @@ use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::options::Options;
 
-/// A file to read, and how.
+/// A file to be read, and its options.
 pub(super) struct File {
     pub path: PathBuf,
     pub options: Arc<Options>,
-    /// What stands before the names of its tests: the subfolder that it was found in, with a stroke behind it.
+    /// Prefix of the names of its tests: the subfolder that contains the file, followed by a slash.
     pub within: String,
 }
 
-/// What is to be read.
+/// The result of the search.
 pub(super) struct Found {
     pub files: Vec<File>,
-    /// Folders with a profile, and what it says.
+    /// Folders with a profile, and the options of the profile.
     pub folders: Vec<(PathBuf, Options)>,
-    /// Folders whose subfolders hold records that were not asked for.
+    /// Folders whose subfolders contain records that were not requested.
     pub below: Vec<Below>,
     pub excluded: Excluded,
 }
 
-/// What patterns have left out.
+/// The files and tests that the patterns exclude.
 #[derive(Default)]
 pub(super) struct Excluded {
     pub patterns: BTreeSet<String>,
@@ -40,7 +40,7 @@ pub(super) struct Excluded {
 }
 
 impl Excluded {
-    /// Whether a file or test is left out by its name.
+    /// Returns whether a pattern excludes a file or test by its name, and counts it.
     pub fn takes(&mut self, options: &Options, name: &str) -> bool {
         let matching: Vec<&String> = options.exclude.iter().filter(|p| glob::matches(p, name)).collect();
         self.count += usize::from(!matching.is_empty());
@@ -49,7 +49,7 @@ impl Excluded {
     }
 }
 
-/// The record files among the paths, folders opened, with what is said about them.
+/// Returns the record files of the paths, including those in folders, and adds notes.
 pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) -> Result<Found, RecordError> {
     if paths.is_empty() {
         return Err(RecordError::NoPaths);
@@ -74,22 +74,22 @@ pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) 
 struct Search<'a> {
     given: &'a Options,
     found: &'a mut Found,
-    /// The options of the folders that were looked at.
+    /// The options of the folders visited so far.
     known: HashMap<PathBuf, Arc<Options>>,
-    /// The files found. The same file by another path is the same file.
+    /// The canonical paths of the files found, so that a file reached by two paths counts once.
     seen: HashSet<PathBuf>,
     notes: &'a mut Vec<Note>,
 }
 
 impl Search<'_> {
-    /// How the files of a folder are read: as its own profile says, else as the folder above it.
+    /// Returns the options of a folder: those of its own profile, else those of the parent folder.
     fn options(&mut self, folder: &Path, above: Option<&Arc<Options>>) -> Result<Arc<Options>, RecordError> {
         if let Some(known) = self.known.get(folder) {
             return Ok(known.clone());
         }
         let own = match Profile::read(folder)? {
             Some(profile) => {
-                // Checked when it was read.
+                // `Profile::read` has checked the profile.
                 let said = profile.options().unwrap_or_default();
                 let file = folder.join(profile::FILE);
                 let text = Sentence::from(phrases::PROFILE).with("file", file.display());
@@ -104,7 +104,7 @@ impl Search<'_> {
         Ok(own)
     }
 
-    /// Takes the records of a folder, and those of its subfolders where they are asked for.
+    /// Adds the records of a folder, and those of its subfolders if requested.
     fn folder(&mut self, folder: &Path, within: &str, own: &Arc<Options>) -> Result<(), RecordError> {
         let has_profile = self.found.folders.iter().any(|(f, _)| f == folder);
         let (files, subfolders) = entries(folder, has_profile, self.notes)?;
@@ -128,7 +128,7 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Takes a file, unless it was taken already or a pattern leaves it out.
+    /// Adds a file, unless it was added before or a pattern excludes it.
     fn file(&mut self, path: PathBuf, within: &str, own: &Arc<Options>) {
         let place = std::fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
         let name = file_name(&path);
@@ -143,7 +143,7 @@ impl Search<'_> {
     }
 }
 
-/// Subfolders that hold records, of a folder whose own records alone were asked for.
+/// Subfolders that contain records, of a folder whose subfolders were not requested.
 pub(super) struct Below {
     folder: PathBuf,
     names: Vec<String>,
@@ -164,10 +164,11 @@ impl Below {
     }
 }
 
-/// How many folders deep records are looked for: campaigns lie one or two deep, and a link to a folder above would have no end.
+/// Depth of the search for records, in folders. Campaigns lie one or two deep. A link to a parent folder would make an
+/// unlimited search endless.
 const DEEPEST: usize = 4;
 
-/// How many files in a folder and those below it are records by their names; as many as can be seen.
+/// Counts the files in a folder and its subfolders that are records by their extensions. Ignores unreadable folders.
 fn records_below(folder: &Path, deep: usize) -> usize {
     let Ok(within) = std::fs::read_dir(folder) else { return 0 };
     let count = |path: &Path| match () {
@@ -178,12 +179,13 @@ fn records_below(folder: &Path, deep: usize) -> usize {
     within.filter_map(Result::ok).map(|entry| count(&entry.path())).sum()
 }
 
-/// Hidden files, and the lock files that a spreadsheet leaves beside an open workbook.
+/// Returns whether the search skips a file: a hidden file, or the lock file of a workbook open in a spreadsheet.
 fn is_passed_over(name: &str) -> bool {
     name.starts_with('.') || name.starts_with("~$")
 }
 
-/// The record files in a folder and its subfolders, in natural order; the rest is named.
+/// Lists the record files and the subfolders with records in a folder, in natural order. Adds a note that names the
+/// other entries.
 fn entries(
     folder: &Path,
     has_profile: bool,
@@ -198,12 +200,12 @@ fn entries(
     let (mut files, mut subfolders, mut ignored) = (Vec::new(), Vec::new(), Vec::new());
     for entry in entries {
         let name = file_name(&entry);
-        // What was read already is no stray either.
+        // A profile that was read is not a stray file either.
         if is_passed_over(&name) || (has_profile && name == profile::FILE) {
             continue;
         }
         if entry.is_dir() {
-            // One that holds records is told of by itself.
+            // A subfolder that contains records gets its own message.
             if records_below(&entry, DEEPEST) == 0 {
                 ignored.push(name);
             } else {
@@ -232,9 +234,9 @@ pub(super) fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Order in which people number files: digits compare as numbers, `test2` before `test10`.
+/// Compares file names in natural order: digits compare as numbers, so `test2` precedes `test10`.
 ///
-/// Crate `natord` compares figures behind a leading zero as decimals, so it puts `t010` before `t9`.
+/// The crate `natord` compares digits after a leading zero as decimals, so it puts `t010` before `t9`.
 pub(super) fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
     loop {

@@ -1,5 +1,4 @@
-//! The list of a laboratory that says of each test, or of each damper's folder, which gas pressure, clicks or serial
-//! number it has.
+//! The list of a laboratory with the gas pressure, clicks or serial number of each test or of each damper's folder.
 //!
 //! `dashpot diagnose --group tests.csv:clicks`.
 
@@ -10,10 +9,10 @@ use crate::source::read_small_text;
 use ::csv::{ReaderBuilder, Trim};
 use std::path::{Path, PathBuf};
 
-/// Why a list is none.
+/// Reason for which a list is rejected.
 #[derive(Debug, thiserror::Error)]
 pub enum ListError {
-    /// Not to be opened.
+    /// The file cannot be opened.
     #[error("--group: {file}")]
     Unreadable {
         /// Path.
@@ -21,45 +20,45 @@ pub enum ListError {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// No table.
+    /// The file is not a table.
     #[error("{file}")]
     Table {
         /// Path.
         file: PathBuf,
-        /// The reader's words, with the line.
+        /// The reader's error, with the line.
         source: ::csv::Error,
     },
-    /// It has no such column.
+    /// The list has no such column.
     #[error("{file}: there is no column {column:?} behind the first, which names the tests; the columns are {}", columns.join(", "))]
     NoColumn {
         /// Path.
         file: PathBuf,
-        /// The column asked for.
+        /// The requested column.
         column: String,
-        /// Those that there are.
+        /// The columns of the list.
         columns: Vec<String>,
     },
-    /// Nothing in it.
+    /// The column has no entries.
     #[error("{file}: no line has a test in the first column and something under {column:?}")]
     Empty {
         /// Path.
         file: PathBuf,
-        /// The column asked for.
+        /// The requested column.
         column: String,
     },
-    /// It names folders and something else.
+    /// The list names folders and something else.
     #[error("{file}: line {line}: {of:?} is no folder, as others of the first column are")]
     NoFolder {
         /// Path.
         file: PathBuf,
         /// The line.
         line: usize,
-        /// What stands there.
+        /// The entry that is not a folder.
         of: String,
     },
 }
 
-/// A line of the list: what it is about, and the group.
+/// A line of the list: the name of a test, file or folder, and its group.
 #[derive(Debug)]
 struct Entry {
     line: usize,
@@ -67,7 +66,7 @@ struct Entry {
     group: String,
 }
 
-/// A list with one of its columns.
+/// A list with one selected column.
 #[derive(Debug)]
 pub struct GroupList {
     path: PathBuf,
@@ -75,9 +74,9 @@ pub struct GroupList {
     entries: Vec<Entry>,
 }
 
-/// The file and the column that the option names; `None` where it is no `FILE.csv:COLUMN`.
+/// Splits the option `FILE.csv:COLUMN` into file and column. Returns `None` for other texts.
 pub fn named(by: &str) -> Option<(&Path, &str)> {
-    // A drive's letter has a colon too.
+    // Split at the last colon, because a Windows drive letter has a colon too.
     let (file, column) = by.rsplit_once(':')?;
     let path = Path::new(file);
     let is_list = path.extension().is_some_and(|e| ["csv", "txt"].iter().any(|ending| e.eq_ignore_ascii_case(ending)));
@@ -85,11 +84,11 @@ pub fn named(by: &str) -> Option<(&Path, &str)> {
 }
 
 impl GroupList {
-    /// Reads a list: a heading, then a line a test. The first column names tests, their files or folders, with `*` for anything; columns are
-    /// separated by commas, semicolons or tabs.
+    /// Reads a list: a heading, then one line for each test. The first column names tests, files or folders, where `*`
+    /// matches any text. Commas, semicolons or tabs separate the columns.
     ///
     /// # Errors
-    /// A file that cannot be read, a column that it does not have, a line of another length, no line with a group.
+    /// A file that cannot be read, a missing column, a line of another length, or no line with a group.
     pub fn read(path: &Path, column: &str) -> Result<GroupList, ListError> {
         let unreadable = |source| ListError::Unreadable { file: path.to_owned(), source };
         GroupList::of_text(&read_small_text(path).map_err(unreadable)?, path, column)
@@ -119,8 +118,8 @@ impl GroupList {
         Ok(GroupList { path: path.to_owned(), column: column.to_owned(), entries })
     }
 
-    /// The folders that the list names, each with its group (empty where it has none); no folder where it names tests. Looked for beside the
-    /// list, in the data and as they stand.
+    /// Returns the folders that the list names, each with its group (empty if it has none). Returns no folder if the
+    /// list names tests. Paths are relative to the list, to the data or to the working directory.
     ///
     /// # Errors
     /// A list that names folders and something else.
@@ -138,26 +137,26 @@ impl GroupList {
         Err(ListError::NoFolder { file: self.path.clone(), line, of })
     }
 
-    /// The group of a record; the first line that names it counts.
+    /// Returns the group of a record, from the first line that names the record.
     pub fn group_of(&self, record: &Record) -> Option<&str> {
         let entry = self.entries.iter().find(|e| e.names(record))?;
         (!entry.group.is_empty()).then_some(entry.group.as_str())
     }
 
-    /// Lines that name none of the records, in words.
+    /// Formats the lines that name none of the records.
     pub fn without_test(&self, records: &[&Record]) -> Vec<String> {
         let without = self.entries.iter().filter(|e| !records.iter().any(|r| e.names(r)));
         without.map(|e| format!("{} (line {})", e.of, e.line)).collect()
     }
 
-    /// What the option asked for, in words.
+    /// Formats the list and the column, as in the option.
     pub fn describe(&self) -> String {
         format!("{}:{}", self.path.display(), self.column)
     }
 }
 
 impl Entry {
-    /// Whether it is about this record: by the name of the test, or of its file.
+    /// Returns whether the entry names a record, by the name of the test or of its file.
     fn names(&self, record: &Record) -> bool {
         let of = self.of.replace('\\', "/");
         let file = of.rsplit('/').next().unwrap_or(&of);
@@ -194,7 +193,7 @@ mod tests {
         assert_eq!(group("a1").as_deref(), Some("3"));
         assert_eq!(group("a2").as_deref(), Some("5"));
         assert_eq!(group("b17").as_deref(), Some("3"));
-        // Without an entry under the column, and without a line.
+        // c1 has no entry in the column, and d has no line.
         assert_eq!((group("c1"), group("d")), (None, None));
         let (a, b) = (record("a1"), record("b1"));
         assert_eq!(list.without_test(&[&a, &b]), ["rig/a2.csv (line 3)", "c1 (line 5)"]);

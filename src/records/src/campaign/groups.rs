@@ -1,4 +1,4 @@
-//! The data of many dampers, or of one at many settings, in groups: `dashpot diagnose --group`.
+//! Splits the data of many dampers, or of one damper at many settings, into groups: `dashpot diagnose --group`.
 
 use super::group_list::{self, GroupList, ListError};
 use super::loading::Campaign;
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// The records of one damper or setting.
 #[derive(Debug)]
 pub struct Group {
-    /// Its name: that of the folder, what the pattern found in the names of its tests, or what the list has in its column.
+    /// Name of the group: the folder's name, the match of `{}` in the test names, or the entry in the list's column.
     pub name: String,
     /// Its records.
     pub records: Vec<Record>,
@@ -25,7 +25,7 @@ pub struct Group {
 pub struct Split {
     /// The groups.
     pub groups: Vec<Group>,
-    /// Tests, or folders, that belong to none.
+    /// Tests or folders without a group.
     pub left_aside: Vec<String>,
     /// Lines of a list that name none of the tests.
     pub without_test: Vec<String>,
@@ -33,23 +33,23 @@ pub struct Split {
     pub unusable: Vec<Unusable>,
     /// Every file read.
     pub files: Vec<PathBuf>,
-    /// What reading noticed of campaigns as a whole.
+    /// Notes about campaigns as a whole.
     pub notes: Vec<Note>,
 }
 
-/// Why data are not split.
+/// Reason for which data cannot be split into groups.
 #[derive(Debug, thiserror::Error)]
 pub enum GroupError {
-    /// None of the three ways.
+    /// The option is none of the three forms.
     #[error(
         "--group takes the word folders, a pattern of the tests' names with {PLACE} once where the group stands and * for anything, such as \
          '*_c{PLACE}_*', or a list with a column, such as tests.csv:clicks; it is {by:?}"
     )]
     NoWay {
-        /// What was given.
+        /// The given option.
         by: String,
     },
-    /// Not to be looked into.
+    /// The folder cannot be read.
     #[error("{folder}")]
     Folder {
         /// The path.
@@ -57,13 +57,13 @@ pub enum GroupError {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// No folder of a damper.
+    /// The data contain no folder of a damper.
     #[error("--group folders: there is no folder in {data}; put the records of each damper into one")]
     NoFolders {
-        /// The data in words.
+        /// The paths of the data, as text.
         data: String,
     },
-    /// A pattern that no test has.
+    /// No test matches the pattern.
     #[error("--group {pattern:?} matches no test; the first is called {first:?}")]
     NoMatch {
         /// The pattern.
@@ -71,7 +71,7 @@ pub enum GroupError {
         /// Name of the first test.
         first: String,
     },
-    /// A list of other tests.
+    /// The list names none of the tests.
     #[error("--group {list}: the list gives no test of the data a group; the first is called {first:?}")]
     NotListed {
         /// The list.
@@ -79,28 +79,31 @@ pub enum GroupError {
         /// Name of the first test.
         first: String,
     },
-    /// A list that is none.
+    /// The list is invalid.
     #[error(transparent)]
     List(#[from] ListError),
-    /// Records that cannot be read.
+    /// The records cannot be read.
     #[error(transparent)]
     Read(#[from] RecordError),
 }
 
-/// Reads record files and folders as one campaign, all in the same way.
+/// Function that reads record files and folders as one campaign, always with the same options.
 pub type Read<'a> = dyn Fn(&[PathBuf]) -> Result<Campaign, RecordError> + 'a;
 
-/// What stands for the name of the group in a pattern.
+/// Placeholder for the name of the group in a pattern.
 const PLACE: &str = "{}";
 
 /// Splits the data into groups.
 ///
-/// The groups are the folders in it (`folders`), a part of the tests' names (a pattern with `{}`), or a column of a
-/// list (`FILE.csv:COLUMN`). `read` reads what is to be one campaign. All groups, and their `reference`, count one
-/// direction positive, as far as they are of one rig.
+/// The groups are the folders in the data (`folders`), parts of the test names (a pattern with `{}`), or entries of a
+/// list's column (`FILE.csv:COLUMN`).
+///
+/// `read` reads the files of one campaign. All groups and their `reference` get the same positive direction, as far as
+/// they come from one rig.
 ///
 /// # Errors
-/// A pattern without `{}`, data without folders, a list without that column or without one of the tests, records that cannot be read.
+/// A pattern without `{}`, data without folders, a list without the column or without any of the tests, or records that
+/// cannot be read.
 pub fn split(
     data: &[PathBuf],
     by: &str,
@@ -113,11 +116,11 @@ pub fn split(
         _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
-    // Folders are read apart, so their notes are of groups already.
+    // Each folder is a campaign of its own, so its notes already concern a single group.
     if by != "folders" {
         note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
     }
-    // Pressures, clicks and serial numbers in the order of the number.
+    // Sort pressures, clicks and serial numbers by value.
     let number = |group: &Group| group.name.replace(',', ".").parse::<f64>().ok();
     if split.groups.iter().all(|g| number(g).is_some()) {
         split.groups.sort_by(|a, b| number(a).unwrap_or(0.0).total_cmp(&number(b).unwrap_or(0.0)));
@@ -125,7 +128,7 @@ pub fn split(
     Ok(split)
 }
 
-/// The folders in the data, in the order of their names.
+/// Returns the folders in the data, sorted by path.
 fn folders_in(data: &[PathBuf]) -> Result<Vec<PathBuf>, GroupError> {
     let mut folders: Vec<PathBuf> = Vec::new();
     for path in data {
@@ -137,7 +140,7 @@ fn folders_in(data: &[PathBuf]) -> Result<Vec<PathBuf>, GroupError> {
 }
 
 impl Split {
-    /// Takes over what a campaign says beside its records, which it gives back.
+    /// Moves everything but the records of a campaign into the split. Returns the records.
     fn without_records(&mut self, campaign: Campaign) -> Vec<Record> {
         self.files.extend(campaign.files);
         self.unusable.extend(campaign.unusable);
@@ -145,7 +148,8 @@ impl Split {
         campaign.records
     }
 
-    /// Puts records into their groups, those of none aside. Where there is no group at all the name of the first record is given back.
+    /// Sorts records into their groups and sets aside those without a group. If no record has a group, returns the name
+    /// of the first record as the error.
     fn sort(
         &mut self,
         records: Vec<Record>,
@@ -178,7 +182,7 @@ fn by_folders(data: &[PathBuf], read: &Read<'_>, reference: Option<&mut Campaign
     Ok(split)
 }
 
-/// Reads folders, each as one campaign, which then agree on the direction that they count positive.
+/// Reads each folder as one campaign. All campaigns then get the same positive direction.
 fn read_each<'a>(
     folders: impl Iterator<Item = &'a PathBuf>,
     read: &Read<'_>,
@@ -230,7 +234,7 @@ fn by_list(
         groups.entry((*group).to_owned()).or_default().extend(records);
     }
     if !folders.is_empty() {
-        // The list may lie elsewhere and name them by another way.
+        // The list may be in another folder and name the folders by other paths.
         let place = |p: &Path| p.canonicalize().unwrap_or_else(|_| p.to_owned());
         let listed: Vec<PathBuf> = folders.iter().map(|(folder, _)| place(folder)).collect();
         let others = folders_in(data)?.into_iter().filter(|p| !listed.contains(&place(p)));
@@ -248,7 +252,7 @@ fn by_list(
     Ok(split)
 }
 
-/// The shortest part of a name that stands where the pattern has `{}`, the first of equals.
+/// Returns the shortest part of a name that matches `{}` in the pattern, the first among equals.
 fn found<'a>(pattern: &str, name: &'a str) -> Option<&'a str> {
     let (before, after) = pattern.split_once(PLACE)?;
     let places: Vec<usize> = name.char_indices().map(|(i, _)| i).chain([name.len()]).collect();

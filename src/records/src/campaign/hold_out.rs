@@ -1,21 +1,21 @@
-//! Tests that are kept from a fit or a diagnosis, chosen by their names.
+//! Tests that are excluded from a fit or a diagnosis, selected by their names.
 
 use crate::Campaign;
 use crate::Record;
 use crate::glob;
 
-/// Why the patterns choose nothing useful.
+/// Reason for which the patterns are rejected.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum HoldOutError {
-    /// Every test matches.
+    /// Every test matches, so none remains.
     #[error("--hold-out leaves no test to {purpose}; it matches all {count}")]
     NoTestsRemain {
-        /// What the tests are for.
+        /// The purpose of the remaining tests, such as "fit".
         purpose: &'static str,
-        /// How many there are.
+        /// Number of tests.
         count: usize,
     },
-    /// A pattern that no test matches.
+    /// No test matches the pattern.
     #[error("--hold-out {pattern:?} matches no test; the first is called {first:?}")]
     MatchesNone {
         /// The pattern.
@@ -25,15 +25,15 @@ pub enum HoldOutError {
     },
 }
 
-/// Whether a test's name matches one of the patterns, in which `*` stands for anything and `?` for one character.
+/// Returns whether a test's name matches one of the patterns. `*` matches any text and `?` one character.
 pub fn matches(record: &Record, patterns: &[String]) -> bool {
     patterns.iter().any(|p| glob::matches(p, &record.name))
 }
 
-/// Which records the patterns leave out. `purpose` completes "leaves no test to ...".
+/// Returns for each record whether the patterns exclude it. `purpose` completes the message "leaves no test to ...".
 ///
 /// # Errors
-/// Where a pattern matches no test, or all tests are left out.
+/// A pattern matches no test, or all tests are excluded.
 pub fn select_hold_out(
     campaign: &Campaign,
     patterns: &[String],
@@ -53,10 +53,10 @@ pub fn select_hold_out(
     }
 }
 
-/// The tests that a fit may see.
+/// Returns the tests that the fit uses.
 ///
 /// # Errors
-/// As [`held_out`].
+/// The errors of [`select_hold_out`].
 pub fn kept<'a>(campaign: &'a Campaign, patterns: &[String]) -> Result<Vec<&'a Record>, HoldOutError> {
     let out = select_hold_out(campaign, patterns, "fit")?;
     Ok(campaign.records.iter().zip(out).filter(|(_, out)| !out).map(|(record, _)| record).collect())

@@ -1,4 +1,4 @@
-//! Reads a motion to be imposed on a model: the same files as records, but taken as they stand.
+//! Reads a motion to be imposed on a model, from the file formats of records but without cleaning.
 
 use std::path::Path;
 
@@ -11,9 +11,10 @@ use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
 use crate::signal::consistency;
 
-/// A motion as its file gives it: SI, extension (rebound) positive, nothing cleaned.
+/// A motion as recorded in its file: SI, extension (rebound) positive, not cleaned.
 ///
-/// All channels have the same length, at least two; time increases; at least one of displacement and velocity is there.
+/// All channels have the same length, at least two samples. Time increases. Displacement or velocity is present, or
+/// both.
 #[derive(Debug, Clone, Default)]
 pub struct MotionRecord {
     /// Time, s, strictly increasing.
@@ -26,17 +27,17 @@ pub struct MotionRecord {
     pub side_force: Option<Vec<f64>>,
     /// Damper temperature, °C.
     pub temperature: Option<Vec<f64>>,
-    /// What an adjustable damper is set to, where the file says it.
+    /// Setting of an adjustable damper, if the file states one.
     pub setting: Option<MotionSetting>,
 }
 
-/// Reads a motion. Units, columns and channels to ignore are read from `options` as for records; signs are not: the
-/// file counts extension positive, unless a profile beside it says otherwise. A force column is left unread. The setting is
+/// Reads a motion. `options` state units, columns and ignored channels, as for records, but no signs. Extension is
+/// positive unless a profile in the file's folder says otherwise. The force column is not read. The setting is
 /// recognized as in records.
 ///
 /// # Errors
-/// [`RecordError`] where the file cannot be read, lacks a value or the column that the options name for the setting, holds several
-/// tests, its time does not increase, or its velocity is that of another motion than its displacement.
+/// [`RecordError`] if the file cannot be read, holds several tests or lacks a value, or if its time does not increase.
+/// The same error reports a missing column for the setting, or a velocity that contradicts the displacement.
 pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, RecordError> {
     if !file.exists() {
         return Err(RecordError::NotFound { file: file.into() });
@@ -64,7 +65,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     }
     let setting = MotionSetting::take(&mut samples, &options.settings);
     let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
-    // A profile says how the files beside it count; without one they count extension positive.
+    // A profile states the signs of the files in its folder. Without a profile extension is positive.
     if let Some(profile) = profile {
         let turned = profile.flip_motion != (profile.positive == Some(Positive::Compression));
         let sign = if turned { -1.0 } else { 1.0 };
@@ -113,7 +114,7 @@ mod tests {
     fn a_motion_needs_no_force_and_is_not_touched() {
         let motion = read("t_ms;x_mm;F\n0;0,5;1\n1;99;2\n2;0,5;3\n", &Options::default()).unwrap();
         assert_eq!(motion.time, [0.0, 0.001, 0.002]);
-        // A jump that the cleaning of records would take for an outlier.
+        // The jump would be an outlier in the cleaning of records.
         assert_eq!(motion.displacement.unwrap(), [0.0005, 0.099, 0.0005]);
         assert!(motion.velocity.is_none());
         let options = Options { units: [(Channel::Velocity, Unit::MillimetrePerSecond)].into(), ..Options::default() };
@@ -127,7 +128,7 @@ mod tests {
         let found = setting("t_ms,x_mm,current [mA]\n0,1,200\n1,1,1400\n", &Options::default()).unwrap().unwrap();
         assert_eq!((found.name.as_str(), found.unit.as_str(), &found.values[..]), ("current", "A", &[0.2, 1.4][..]));
         assert_eq!(found.source, SettingSource::Column("current [mA]".into(), Channel::Current));
-        // Nothing but an adjuster has clicks.
+        // Clicks need no declaration, because only adjusters have clicks.
         let found = setting("t_ms,x_mm,Clicks\n0,1,4\n1,1,4\n", &Options::default()).unwrap().unwrap();
         assert_eq!((found.name.as_str(), found.unit.as_str(), &found.values[..]), ("clicks", "", &[4.0, 4.0][..]));
         let text = "t_ms,x_mm,p pilot [bar]\n0,1,5\n1,1,6\n";
@@ -139,7 +140,8 @@ mod tests {
         assert!(setting(text, &named("lost")).unwrap_err().contains("'lost'"));
         let message = setting("t_ms,x_mm,current [A]\n0,1,0\n1,1,\n", &Options::default()).unwrap_err();
         assert!(message.contains("line 3: current is missing"), "{message}");
-        // What the user says of the file goes before its column, and its name counts where no column does.
+        // The user's statement about the file has precedence over its column. The file name counts if there is no
+        // column.
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("road_1.6A.csv");
         let read = |text: &str| {

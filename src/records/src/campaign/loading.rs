@@ -1,4 +1,4 @@
-//! Loads the records of a campaign: finds the files, reads and cleans them in parallel, settles the sign.
+//! Loads the records of a campaign: finds the files, reads and cleans them in parallel, determines the sign.
 
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -33,13 +33,13 @@ use crate::signal::delay::Delay;
 pub struct Campaign {
     /// One record per test, in natural order of the file names, then in the order within the file.
     pub records: Vec<Record>,
-    /// Which direction the files count positive, and how sure that is.
+    /// Positive direction of the files, and the confidence in it.
     pub sign: SignFinding,
-    /// How late the force comes, where that stands out; nothing was moved for it.
+    /// Delay of the force, if significant. The records are not shifted by it.
     pub delay: Option<Delay>,
-    /// What concerns the campaign as a whole.
+    /// Notes about the campaign as a whole.
     pub notes: Vec<Note>,
-    /// Files and tests that could not be used, with the reason of each; the notes name the first of them too.
+    /// Files and tests that could not be used, each with its reason. The notes name the first of them too.
     pub unusable: Vec<Unusable>,
     /// Every file that was read, profiles too, in the order of reading.
     #[serde(skip)]
@@ -47,13 +47,14 @@ pub struct Campaign {
 }
 
 impl Campaign {
-    /// Names what another campaign that this one is looked at beside had to leave out.
+    /// Adds the unusable files and tests of another campaign that is compared with this one.
     pub fn also_without(&mut self, others: Vec<Unusable>) {
         self.notes.extend(unusable::notes(&others));
         self.unusable.extend(others);
     }
 
-    /// Takes the records as those of one damper over a setting: several settings are no warning, and changes within a test are noted.
+    /// Accepts the records as those of one damper at several settings. Removes the warnings about several settings and
+    /// adds notes about changes within a test.
     pub fn accept_settings(&mut self) {
         self.notes.retain(|note| !["settings", "changing_setting"].contains(&note.kind));
         let mut changes: Vec<(Sentence, Vec<usize>)> = Vec::new();
@@ -75,24 +76,24 @@ impl Campaign {
     }
 }
 
-/// How far loading has come.
+/// Progress of loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// Steps done.
     pub done: usize,
-    /// Steps in all; may grow while files turn out to hold several tests.
+    /// Total number of steps. It may grow if files contain several tests.
     pub total: usize,
 }
 
 /// Loads files and folders as one campaign.
 ///
-/// A folder stands for all record files directly in it, and with [`Options::subfolders`] for those in its subfolders too. What `campaign.toml` beside the records says holds where `options`
-/// say nothing. A file that is no record, and a test that has a fault of its own, are named and left out, unless
-/// [`Options::strict`]. `progress` is called from several threads, once per finished step. The result does not depend on
-/// the number of threads.
+/// A folder stands for all record files directly in it, and with [`Options::subfolders`] for those in its subfolders
+/// too. `campaign.toml` in a records folder applies where `options` state nothing. Files that are no records and faulty
+/// tests are named and left out, unless [`Options::strict`] is set. `progress` is called from several threads, once per
+/// finished step. The result does not depend on the number of threads.
 ///
 /// # Errors
-/// [`RecordError`] where the records need an answer of the user, or nothing usable is left.
+/// [`RecordError`] if the records require a decision of the user, or if no usable record remains.
 pub fn load(
     paths: &[PathBuf],
     options: &Options,
@@ -106,7 +107,7 @@ pub fn load(
     let given = options;
     let options = &whole(given, &folders)?;
     let counter = Counter::new(files.len(), progress);
-    // Every file is read before the first error is picked, so that the error does not depend on the threads.
+    // Read every file before selecting the first error, so that the error does not depend on the threads.
     let read: Vec<Result<Vec<Samples>, RecordError>> = files
         .par_iter()
         .map(|file| {
@@ -115,7 +116,7 @@ pub fn load(
             tests
         })
         .collect();
-    // Where the folder itself holds strays alone, the records are below it.
+    // If the folder itself contains no readable record, the records are in its subfolders.
     let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());
@@ -203,7 +204,7 @@ pub fn load(
     Ok(Campaign { records, sign, delay, notes, unusable, files })
 }
 
-/// How the rig counts, of the records of a campaign as these options read them.
+/// Returns the rig's sign convention, zero and range, from the records of a campaign and its options.
 fn rig_frame(records: &[Record], positive: Positive, options: &Options, counts_inches: bool) -> RigFrame {
     let direction = if positive == Positive::Compression { -1.0 } else { 1.0 };
     let flipped = if options.flip_motion { -1.0 } else { 1.0 };
@@ -218,12 +219,12 @@ fn rig_frame(records: &[Record], positive: Positive, options: &Options, counts_i
     }
 }
 
-/// Notes of a test that concern its file, or what counts as a test.
+/// Kinds of test notes that concern the file or its division into tests.
 const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "changing_setting"];
 
-/// Gaps and rests concern what counts as a test, so the campaign says them, before anything else.
+/// Moves the notes about files and their division into tests to the front of the campaign's notes.
 ///
-/// So it does what is wrong with a file.
+/// Each such note appears once for each file.
 fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
@@ -238,7 +239,7 @@ fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     notes.splice(0..0, told);
 }
 
-/// What holds for the campaign as a whole: the options, and the direction that profiles agree on.
+/// Returns the options of the campaign as a whole: the given options, and the direction on which the profiles agree.
 fn whole(options: &Options, folders: &[(PathBuf, Options)]) -> Result<Options, RecordError> {
     let mut whole = options.clone();
     if let [(_, only)] = folders {
@@ -278,10 +279,10 @@ impl<'a> Counter<'a> {
     }
 }
 
-/// Gives records of equal name (same test name in two files) a number, so that every name is one record.
+/// Numbers records of equal name (same test name in two files), so that every name is unique.
 fn unique_names(records: &mut [Record]) {
     let mut taken: HashSet<String> = HashSet::with_capacity(records.len());
-    // The number to try next, by name.
+    // Next number to try, by name.
     let mut next: HashMap<String, usize> = HashMap::new();
     for record in records {
         if taken.contains(&record.name) {
@@ -309,7 +310,7 @@ mod tests {
 
     fn quiet(_: Progress) {}
 
-    /// A folder with these files.
+    /// Makes a folder with the given files.
     fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
         let folder = tempfile::tempdir().unwrap();
         for (name, text) in files {
@@ -409,7 +410,7 @@ mod tests {
         assert!(message(&[("a.csv", "alpha,beta\n1,2\n")]).contains("a.csv: no header line"));
         assert!(message(&[("a.csv", "time_s,x_mm,force_N\n")]).contains("a.csv: has a header but no data"));
         assert!(message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable samples"));
-        // The first bad file in order is named, whichever thread finds its fault first.
+        // The message names the first bad file in order, whichever thread finds its fault first.
         let files = [("a1.csv", sine(1.0)), ("a2.csv", "x\n".into()), ("a10.csv", "y\n".into())];
         let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
         let strict = Options { strict: true, ..Options::default() };
@@ -446,7 +447,7 @@ mod tests {
         ] {
             assert!(told.iter().any(|t| t.contains(name) && t.contains(why)), "{name}: {told:?}");
         }
-        // A record that needs an answer is no stray.
+        // A record that requires a decision of the user is not left out.
         let unit = good.replace("force_N", "force");
         let files = [("a.csv", good.as_str()), ("b.csv", unit.as_str())];
         assert!(
@@ -466,7 +467,7 @@ mod tests {
         };
         let deep = Options { subfolders: true, ..Options::default() };
         let names = |campaign: &Campaign| campaign.records.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
-        // Subfolders alone, and a table of results beside them that is no record.
+        // The folder contains only subfolders, and a table of results that is not a record.
         for strays in
             [&[][..], &[("results.csv", "v [m/s];pull [N];push [N]\n0.1;200;90\n"), ("notes.txt", "cold start\n")]]
         {
@@ -479,11 +480,11 @@ mod tests {
             let left_out = |n: &&Note| n.kind == "left_out";
             assert_eq!(campaign.notes.iter().filter(left_out).count(), strays.len(), "{:?}", campaign.notes);
             assert!(campaign.notes.iter().any(|n| n.text.to_string().contains("pictures")));
-            // A pattern may name the subfolder too.
+            // A pattern may include the name of the subfolder.
             let without = Options { exclude: vec!["sine/*".into()], ..deep.clone() };
             assert_eq!(names(&load_folder(&folder, &without).unwrap()), ["tri/slow/a"]);
         }
-        // Beside records of the folder itself they are told of, and a profile may ask for them.
+        // If the folder contains records of its own, a note mentions the subfolders, and a profile may include them.
         let folder = folder(&[("own.csv", &sine(3.0))]);
         tests(&folder);
         let campaign = load_folder(&folder, &Options::default()).unwrap();
@@ -541,10 +542,10 @@ mod tests {
             assert!(campaign.sign.is_stated && campaign.sign.positive == crate::Positive::Compression);
             assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.to_string().contains("campaign.toml")));
         }
-        // The command line wins.
+        // The command line has precedence.
         let options = Options { positive: Some(crate::Positive::Rebound), ..Options::default() };
         assert_eq!(load_folder(&folder, &options).unwrap().sign.positive, crate::Positive::Rebound);
-        // Two folders that contradict each other.
+        // The profiles of two folders contradict each other.
         let other = tempfile::tempdir().unwrap();
         fs::write(other.path().join("b.csv"), &text).unwrap();
         fs::write(other.path().join("campaign.toml"), profile.replace("compression", "rebound")).unwrap();
@@ -590,7 +591,7 @@ mod tests {
         let campaign = load_folder(&folder(&[("a.csv", &text)]), &Options::default()).unwrap();
         let record = &campaign.records[0];
         assert_eq!(campaign.sign.positive, crate::Positive::Compression);
-        // Cycles begin on the way into rebound.
+        // Cycles begin at an upward crossing, toward rebound.
         assert!(record.velocity[record.cycles[1].start] > 0.3);
         assert!((record.mean_displacement - 0.01).abs() < 2e-4);
     }

@@ -1,4 +1,4 @@
-//! The records of a campaign: which files and options belong to it, how they are loaded, and groups of campaigns.
+//! Campaigns of records: their files and options, loading, and groups of campaigns.
 
 pub(crate) mod common_clock;
 mod date_agreement;

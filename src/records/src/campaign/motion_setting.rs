@@ -1,39 +1,41 @@
-//! What the file of a motion says of the setting of an adjustable damper.
+//! Setting of an adjustable damper in the file of a motion.
 
 use crate::cleaning::set_to::setting_channel;
 use crate::data::samples::Samples;
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::{Setting, SettingRules};
 
-/// Where the setting of a motion stands.
+/// Source of the setting of a motion.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SettingSource {
-    /// A column of the file, by its heading, and the channel that it was read as.
+    /// A column of the file: its heading, and the channel as which it was read.
     Column(String, Channel),
     /// The name of the file.
     Name {
-        /// Whether the number cannot number the motions, as a letter behind a whole number may.
+        /// Whether the number is certainly a setting. A whole number with a single letter, such as 2A, may number the
+        /// motions.
         is_sure: bool,
     },
-    /// `campaign.toml` beside the file.
+    /// `campaign.toml` in the file's folder.
     Profile,
 }
 
 /// The setting of an adjustable damper along a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionSetting {
-    /// What is set, such as `current`.
+    /// Name of the setting, such as `current`.
     pub name: String,
-    /// Its unit.
+    /// Unit of the setting.
     pub unit: String,
-    /// Its value at each sample.
+    /// Value of the setting at each sample.
     pub values: Vec<f64>,
-    /// Where it stands.
+    /// Source of the setting.
     pub source: SettingSource,
 }
 
 impl MotionSetting {
-    /// Finds the setting as for a record: what the user's rules say, else a column, else the name of the file. Takes the columns out of the samples.
+    /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Moves the
+    /// columns out of the samples.
     pub(crate) fn take(samples: &mut Samples, rules: &SettingRules) -> Option<MotionSetting> {
         let count = samples.len();
         let constant = |setting: Setting, source| MotionSetting {

@@ -1,4 +1,4 @@
-//! What is known about the records of a folder, said once: `campaign.toml` beside them, which every verb obeys.
+//! Known facts about the records of a folder, in its file `campaign.toml`, which all commands apply.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,39 +14,39 @@ use crate::source;
 
 /// Name of the file.
 pub const FILE: &str = "campaign.toml";
-/// Largest profile, bytes: it has a line for each thing that a user knows.
+/// Largest profile, bytes. A profile has one line for each statement.
 const LARGEST: u64 = 1 << 20;
-/// Its first entry.
+/// First entry of the file.
 pub const FORMAT: &str = "dashpot campaign profile 1";
 
-/// The profile as it stands in the file. What is not there is left to the records.
+/// The entries of the profile file. Missing entries are left to the records.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
     /// [`FORMAT`].
     pub format: String,
-    /// Direction counted positive in the files: rebound or compression.
+    /// Positive direction of the files: rebound or compression.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub positive: Option<String>,
-    /// Channels whose sign is turned: force, motion.
+    /// Channels whose sign is reversed: force, motion.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub flip: Vec<String>,
-    /// Channels left unread.
+    /// Channels that are not read.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub ignore: Vec<String>,
-    /// Files and tests left out; * stands for anything.
+    /// Files and tests to leave out. `*` matches any text.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub exclude: Vec<String>,
     /// Whether the records in the subfolders are tests of the same campaign.
     #[serde(default, skip_serializing_if = "is_false")]
     pub subfolders: bool,
-    /// How much later than the motion the force was recorded, s.
+    /// Lag of the recorded force behind the motion, s.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub delay_s: f64,
-    /// What the force channel shows without force, N.
+    /// Reading of the force channel at zero force, N.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force_zero_n: f64,
-    /// What the displacement channel shows where displacement is to be zero, m.
+    /// Reading of the displacement channel at the desired zero, m.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub displacement_zero_m: f64,
     /// Factor on the force.
@@ -58,28 +58,28 @@ pub struct Profile {
     /// Samples per second of files that have no column of time, 1/s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sample_rate_hz: Option<f64>,
-    /// Which of day and month comes first in the dates of the files: day-first or month-first.
+    /// Order of day and month in the dates of the files: day-first or month-first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dates: Option<String>,
-    /// Displacement at the first sample, m, where only velocity was recorded.
+    /// Displacement at the first sample, m, if only a velocity was recorded.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub initial_position_m: f64,
-    /// Name of what the damper was set to, such as current, clicks or pressure.
+    /// Name of the setting, such as current, clicks or pressure.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting: Option<String>,
-    /// Its unit, such as A.
+    /// Unit of the setting, such as A.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub setting_unit: String,
-    /// Heading, or number from 1, of a channel's column.
+    /// Column of each channel, by its heading or by its number from 1.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub columns: BTreeMap<String, String>,
-    /// Factors on other channels than the force, by channel.
+    /// Factors on channels other than the force, by channel.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub gains: BTreeMap<String, f64>,
-    /// Unit of a channel.
+    /// Unit of each channel.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub units: BTreeMap<String, String>,
-    /// Values of the setting by the names of tests; * stands for anything.
+    /// Values of the setting by test names. `*` matches any text.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub settings: BTreeMap<String, f64>,
 }
@@ -104,10 +104,11 @@ fn one() -> f64 {
 }
 
 impl Profile {
-    /// The profile of a folder; none where there is no file, or its file describes how a campaign was measured.
+    /// Reads the profile of a folder. Returns `None` if there is no file, or if the file describes how a virtual
+    /// campaign was measured.
     ///
     /// # Errors
-    /// Where the file cannot be read, or says something that is not understood.
+    /// The file cannot be read, or has an entry that is not understood.
     pub fn read(folder: &Path) -> Result<Option<Profile>, RecordError> {
         let file = folder.join(FILE);
         let text = match source::text(&file, LARGEST) {
@@ -122,7 +123,7 @@ impl Profile {
         let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
         match table.get("format").and_then(toml::Value::as_str) {
             Some(FORMAT) => {}
-            // The description that the virtual rig leaves says nothing about reading.
+            // The description that the virtual rig writes contains nothing about reading.
             Some(other) if other.starts_with("dashpot rig campaign") => return Ok(None),
             _ => return Err(wrong(format!("it lacks the line format = \"{FORMAT}\""))),
         }
@@ -131,7 +132,7 @@ impl Profile {
         Ok(Some(profile))
     }
 
-    /// The profile that makes these options.
+    /// Makes the profile from options.
     pub fn from_options(options: &Options) -> Profile {
         let named = |on: bool, name: &str| on.then(|| name.to_owned());
         Profile {
@@ -161,10 +162,10 @@ impl Profile {
         }
     }
 
-    /// What the profile says, as options.
+    /// Converts the profile to options.
     ///
     /// # Errors
-    /// A sentence where a channel, unit or number is not understood.
+    /// A message about a channel, unit or number that is not understood.
     pub fn options(&self) -> Result<Options, String> {
         let mut options = Options {
             positive: self.positive.as_deref().map(str::parse::<Positive>).transpose()?,
@@ -212,14 +213,14 @@ impl Profile {
         Ok(options)
     }
 
-    /// The text of the file.
+    /// Returns the text of the file.
     pub fn text(&self) -> String {
         let rows = toml::to_string(self).unwrap_or_default();
         format!("# What is known about the records in this folder; every verb of dashpot obeys it.\n{rows}")
     }
 }
 
-/// The folder whose profile holds for a path.
+/// Returns the folder whose profile applies to a path.
 pub fn folder_of(path: &Path) -> PathBuf {
     if path.is_dir() {
         return path.to_owned();

@@ -10,7 +10,7 @@ use crate::options::Options;
 use crate::peaks::table;
 use crate::source::Source;
 
-/// The tests of one file, read by its extension.
+/// Reads the tests of one file. The extension selects the reader.
 pub(super) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let ending = extension(file);
@@ -23,7 +23,7 @@ pub(super) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, 
         return Err(RecordError::NotRead { file: file.into(), is, instead });
     }
     let read = match ending.as_str() {
-        // Many loggers call their measurement files so, and many rigs their texts.
+        // Many loggers write MDF files with this extension, and many rigs text files.
         "dat" if mdf::is_one(&source.bytes) => mdf::read(source, &name, options),
         "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(source, &name, options),
         "xlsx" | "xlsm" => xlsx::read(source, &name, options),

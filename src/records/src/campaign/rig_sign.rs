@@ -1,7 +1,7 @@
-//! One decision of sign for all campaigns of a rig.
+//! Finds one common sign for all campaigns of a rig.
 //!
-//! Groups, a reference and the tests that are compared with it come from the same cables, so the surest of them
-//! decides for those that hardly tell.
+//! Groups, a reference and the tests compared with it share the cables of one rig. The campaign with the most certain
+//! sign therefore decides for the uncertain ones.
 
 use super::loading::Campaign;
 use crate::cleaning::cycles_of;
@@ -12,8 +12,8 @@ use crate::options::Positive;
 use crate::tuning::rig_sign::OWN;
 use crate::tuning::sign::UNSURE;
 
-/// Turns campaigns that disagree with the surest one, unless the user gave their direction or they are sure themselves. A note of the campaign
-/// says so.
+/// Reverses campaigns that disagree with the most certain one, and adds a note. Campaigns with a stated or a certain
+/// direction stay unchanged.
 pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
     let Some(surest) = campaigns.iter().map(|c| &c.sign).max_by(|a, b| a.confidence.total_cmp(&b.confidence)).cloned()
     else {
@@ -27,7 +27,7 @@ pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
             continue;
         }
         if own.positive == surest.positive {
-            // What is unsure by itself is sure by the others.
+            // An uncertain sign becomes certain if the most certain campaign agrees.
             if surest.confidence >= UNSURE {
                 campaign.notes.retain(|note| note.kind != "sign_unsure");
                 campaign.sign.confidence = surest.confidence;
@@ -58,7 +58,7 @@ pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
 }
 
 impl Campaign {
-    /// Counts force and motion the other way round.
+    /// Reverses the positive direction of force and motion.
     fn turn(&mut self) {
         self.sign.positive = self.sign.positive.opposite();
         self.sign.standstill_force = -self.sign.standstill_force;
@@ -69,7 +69,7 @@ impl Campaign {
                 values.iter_mut().for_each(|value| *value = -*value);
             }
             record.mean_displacement = -record.mean_displacement;
-            // Cycles begin on the way into rebound.
+            // Cycles begin at an upward crossing, toward rebound.
             record.cycles = cycles_of(&record.time, &record.displacement);
             record.counted = Some(counted);
             record.frame = record.frame.reversed();
@@ -120,7 +120,7 @@ mod tests {
         let told = weak.notes[0].text.to_string();
         assert!(told.contains("60 %") && told.contains("97 %") && told.contains("--positive"), "{told}");
         assert!(given.sign.positive == Positive::Compression && given.records[0].force == force);
-        // Two that are sure are of two rigs.
+        // Two campaigns with certain but opposite signs are of two rigs.
         let mut other = campaign(Positive::Compression, 0.95, false);
         agree_on_sign(&mut [&mut sure, &mut other]);
         assert!(other.sign.positive == Positive::Compression && other.notes.len() == 2);

@@ -1,8 +1,8 @@
-//! What a campaign does without: files that are no records, and tests that have a fault of their own.
+//! Parts that a campaign leaves out: files that are no records, and faulty tests.
 //!
-//! One spoilt test of fifty is no reason to refuse the other forty-nine, but it must not vanish either: it is named with
-//! its reason wherever the campaign is told of. What concerns all tests (a column, a unit, a sign) stays a refusal, for
-//! there the user has the answer.
+//! One faulty test of fifty is no reason to reject the other forty-nine, but it must not vanish. Every report of the
+//! campaign names it with its reason. A fault of all tests (a column, a unit, a sign) rejects the campaign, because
+//! only the user knows the remedy.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,14 +14,14 @@ use crate::messages::sentence::Sentence;
 /// A file or test that was left out.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Unusable {
-    /// Why, in a sentence that names the file, and the test within it.
+    /// Reason, as a sentence that names the file and the test within it.
     pub why: Sentence,
-    /// Whether it is a test, with a fault of its own; else the file is no record at all.
+    /// Whether it is a faulty test. Otherwise the file is no record at all.
     pub is_test: bool,
 }
 
 impl Unusable {
-    /// The first of several in words, and how many more there are; nothing where there are none.
+    /// Returns the reason of the first entry and the number of further ones. Returns `None` for an empty list.
     pub fn first_of(several: &[Unusable]) -> Option<Sentence> {
         let (first, others) = several.split_first()?;
         Some(match others.len() {
@@ -33,21 +33,22 @@ impl Unusable {
     }
 }
 
-/// How far the fault of a file or test reaches.
+/// Scope of the fault of a file or test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reach {
     /// The file is no record.
     NoRecord,
-    /// A fault of this test, which says nothing of others.
+    /// The fault concerns this test only.
     Test,
-    /// A fault of this test where others are free of it; where most have it, a wrong column, unit or sign is likelier.
+    /// The fault concerns this test if the other tests are free of it. If most tests have it, a wrong column, unit or
+    /// sign is more likely.
     TestUnlessMost,
-    /// A question to the user.
+    /// The user must decide for the whole campaign.
     Campaign,
 }
 
 impl RecordError {
-    /// How far this fault reaches.
+    /// Returns the scope of this fault.
     pub(crate) fn reach(&self) -> Reach {
         use RecordError as E;
         match self {
@@ -72,33 +73,33 @@ impl RecordError {
             | E::Clipped { .. }
             | E::NoMotion { .. }
             | E::ConstantForce { .. } => Reach::Test,
-            // A file without the columns that the others have is another table or a garbled one.
+            // A file without the columns of the other files is another table or a damaged one.
             E::MissingColumn { .. }
             | E::NoSuchColumn { .. }
             | E::Cell { .. }
             | E::Fields { .. }
             | E::ConstantTime { .. }
             | E::Contradiction { .. } => Reach::TestUnlessMost,
-            // Among them figures that no damper has, and swapped headings: of a unit or column that is wrong in all tests a few
-            // strong ones alone may tell.
+            // Implausible figures and exchanged headings concern the campaign: a few strong tests alone may reveal a
+            // unit or column that is wrong in all tests.
             _ => Reach::Campaign,
         }
     }
 }
 
-/// Lets through what can be used.
+/// Collection of the faults of the parts that a campaign leaves out.
 pub(crate) struct Sieve {
     strict: bool,
     faults: Vec<RecordError>,
 }
 
 impl Sieve {
-    /// A strict one lets errors stay errors.
+    /// Makes a collection. With `strict` every fault stays an error.
     pub fn new(strict: bool) -> Sieve {
         Sieve { strict, faults: Vec::new() }
     }
 
-    /// Nothing where a campaign can do without; what it cannot do without stays an error.
+    /// Returns `None` and stores the fault if the campaign can leave the part out. Returns all other faults as errors.
     pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
         match read {
             Ok(value) => Ok(Some(value)),
@@ -110,19 +111,19 @@ impl Sieve {
         }
     }
 
-    /// Whether everything went through.
+    /// Returns whether no fault was stored.
     pub fn is_empty(&self) -> bool {
         self.faults.is_empty()
     }
 
-    /// Returns the first fault if nothing usable remains, or if at least as many tests have a systematic fault as
-    /// remain.
+    /// Returns the first fault as an error if no usable test remains. Returns the first systematic fault if at least as
+    /// many tests have such a fault as are usable.
     ///
     /// A wrong column, unit or sign would give all of them such a fault.
     pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
         let doubtful = |error: &RecordError| error.reach() == Reach::TestUnlessMost;
         let first = if usable == 0 {
-            // A test with a fault tells more than a stray file beside it.
+            // The fault of a test is more informative than that of a stray file.
             let of_test = self.faults.iter().position(|e| e.reach() != Reach::NoRecord);
             of_test.or((!self.faults.is_empty()).then_some(0))
         } else if self.faults.iter().filter(|e| doubtful(e)).count() >= usable {
@@ -133,7 +134,7 @@ impl Sieve {
         first.map_or(Ok(()), |k| Err(self.faults.remove(k)))
     }
 
-    /// Names everything that was left out; the first ones as notes too.
+    /// Returns all faults as unusable parts, and adds notes about the first of them.
     pub fn report(self, noted: &mut Vec<Note>) -> Vec<Unusable> {
         let unusable: Vec<Unusable> = self.faults.iter().map(in_words).collect();
         noted.extend(notes(&unusable));
@@ -141,9 +142,9 @@ impl Sieve {
     }
 }
 
-/// A note for each of the first, and one for the others.
+/// Returns a note for each of the first parts and one note for the rest.
 pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
-    /// Notes that name one each: more of them would hide the other notes; all stand in `unusable`.
+    /// Number of notes that name one part each. More would hide the other notes. `unusable` contains all parts.
     const NAMED: usize = 20;
     let note = |text| Note { kind: "left_out", text };
     let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();
@@ -154,7 +155,7 @@ pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
     notes
 }
 
-/// What is said of one.
+/// Describes one fault.
 fn in_words(error: &RecordError) -> Unusable {
     let is_test = error.reach() != Reach::NoRecord;
     let left_out = if is_test { phrases::LEFT_OUT } else { phrases::NO_RECORD };
@@ -208,12 +209,12 @@ mod tests {
         );
         assert!(unusable[1].why.to_string().starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
         assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
-        // Of two tests without a clock and two sound ones, the column of the sound ones may be the wrong one.
+        // Of two tests without a clock and two good ones, the column of the good ones may be the wrong one.
         let refused = sieve(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
         assert!(refused.to_string().contains("a.csv"), "{refused}");
-        // A test that is too short is too short, however many there are.
+        // Short tests never count as a systematic fault.
         sieve(vec![short(), short(), short()]).reject_most(1).unwrap();
-        // Where nothing is left, the fault of a test tells more than a stray file.
+        // If no test remains, the fault of a test is more informative than a stray file.
         let refused = sieve(vec![stray(), short()]).reject_most(0).unwrap_err();
         assert!(refused.to_string().contains("s.csv"), "{refused}");
     }

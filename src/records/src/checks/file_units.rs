@@ -1,9 +1,11 @@
-//! The unit of single files: told by what the other tests of the campaign show at like velocities.
+//! Checks the unit of single files by comparison with the other tests of the campaign at similar velocities.
 //!
-//! The tests of a campaign are of one damper, so at one velocity they show about one force, whatever their strokes: heat, mounts, stops and
-//! free play change it by tens of percent, a wrong unit by the ratio of two units. The largest set of tests that agree is what the others
-//! are held against. A test that stands off it by as much as another unit of its force, displacement, velocity or time would make, and with
-//! it lies on the others at all its velocities, was likely written in that unit.
+//! The tests of a campaign are of one damper, so they show similar forces at one velocity, whatever their strokes.
+//! Heat, mounts, stops and free play change the force by tens of percent, a wrong unit by the ratio of two units.
+//!
+//! The largest set of tests that agree is the reference. A test may deviate from the reference by the ratio of another
+//! unit of force, displacement, velocity or time. If that unit makes it agree at all its velocities, the test was
+//! likely written in that unit.
 
 use super::force_levels::{Level, Levels, apart, levels, velocity};
 use super::plausibility::shows_noise_alone;
@@ -19,16 +21,16 @@ use crate::tuning::file_units::{
 };
 use std::collections::{BTreeMap, HashMap};
 
-/// How a test was read.
+/// Units and options with which a test was read.
 #[derive(Debug)]
 pub(crate) struct Reading<'a> {
-    /// The units that its channels were read in.
+    /// The units in which its channels were read.
     pub units: Vec<(Channel, Unit)>,
-    /// What the user says of its file.
+    /// The user's options for its file.
     pub options: &'a Options,
 }
 
-/// A test, and what it shows.
+/// A test with its force levels.
 struct Seen<'a> {
     record: &'a Record,
     reading: &'a Reading<'a>,
@@ -45,21 +47,22 @@ impl Seen<'_> {
     }
 }
 
-/// Another unit that a test may have been written in.
+/// Another unit in which a test may have been written.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 struct Slip {
-    /// What is left of the difference to the others, as a logarithm.
+    /// Root mean square residual with that unit, as a natural logarithm of the force ratio.
     left: f64,
     channel: Channel,
     written: Unit,
     likely: Unit,
 }
 
-/// Refuses a campaign some files of which were likely written in another unit than they say; a unit given by the user is right.
+/// Rejects a campaign if some of its files were likely written in another unit than stated. A unit given by the user
+/// counts as correct.
 pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>) -> Result<(), RecordError> {
     let seen: Vec<Seen<'_>> = records
         .iter()
-        // Where the force is noise no unit makes it another: that is told for itself.
+        // No unit explains a force that is noise. Another check reports that case.
         .filter(|record| !shows_noise_alone(record))
         .filter_map(|record| {
             let levels: Levels = levels(record, |_| true).into_iter().filter(|(_, l)| l.against > 0.0).collect();
@@ -70,9 +73,9 @@ pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>
     by_setting(seen).into_iter().try_for_each(|of_one| refuse_alike(&of_one, records.len()))
 }
 
-/// Tests of each setting of an adjustable damper; those whose setting changes go with no other.
+/// Groups the tests by the setting of an adjustable damper. Leaves out tests whose setting changes.
 ///
-/// From soft to hard the force of one damper grows by as much as a wrong unit makes.
+/// From soft to hard the force of one damper grows by as much as the ratio of two units.
 fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
     let mut groups: Vec<Vec<Seen<'_>>> = Vec::new();
     for test in seen.into_iter().filter(|test| test.record.setting_signal.is_none()) {
@@ -89,7 +92,8 @@ fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
     groups
 }
 
-/// Refuses tests of one damper at one setting, of which some were likely written in another unit; `all` tests were read.
+/// Rejects tests of one damper at one setting if some were likely written in another unit. `all` is the number of tests
+/// read.
 fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     let agreeing = largest_agreeing(seen);
     if agreeing.len() < 2 {
@@ -107,7 +111,7 @@ fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     let Some(((channel, written, likely), tests)) = found.into_iter().max_by_key(|(_, tests)| tests.len()) else {
         return Ok(());
     };
-    // Of the test that shows most, the figures are told.
+    // The error reports the figures of the test with the largest force.
     let most = |test: &Seen<'_>| test.levels.values().map(|l| l.against).fold(0.0, f64::max);
     let Some(shown) = tests.iter().max_by(|a, b| most(a).total_cmp(&most(b))) else { return Ok(()) };
     let Some((level, beside)) = others.beside(shown) else { return Ok(()) };
@@ -124,7 +128,7 @@ fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     })))
 }
 
-/// The largest set of tests each of which agrees with another one of it, in their order.
+/// Returns the largest set of tests in which each agrees with at least one other, in their order.
 fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     let mut set: Vec<usize> = (0..seen.len()).collect();
     fn root(set: &mut [usize], mut i: usize) -> usize {
@@ -146,7 +150,7 @@ fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     for i in 0..seen.len() {
         members.entry(root(&mut set, i)).or_default().push(i);
     }
-    // Of two as large, the one with the first test.
+    // Of sets of equal size, take the one that contains the first test.
     members.into_values().rev().max_by_key(Vec::len).unwrap_or_default()
 }
 
@@ -156,7 +160,7 @@ fn agree(one: &Levels, other: &Levels) -> bool {
     !ratios.is_empty() && median(&mut ratios).abs() < AGREE
 }
 
-/// The tests that agree, and what they show at each velocity.
+/// The reference: tests that agree, and their forces at each velocity.
 struct Others<'a> {
     tests: Vec<&'a Seen<'a>>,
     /// Natural logarithm of the force against the motion.
@@ -183,10 +187,10 @@ impl<'a> Others<'a> {
         Others { tests, curve, between }
     }
 
-    /// Logarithm of the usual force at a level and a part of one.
+    /// Returns the logarithm of the typical force, interpolated between levels.
     fn usual(&self, level: f64) -> Option<f64> {
         let (below, part) = (level.floor(), level - level.floor());
-        // Levels of doubles are within an i32.
+        // The level of every positive double is within the range of an i32.
         let low = self.curve.get(&(below as i32))?;
         if part < 1e-9 {
             return Some(*low);
@@ -194,26 +198,29 @@ impl<'a> Others<'a> {
         Some(low + part * (self.curve.get(&(below as i32 + 1))? - low))
     }
 
-    /// The highest velocity of a test that the others have too, and theirs; where they have none, the two that are closest.
+    /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. Without a common
+    /// level returns the two closest ones.
     fn beside(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
         let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }
 
-    /// How far a test stands off the others, were its forces and velocities so many times what was read: logarithms at its velocities.
+    /// Returns the deviations of a test from the others at its velocities, as logarithms. Its forces and velocities are
+    /// scaled by the given factors.
     fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
         test.levels.iter().filter_map(at).collect()
     }
 
-    /// Whether some of them are about as short as a test whose amplitude is this, m, at velocities that it has too.
+    /// Returns whether some of the others at common velocities are about as short as a test of the given amplitude, m.
     fn are_as_short(&self, test: &Seen<'_>, amplitude: f64) -> bool {
         let with = |other: &&&Seen<'_>| test.levels.keys().any(|k| other.levels.contains_key(k));
         self.tests.iter().filter(with).any(|other| other.record.amplitude * AS_LONG <= amplitude)
     }
 
-    /// Whether the force between the directions speaks against a factor on the force: as it was read, it is nearer to the others'.
+    /// Returns whether the force between the directions contradicts a factor on the force: without the factor it is
+    /// closer to the others'.
     fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
         let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
         for (k, level) in &test.levels {
@@ -227,7 +234,7 @@ impl<'a> Others<'a> {
     }
 }
 
-/// The channel whose unit is likely another one, the unit that it was read in, and the likely ones.
+/// Returns the channel whose unit is likely wrong, the unit in which it was read, and the likely units.
 fn slip(test: &Seen<'_>, others: &Others<'_>) -> Option<(Channel, Unit, Vec<Unit>)> {
     let mut as_read: Vec<f64> = others.off(test, 1.0, 1.0).iter().map(|off| off.abs()).collect();
     if as_read.len() >= FEWEST && median(&mut as_read) < OFF {
@@ -249,7 +256,7 @@ fn slip(test: &Seen<'_>, others: &Others<'_>) -> Option<(Channel, Unit, Vec<Unit
     Some((best.channel, best.written, likely))
 }
 
-/// Whether a test lies on the others in another unit of a channel, and how closely.
+/// Returns the residual of a test in another unit of a channel, if the test agrees with the others in that unit.
 fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit, likely: Unit) -> Option<Slip> {
     let factor = likely.to_si(1.0) / written.to_si(1.0);
     let (of_force, of_velocity) = match channel {
@@ -258,7 +265,8 @@ fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit,
         _ => (1.0, factor),
     };
     let off = others.off(test, of_force, of_velocity);
-    // The others must have the velocities that the test would have: most of them, for they alone tell of the shape.
+    // The others must have most of the velocities of the rescaled test, because only common velocities allow a
+    // comparison.
     if off.len() < FEWEST || 2 * off.len() < test.levels.len() {
         return None;
     }
@@ -271,7 +279,8 @@ fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit,
     let step = libm::log(test.step());
     let fits = match channel {
         Channel::Force => !others.gas_speaks_against(test, factor),
-        // In another unit of time the test is sampled as the others are; in another of displacement it is so already.
+        // A wrong unit of time also changes the sampling, so the right one moves the step toward that of the others. A
+        // wrong unit of displacement does not change the step.
         Channel::Time => (step + libm::log(factor) - usual_step).abs() < (step - usual_step).abs(),
         _ => amplitude < LARGEST_AMPLITUDE,
     };
@@ -289,11 +298,12 @@ mod tests {
     use super::*;
     use crate::fixtures::{Random, sine_record};
 
-    /// Sines of (amplitude, peak velocity) on a damper with gas, friction and a mount that takes its share of short strokes.
+    /// Makes sines of (amplitude, peak velocity) on a damper with gas, friction and a mount that reduces the force of
+    /// short strokes.
     fn campaign(strength: f64, tests: &[(f64, f64)]) -> Vec<Record> {
         let mut random = Random::new(7);
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
-            // Up to 30 % softer for the oil is warm, and softer in short strokes.
+            // The damper is up to 30 % softer with warm oil, and softer in short strokes.
             let warm = 1.0 - 0.3 * random.uniform();
             let share = amplitude / (amplitude + 3e-4);
             let law = |v: f64| strength * if v > 0.0 { 1.6 * libm::pow(v, 0.8) } else { -0.8 * libm::pow(-v, 0.8) };
@@ -347,7 +357,7 @@ mod tests {
         for strength in [100.0, 1000.0, 10_000.0] {
             assert_eq!(said(&campaign(strength, &PLAN), &Options::default()), "");
         }
-        // An adjustable damper at five settings, one of them four and a half times as soft: its gas is the same.
+        // The settings differ by a factor of four and a half in force. The gas force is the same.
         let mut records = campaign(2000.0, &PLAN);
         for record in campaign(450.0, &PLAN) {
             records.push(Record {
@@ -359,7 +369,8 @@ mod tests {
         assert_eq!(said(&records, &Options::default()), "");
     }
 
-    /// A semi-active damper without gas, whose force at the firmest setting is that of another unit; a file in kN is one at its own setting.
+    /// A semi-active damper without gas, whose settings differ in force by as much as two units. A file in kN deviates
+    /// from the tests at its own setting.
     #[test]
     fn settings_are_told_by_their_own_tests() {
         let at = |value: f64| {
@@ -412,7 +423,7 @@ mod tests {
             records[from..].iter_mut().for_each(|r| times(r, Channel::Force, 1e-3));
             let message = said(&records, &Options::default());
             if from == 0 {
-                // All of them alike: that is for those who know what dampers have.
+                // A unit that is wrong in all files is found by the check of plausibility.
                 assert_eq!(message, "");
             } else {
                 assert!(message.contains("t1.csv") && message.contains("t6.csv"), "{message}");

@@ -1,44 +1,46 @@
-//! What a test shows at each velocity: the force against the motion, and the force between the two directions. By these the tests of one
-//! damper are compared with each other, whatever their strokes and frequencies.
+//! Force levels of a test at each velocity: the force against the motion, and the force between the two directions.
+//!
+//! The tests of one damper are compared by these levels, whatever their strokes and frequencies.
 
 use crate::data::record::Record;
 use crate::numbers::median;
 use crate::tuning::force_levels::{FEWEST, LOWEST, MIDDLE, STEP};
 use std::collections::BTreeMap;
 
-/// Velocity of the level 0, m/s. Only the distance of levels counts.
+/// Velocity of level 0, m/s. Only differences of levels matter.
 const FROM: f64 = 1e-3;
 
-/// What is seen at one velocity.
+/// The force at one velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Level {
-    /// Half the difference of the forces in rebound and in compression, N: what acts against the motion.
+    /// Half the difference of the forces in rebound and in compression, N: the force against the motion.
     pub against: f64,
-    /// Half their sum, N: gas, springs, the zero of the channel, and by how much rebound is harder than compression.
+    /// Half the sum of the two forces, N: gas, springs, the zero of the channel, and the asymmetry of rebound and
+    /// compression.
     pub between: f64,
 }
 
-/// The levels of a test, by the number of the velocity.
+/// The levels of a test, by the index of the velocity.
 pub(crate) type Levels = BTreeMap<i32, Level>;
 
-/// How many levels lie between a velocity and another that is so many times as high.
+/// Returns the number of levels between two velocities with the given ratio.
 pub(crate) fn apart(times: f64) -> f64 {
     libm::log(times) / libm::log(STEP)
 }
 
-/// The velocity in the middle of a level, m/s.
+/// Returns the velocity in the middle of a level, m/s.
 pub(crate) fn velocity(level: i32) -> f64 {
     FROM * libm::pow(STEP, f64::from(level) + 0.5)
 }
 
-/// What a test shows at each velocity, from the samples at which `counts` holds.
+/// Computes the force levels of a test from the samples for which `counts` is true.
 pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels {
     let lowest = LOWEST * record.peak_velocity;
     let mut forces: BTreeMap<i32, [Vec<f64>; 2]> = BTreeMap::new();
     for (i, (v, force)) in record.velocity.iter().zip(&record.force).enumerate() {
         let speed = v.abs();
         if speed > 0.0 && speed >= lowest && speed <= record.peak_velocity && counts(i) {
-            // Within the range of an i32 for every positive double.
+            // The level of every positive double is within the range of an i32.
             let level = apart(speed / FROM).floor() as i32;
             forces.entry(level).or_default()[usize::from(*v < 0.0)].push(*force);
         }
@@ -51,12 +53,12 @@ pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels 
     .collect()
 }
 
-/// Whether a test is in the middle of its stroke at a sample: at the ends stops and springs push.
+/// Returns whether a sample lies in the middle of a stroke. At the ends stops and springs add forces.
 pub(crate) fn is_in_the_middle(record: &Record, i: usize) -> bool {
     record.velocity[i].abs() >= MIDDLE * record.peak_velocity
 }
 
-/// The levels of each test in the middle of its strokes.
+/// Computes the levels of each test in the middle of its strokes.
 pub(crate) fn in_the_middle(records: &[Record]) -> Vec<Levels> {
     records.iter().map(|record| levels(record, |i| is_in_the_middle(record, i))).collect()
 }

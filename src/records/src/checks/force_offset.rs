@@ -1,10 +1,12 @@
-//! Tests whose force between rebound and compression lies off that of the others at like velocities.
+//! Finds tests whose force between rebound and compression deviates from that of the other tests at similar velocities.
 //!
-//! Turned round in both motion and force, or with another zero of the load cell.
+//! Either motion and force are both reversed, or the zero of the load cell has moved.
 //!
-//! Energy cannot tell of a test that is turned round in both: it still goes into the damper. But gas then pulls the rod in, and compression is as
-//! hard as rebound was. Both stand in the force between the directions. It is compared in the middle of the strokes, where
-//! the damper is fast: at the ends of a long one a stop may push the other way. Both flanks of a stroke are in it, so that hysteresis cancels.
+//! The energy does not reveal a test with both signs reversed, because the damper still dissipates. But the gas then
+//! seems to pull the rod in, and rebound and compression are exchanged. Both change the force between the directions.
+//!
+//! The forces are compared in the middle of the strokes, where the damper is fast. At the ends of a long stroke a stop
+//! may push the other way. Both halves of a stroke count, so that hysteresis cancels.
 
 use super::force_levels::{Levels, is_in_the_middle, levels};
 use crate::data::record::{Note, Record};
@@ -15,26 +17,27 @@ use crate::quantities::load_cell;
 use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO, VELOCITIES};
 use std::collections::BTreeMap;
 
-/// Force between the directions of each test, N, by velocity.
+/// Force between the directions of each test, N, by velocity level.
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 
-/// How a test lies to the others.
+/// Deviation of a test from the others.
 struct Beside {
-    /// Its force between the directions less theirs, N: the median over its velocities, and the scatter about it.
+    /// Deviation of its force between the directions from the others', N: the median over its velocities, and the
+    /// scatter about the median.
     offset: f64,
     scatter: f64,
     /// Number of velocities.
     velocities: usize,
-    /// The smallest and the largest distance.
+    /// The smallest and the largest absolute deviation, N.
     nearest: f64,
     farthest: f64,
-    /// How much that may be, N.
+    /// Largest acceptable deviation, N.
     allowed: f64,
-    /// Its own force, and theirs, at the velocity in the middle.
+    /// Force of the test and typical force of the others at the middle velocity, N.
     forces: (f64, f64),
 }
 
-/// Notes tests that lie off the others; `as_read` are their levels in the middle of the strokes.
+/// Adds notes about tests that deviate from the others. `as_read` contains the levels in the middle of the strokes.
 pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>) {
     let towards_ends: Vec<Levels> =
         records.iter().map(|record| levels(record, |i| !is_in_the_middle(record, i))).collect();
@@ -42,17 +45,18 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     let offset = load_cell::offset(records.iter().flat_map(|r| &r.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let (mut turned, mut moved) = (Vec::new(), Vec::new());
     for (i, record) in records.iter().enumerate() {
-        // Another setting of the damper has other forces.
+        // Other settings of the damper have other forces.
         let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
         let beside = |levels: &Levels, turn: f64, at: &Others| beside((i, &is_alike), levels, turn, at, offset);
         let Some(own) = beside(&as_read[i], 1.0, &at) else { continue };
-        // At every one of its velocities: a triangle has few samples at all but one.
+        // The deviation must be large at every velocity of the test. A triangle has few samples at all velocities but
+        // one.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
         if is_off && beside(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));
             continue;
         }
-        // A zero that moved is the same at every velocity; what short strokes and places change of a damper is not.
+        // A moved zero is equal at every velocity. Effects of short strokes and of positions on a damper are not.
         let constant = |seen: &Beside| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
         let at_the_ends = beside(&towards_ends[i], 1.0, &at_ends).filter(constant);
         let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
@@ -83,7 +87,7 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     }
 }
 
-/// Whether two tests were measured at one constant setting of the damper, or state none.
+/// Returns whether two tests were measured at one constant setting of the damper, or both state none.
 fn is_at_one_setting(a: &Record, b: &Record) -> bool {
     let changes = a.setting_signal.is_some() || b.setting_signal.is_some();
     !changes
@@ -94,7 +98,7 @@ fn is_at_one_setting(a: &Record, b: &Record) -> bool {
         }
 }
 
-/// The force between the directions of all tests, by velocity.
+/// Collects the force between the directions of all tests, by velocity level.
 fn by_velocity(seen: &[Levels]) -> Others {
     let mut at = Others::new();
     for (i, levels) in seen.iter().enumerate() {
@@ -103,7 +107,8 @@ fn by_velocity(seen: &[Levels]) -> Others {
     at
 }
 
-/// How a test lies to the others, were its forces in these directions; nothing where they share too few velocities.
+/// Computes the deviation of a test from the others, with its forces multiplied by `turn`. Returns `None` if they have
+/// no velocity in common.
 fn beside(
     (own, is_alike): (usize, &dyn Fn(usize) -> bool),
     seen: &Levels,
@@ -146,7 +151,7 @@ mod tests {
     use crate::fixtures::sine_record;
     use crate::quantities::setting_value::Setting;
 
-    /// Sines of (amplitude, peak velocity) on a damper with gas, and a rebound stop from 45 mm on.
+    /// Makes sines of (amplitude, peak velocity) on a damper with gas and with a rebound stop from 45 mm on.
     fn campaign(tests: &[(f64, f64)], gas: f64) -> Vec<Record> {
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
             sine_record(k, amplitude, speed, |x, v| {
@@ -195,7 +200,7 @@ mod tests {
             records.iter_mut().for_each(|record| record.setting = Some(setting.clone()));
             records
         };
-        // The harder setting has another mean of both directions, as where rebound and compression differ.
+        // The harder setting has another mean of both directions, as if rebound and compression differed.
         let mut both = at(0.0, 50.0);
         both.extend(at(0.8, -150.0).into_iter().skip(4).take(3));
         assert_eq!(said(&both), "");

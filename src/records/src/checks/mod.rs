@@ -1,4 +1,4 @@
-//! Checks of cleaned records: signs, energy, units, magnitudes, and whether the tests of a campaign agree.
+//! Checks of cleaned records: signs, energy, units, magnitudes, and agreement of the tests of a campaign.
 
 pub(crate) mod file_units;
 pub(crate) mod force_levels;

@@ -1,6 +1,6 @@
-//! Figures that no suspension damper has: mostly a unit that was not said, or a load cell that is not connected.
+//! Rejects figures that no suspension damper has. The usual causes are an unstated unit and an unconnected load cell.
 //!
-//! What is far too large is refused; what is small may be meant so and is only remarked upon.
+//! Figures that are far too large are rejected. Small figures may be intended and only cause a note.
 
 use std::collections::HashMap;
 
@@ -16,12 +16,12 @@ use crate::tuning::plausibility::{
     SMALL_FORCE, SMALL_SPEED, STANDSTILL,
 };
 
-/// Refuses a record that no damper can have given.
+/// Rejects a record that no damper can produce.
 pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), RecordError> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let force = largest(&record.force);
     let absurd = |what: Sentence, channels: &[Channel], advice| {
-        // Who said the unit needs another advice than to say it.
+        // A user who has stated the unit needs other advice than to state it.
         let given = channels.iter().any(|channel| options.units.contains_key(channel));
         let advice = if given { phrases::UNIT_WAS_GIVEN } else { advice };
         Err(RecordError::Absurd { record: record.source.clone(), what, advice })
@@ -51,10 +51,10 @@ pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), Re
     Ok(())
 }
 
-/// Remarks on a campaign whose figures are all small, on tests without force, and on tests that are there twice.
+/// Adds notes about a campaign with only small figures, about tests without force and about identical tests.
 ///
 /// # Errors
-/// Where most tests show no force, or all a force that no damper has.
+/// Most tests show no force, or the force of every test is below that of any damper.
 pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note>) -> Result<(), RecordError> {
     let silent: Vec<&Record> = records.iter().filter(|r| shows_noise_alone(r)).collect();
     if let Some(first) = silent.first() {
@@ -113,7 +113,7 @@ pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note
     Ok(())
 }
 
-/// Whether the force of a moving damper does not stand out of its noise.
+/// Returns whether the force of a moving damper is indistinguishable from noise.
 pub(crate) fn shows_noise_alone(record: &Record) -> bool {
     let noise = record.noise.force_rms;
     let n = record.force.len() as f64;

@@ -1,10 +1,14 @@
-//! Which direction the files count positive: worked out from what a passive damper can do.
+//! Determines the positive direction of the files from the physics of a passive damper.
 //!
-//! Two questions, answered apart. Do force and motion go together? A damper takes energy out of the rig, so force
-//! times velocity must be positive on average; if not, one of the two is reversed, which is refused. And are both
-//! counted in rebound or both in compression? Energy cannot tell. Gas pressure pushes the rod out, and most dampers
-//! resist rebound more than compression; both are evidence, weighed as odds. Valves do the second, so it is the force that grows with speed
-//! that counts: friction, which does not grow, has no direction that it prefers, and gas and the zero of the load cell drop out of a growth.
+//! Two questions have separate answers. First: do force and motion have consistent signs? A damper takes energy out of
+//! the rig, so force times velocity must be positive on average. If it is negative, one of the two is reversed, and the
+//! campaign is rejected.
+//!
+//! Second: are both counted positive in rebound or in compression? Energy gives no answer. Gas pressure pushes the rod
+//! out, and most dampers resist rebound more than compression. Both are evidence, weighed as odds.
+//!
+//! The asymmetry comes from the valves, so only the growth of the force with speed counts. Friction does not grow and
+//! has no preferred direction. Gas and the zero of the load cell cancel in the growth.
 
 use serde::{Deserialize, Serialize};
 
@@ -25,25 +29,26 @@ use crate::tuning::sign::{
     FAST, FEWEST, HYSTERESIS, MOST_BY_SHAPE, PRIOR_RATIO, RATIO_SCATTER, SLOW, SUREST, TARED, UNSURE,
 };
 
-/// What is known about the direction that the files count positive.
+/// Result of determining the positive direction of the files.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct SignFinding {
-    /// Direction positive in the files (after the flips that the options ask for).
+    /// Positive direction of the files, after the sign reversals that the options request.
     pub positive: Positive,
     /// Whether the user stated it; else it was estimated.
     pub is_stated: bool,
-    /// How sure that is: 0 a coin toss, 1 certain.
+    /// Probability that the direction is correct: 0.5 without evidence, 1 if certain.
     pub confidence: f64,
-    /// What speaks for and against, in words.
+    /// Evidence for and against the direction, as sentences.
     pub reasons: Vec<Sentence>,
-    /// Force at standstill, tension positive, N: minus the gas force, with whatever offset the load cell has.
+    /// Force at standstill, tension positive, N: minus the gas force, plus the offset of the load cell.
     pub standstill_force: f64,
-    /// Damping force in rebound over that in compression at like speed, where it could be told; with `positive` applied.
+    /// Ratio of the damping force in rebound to that in compression at similar speed, if it could be determined, in the
+    /// direction `positive`.
     pub asymmetry: Option<f64>,
 }
 
 impl SignFinding {
-    /// What every record of the campaign bears of it.
+    /// Returns the part of the result that every record of the campaign stores.
     pub fn counted(&self) -> Counted {
         Counted { positive: self.positive, is_stated: self.is_stated }
     }
@@ -52,22 +57,23 @@ impl SignFinding {
 /// One test's evidence, in the file's signs.
 struct Evidence {
     name: String,
-    /// Correlation of force and velocity over whole cycles: power over what these amplitudes could carry.
+    /// Correlation of force and velocity over whole cycles: the power relative to the largest power for these
+    /// amplitudes.
     power: f64,
     /// Force at standstill and its uncertainty, N.
     standstill: Option<(f64, f64)>,
-    /// Logarithm of the force at positive over that at negative velocity.
+    /// Logarithm of the ratio of the force at positive velocity to that at negative velocity.
     asymmetry: Option<f64>,
-    /// By how much the force grows from slow to fast, at positive and at negative velocity, N.
+    /// Growth of the force from slow to fast, at positive and at negative velocity, N.
     growth: Option<[f64; 2]>,
-    /// How well a force at some speed is known, for hysteresis, N.
+    /// Uncertainty of the force at a given speed due to hysteresis, N.
     level_error: f64,
     peak_velocity: f64,
 }
 
-/// Works out (or takes) the direction, and turns everything rebound positive.
+/// Estimates the direction, or takes the stated one, and makes rebound positive in all motions.
 ///
-/// A force channel that comes late is found on the way. It is judged as if it came in time, but left as it is.
+/// Also detects a delay of the force channel. The direction is judged without the delay, but the motions keep it.
 pub(crate) fn settle(
     motions: &mut [Motion],
     options: &Options,
@@ -87,7 +93,7 @@ pub(crate) fn settle(
     let cycles: Vec<(usize, Overtones)> =
         motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::measure(motion)?))).collect();
     let exchanged: Vec<(usize, Overtones)> = cycles.iter().copied().filter(|(_, o)| o.exchanged()).collect();
-    // As read the damper takes energy out, so it may be one of a kind not known here: told, and left as it is.
+    // As recorded the damper dissipates, so it may be of an unknown kind. Add a note and leave the record unchanged.
     if 2 * exchanged.len() > cycles.len() {
         let text =
             Sentence::from(phrases::EXCHANGED_DOUBT).with_sentence("exchanged", told_exchanged(&evidence, &exchanged));
@@ -105,9 +111,9 @@ pub(crate) fn settle(
     Ok((finding, late))
 }
 
-/// The evidence of all tests, and the campaign's force at standstill.
+/// Gathers the evidence of all tests, and the campaign's force at standstill.
 fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
-    // A smaller force at standstill tells nothing of gas.
+    // A force at standstill below the offset says nothing about gas.
     let offset = load_cell::offset(motions.iter().flat_map(|m| &m.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let mut evidence: Vec<Evidence> = motions.iter().map(|motion| gather(motion, offset)).collect();
     let standstill = standstill(&evidence);
@@ -119,7 +125,7 @@ fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
     (evidence, standstill)
 }
 
-/// How late the force is, where that stands out; refuses tests that feed energy for another reason.
+/// Returns the delay of the force, if significant. Rejects tests that feed energy for another reason.
 fn lateness(
     motions: &[Motion],
     evidence: &[Evidence],
@@ -128,7 +134,8 @@ fn lateness(
     notes: &mut Vec<Note>,
 ) -> Result<Option<Delay>, RecordError> {
     let feeding: Vec<usize> = (0..evidence.len()).filter(|&i| evidence[i].power < -UNCLEAR).collect();
-    // Displacement and force exchanged turn the loop round, as a wrong sign or half a cycle of delay would; of these the wave form tells it.
+    // Exchanged displacement and force reverse the loop, as do a wrong sign and a delay of half a cycle. Only the wave
+    // form distinguishes these causes.
     let exchanged: Vec<(usize, Overtones)> = feeding
         .iter()
         .filter_map(|&i| Some((i, Overtones::measure(&motions[i])?)))
@@ -174,7 +181,7 @@ fn lateness(
     Ok(late)
 }
 
-/// A force with its sign.
+/// Formats a force with its sign.
 fn signed(force: f64) -> String {
     format!("{}{}", if force < 0.0 { "-" } else { "+" }, newtons(force.abs(), 0))
 }
@@ -190,7 +197,8 @@ fn gather(motion: &Motion, offset: f64) -> Evidence {
     let n = x.len() as f64;
     let mean = |values: &[f64]| values.iter().sum::<f64>() / n;
     let (mx, mf) = (mean(x), mean(force));
-    // Over whole cycles springs and gas give back what they take. Elsewhere their share is taken out by a line.
+    // Over whole cycles springs and gas return the energy that they store. Otherwise a linear fit removes their
+    // contribution.
     let stiffness = if motion.cycles.is_empty() {
         let sxx: f64 = x.iter().map(|x| (x - mx).powi(2)).sum();
         let sxf: f64 = x.iter().zip(force).map(|(x, f)| (x - mx) * (f - mf)).sum();
@@ -210,7 +218,7 @@ fn gather(motion: &Motion, offset: f64) -> Evidence {
     let power = if ff > 0.0 && vv > 0.0 { power / (ff * vv).sqrt() } else { 0.0 };
 
     let peak_velocity = crate::cleaning::robust_peak(v, &[]);
-    // Both turning points weigh alike, so that friction and hysteresis cancel.
+    // Both turning points have equal weight, so that friction and hysteresis cancel.
     let at_rest = |top: bool| -> Vec<f64> {
         (0..x.len()).filter(|&i| v[i].abs() < 0.05 * peak_velocity && (x[i] > mx) == top).map(|i| force[i]).collect()
     };
@@ -222,8 +230,9 @@ fn gather(motion: &Motion, offset: f64) -> Evidence {
     Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, growth: None, level_error, peak_velocity }
 }
 
-/// Weighted force at standstill of the campaign and its uncertainty. The uncertainties are of one kind in all tests, so
-/// they do not average out.
+/// Returns the weighted mean force at standstill of the campaign and its uncertainty.
+///
+/// The uncertainties are correlated between tests, so averaging does not reduce them.
 fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     let (mut weights, mut sum, mut spread) = (0.0, 0.0, 0.0);
     for (force, uncertainty) in evidence.iter().filter_map(|e| e.standstill) {
@@ -235,7 +244,7 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     (weights > 0.0).then(|| (sum / weights, spread / weights))
 }
 
-/// Median force, N, at speeds between two shares of `peak`, of one direction.
+/// Returns the median force in one direction, N, at speeds between two fractions of `peak`.
 fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let span = motion.steady();
     let is_there = |v: f64| (v > 0.0) == positive && (from * peak..=to * peak).contains(&v.abs());
@@ -243,10 +252,10 @@ fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Op
     (forces.len() >= FEWEST).then(|| median(&mut forces))
 }
 
-/// A test that may stand for the slow side of a faster one, which has no slow samples of its own: a triangle.
+/// A slow test that supplies the slow force of a faster test without slow samples, such as a triangle.
 struct Slow {
     peak: f64,
-    /// Force at its own peak velocity, positive and negative.
+    /// Force at its own peak velocity, positive and negative, N.
     forces: [Option<f64>; 2],
 }
 
@@ -256,7 +265,7 @@ impl Slow {
     }
 }
 
-/// By how much the force of a test grows with speed in each direction, N.
+/// Computes the growth of a test's force with speed in each direction, N.
 fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     let of = |positive: bool| {
         let fast = level(motion, positive, peak, [FAST, f64::INFINITY])?;
@@ -271,9 +280,11 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     Some([of(true)?, of(false)?])
 }
 
-/// How much more the force grows at positive than at negative velocity, as a logarithm, and how well that is known.
+/// Returns the logarithm of the ratio of the force growth at positive velocity to that at negative velocity, and its
+/// uncertainty.
 ///
-/// The median of the faster tests. Hysteresis is of one kind in all of them, so that more tests make it no surer.
+/// Both are medians over the faster tests. Hysteresis is similar in all tests, so more tests do not reduce the
+/// uncertainty.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()
@@ -281,7 +292,7 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
         .filter_map(|e| {
             let [positive, negative] = e.growth?;
             let error = e.level_error.max(f64::MIN_POSITIVE);
-            // What is within its error may be as large as that.
+            // A growth below its error may be as large as the error.
             let (positive, negative) = (positive.max(error), negative.max(error));
             Some((libm::log(positive / negative), libm::hypot(error / positive, error / negative)))
         })
@@ -291,18 +302,18 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     (!ratios.is_empty()).then(|| (median(&mut ratios), median(&mut errors)))
 }
 
-/// Logarithm of the odds that a force at standstill is tension positive.
+/// Returns the logarithm of the odds that the force is tension positive, from the force at standstill.
 ///
-/// Of a gas force of any size that pushes the rod out, seen through an error that is normal. In one rig of [`TARED`]
-/// it tells nothing, so that it alone is never surer than that.
+/// The prior is a gas force of any size that pushes the rod out, with a normal error. In the fraction [`TARED`] of the
+/// rigs the force says nothing, which limits the odds.
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
-    // The logistic curve that keeps within 0.01 of the normal one.
+    // The logistic curve deviates from the normal distribution by less than 0.01.
     let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));
     let told = |share: f64| (1.0 - TARED) * share + TARED * 0.5;
     libm::log(told(tension) / told(1.0 - tension))
 }
 
-/// Logarithm of the ratio of damping forces in the two directions.
+/// Returns the logarithm of the ratio of damping forces in the two directions.
 fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     let span = motion.steady();
     let side = |positive: bool| -> Option<f64> {
@@ -317,7 +328,7 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     (positive > 0.0 && negative > 0.0).then(|| libm::log(positive / negative))
 }
 
-/// Which tests look exchanged, and by what.
+/// Formats the tests with seemingly exchanged channels, and the evidence.
 fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Sentence {
     let names: Vec<&Evidence> = exchanged.iter().map(|(i, _)| &evidence[*i]).collect();
     let clearest = exchanged.iter().max_by(|a, b| a.1.displacement.total_cmp(&b.1.displacement));
@@ -333,7 +344,7 @@ fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Se
 }
 
 fn list(names: &[&Evidence]) -> Sentence {
-    /// Tests that are named: more would bury what is said of them, and their number is told.
+    /// Largest number of tests that the message names. The message only counts the rest, to stay readable.
     const NAMED: usize = 8;
     let quoted = |e: &&Evidence| Sentence::from(phrases::QUOTED).with("test", &e.name);
     let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
@@ -343,7 +354,7 @@ fn list(names: &[&Evidence]) -> Sentence {
     }
 }
 
-/// The refusal of tests that feed energy, with the likely cause.
+/// Makes the error for tests that feed energy, with the likely cause.
 fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Option<Sentence>) -> RecordError {
     let feeding: Vec<&Evidence> = evidence.iter().filter(|e| e.power < -UNCLEAR).collect();
     let dissipating: Vec<&Evidence> = evidence.iter().filter(|e| e.power > UNCLEAR).collect();
@@ -363,7 +374,8 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
             .with_any("also", also);
         return RecordError::FeedsEnergy { cause, tests };
     }
-    // All feed: force and motion are counted in opposite directions. Which is which?
+    // All tests feed energy, so force and motion have opposite signs. The gas force may reveal which of the two is
+    // wrong.
     let tension =
         standstill.filter(|(force, uncertainty)| force.abs() > 2.0 * uncertainty).map(|(force, _)| force < 0.0);
     let culprit = match tension {
@@ -387,7 +399,7 @@ fn direction(
     notes: &mut Vec<Note>,
 ) -> SignFinding {
     let mut reasons = Vec::new();
-    // Log odds for rebound positive.
+    // Positive log odds favor rebound positive.
     let gas = standstill.map_or(0.0, |(force, uncertainty)| gas_odds(force, uncertainty));
     match standstill {
         Some((force, uncertainty)) => {
@@ -410,8 +422,9 @@ fn direction(
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
     let grows = grows(evidence, fastest);
-    // Twice the usual ratio times the found one over the scatter squared is what two such normal curves give; half of that, and never more
-    // than seven to one, since some dampers are symmetric or the other way round. The error of the growth adds to the scatter of dampers.
+    // For two normal distributions the log odds are 2 · prior ratio · found ratio / scatter². Use half of that, and at
+    // most seven to one, since some dampers are symmetric or inverse. The error of the growth adds to the scatter of
+    // dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });
@@ -435,7 +448,7 @@ fn direction(
     }
     let odds = (gas + shape).clamp(-SUREST, SUREST);
     let found = if odds < 0.0 { Positive::Compression } else { Positive::Rebound };
-    // The probability itself: 0.5 where nothing speaks for either.
+    // The probability is 0.5 without evidence for either direction.
     let sure = 1.0 / (1.0 + libm::exp(-odds.abs()));
     if options.positive.is_none() && sure < UNSURE {
         let text = Sentence::from(phrases::SIGN_UNSURE)
@@ -464,7 +477,7 @@ fn direction(
         None => (found, false, sure),
     };
     let turn = if positive == Positive::Compression { -1.0 } else { 1.0 };
-    // So counted, the gas would pull the rod in.
+    // With this direction the gas would pull the rod in.
     if let Some((force, uncertainty)) = standstill
         && turn * force > 2.0 * uncertainty
     {
@@ -517,7 +530,7 @@ mod tests {
         assert_eq!(list(&names).to_string(), format!("{eight} and 2 more"));
     }
 
-    /// Three tests of one damper, as a rig would write them that turns force and motion by these signs.
+    /// Makes three tests of one damper, recorded by a rig that multiplies force and motion by these signs.
     fn campaign(force: f64, motion: f64, preload: f64) -> Vec<Motion> {
         campaign_read(force, motion, preload, &Options::default())
     }
@@ -569,7 +582,7 @@ mod tests {
         let cases = [
             (-1.0, 1.0, "--flip force", Options { flip_force: true, ..Options::default() }, Positive::Rebound),
             (1.0, -1.0, "--flip motion", Options { flip_motion: true, ..Options::default() }, Positive::Rebound),
-            // The other flip makes them go together too: both are then counted in compression.
+            // Reversing the motion also makes the signs consistent. Both are then counted positive in compression.
             (-1.0, 1.0, "--flip force", Options { flip_motion: true, ..Options::default() }, Positive::Compression),
         ];
         for (force, motion, advice, cure, positive) in cases {
@@ -586,7 +599,7 @@ mod tests {
         assert!(error.contains("too small to tell"), "{error}");
     }
 
-    /// Tests of which some have force and displacement exchanged, in the same units; with a damper that is no straight line.
+    /// Makes tests of a nonlinear damper, some of them with force and displacement exchanged, in the same units.
     fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<Motion> {
         let mut motions = Vec::new();
         for (k, &swap) in exchanged.iter().enumerate() {
@@ -599,7 +612,7 @@ mod tests {
                 samples.force.iter_mut().for_each(|f| *f *= 1e-4);
                 std::mem::swap(x, &mut samples.force);
             }
-            // A unit given keeps the look at single files from refusing them.
+            // A stated unit keeps the check of single files from rejecting them.
             let options = Options { units: [(Channel::Force, Unit::Newton)].into(), ..Options::default() };
             motions.push(cleaning::repair(samples, &options).unwrap());
         }
@@ -615,7 +628,7 @@ mod tests {
             let text = error.to_string();
             assert!(text.contains("look exchanged") && !text.contains("--delay") && !text.contains("--flip"), "{text}");
         }
-        // Turned as well, the damper takes energy out: nothing is refused, but nothing is sure either.
+        // With a reversed sign as well, the damper dissipates. Nothing is rejected, but the direction is uncertain.
         let (finding, _, notes) = settled(exchanged_campaign(&[true; 3], -1.0), &Options::default()).unwrap();
         assert!(finding.confidence <= 0.5 && notes.iter().any(|n| n.kind == "exchanged"), "{finding:?}");
         let (finding, _, notes) = settled(exchanged_campaign(&[false; 3], 1.0), &Options::default()).unwrap();
@@ -662,7 +675,7 @@ mod tests {
         }
     }
 
-    /// A device on sines, or triangles, of three speeds, with a force by velocity.
+    /// Finds the sign of a device on sines or triangles at three speeds, with a force that depends on velocity.
     fn device(triangle: bool, force: impl Fn(f64) -> f64) -> SignFinding {
         let motions: Vec<Motion> = [0.4, 1.5, 2.0]
             .iter()
@@ -672,7 +685,7 @@ mod tests {
                     let (x, v) = (samples.displacement.as_mut().unwrap(), samples.velocity.as_mut().unwrap());
                     let (mut place, step) = (0.01, samples.time[1] - samples.time[0]);
                     for (x, v) in x.iter_mut().zip(v) {
-                        // The speed of the sine's mean, in its direction; rest stays rest.
+                        // The speed is the mean speed of the sine, in its direction. A standstill remains one.
                         *v = if *v == 0.0 { 0.0 } else { (4.0 * 0.05 * frequency).copysign(*v) };
                         place += step * *v;
                         *x = place;
@@ -690,12 +703,12 @@ mod tests {
     #[test]
     fn friction_tells_no_direction_however_unlike_its_sides_are() {
         for triangle in [false, true] {
-            // Sixty percent more at positive velocity, and nearly the same at every speed.
+            // The friction is sixty percent larger at positive velocity, and nearly constant over the speed.
             let rubs = |v: f64| (if v > 0.0 { 800.0 } else { 500.0 }) * libm::tanh(v / 0.002) + 40.0 * v;
             let finding = device(triangle, |v| rubs(v) - 150.0);
             assert!(finding.confidence < 0.62, "{triangle} {finding:?}");
             assert!(finding.reasons.iter().any(|r| r.to_string().contains("tells nothing")), "{finding:?}");
-            // A valve on top of it that is harder in the other direction is what counts.
+            // An additional valve that is harder in the other direction determines the sign.
             let valve = device(triangle, |v| rubs(v) - 150.0 + if v > 0.0 { 600.0 * v } else { 2400.0 * v });
             assert!(valve.positive == Positive::Compression && valve.confidence > 0.55, "{triangle} {valve:?}");
         }
@@ -716,10 +729,10 @@ mod tests {
         assert!(notes.iter().any(|n| n.kind == "sign" && n.text.to_string().contains("speak for the opposite")));
         assert_eq!(motions[0].force[7], -campaign(1.0, 1.0, -150.0)[0].force[7]);
 
-        // No gas force: only the asymmetry is left, and that is no certainty.
+        // Without a gas force only the asymmetry is evidence, which gives no certainty.
         let (weak, ..) = settled(campaign(1.0, 1.0, 0.0), &Options::default()).unwrap();
         assert!((0.5..0.93).contains(&weak.confidence) && weak.positive == Positive::Rebound, "{weak:?}");
-        // Gas pulls the other way than the asymmetry says.
+        // The gas force contradicts the asymmetry.
         let (torn, ..) = settled(campaign(1.0, 1.0, 60.0), &Options::default()).unwrap();
         assert!(torn.reasons.iter().any(|r| r.to_string().contains("contradict")), "{torn:?}");
     }

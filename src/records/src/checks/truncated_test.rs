@@ -1,4 +1,4 @@
-//! Tests that are cut off in their first cycle: an export that broke off, or a rig that stopped.
+//! Finds tests that end within their first cycle, because an export broke off or a rig stopped.
 
 use crate::cleaning::turning_points;
 use crate::data::record::{Note, Record};
@@ -7,7 +7,7 @@ use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
 use crate::tuning::truncated_test::{LAST, MOVING, OF_A_CYCLE, STROKE};
 
-/// Notes tests that hold less than a cycle and end while the damper moves.
+/// Adds notes about tests that contain less than a cycle and end while the damper moves.
 pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
     for record in records.iter().filter(|r| r.cycles.is_empty()) {
         let strokes = turning_points(&record.displacement, STROKE * range(&record.displacement)).len();
@@ -38,10 +38,10 @@ mod tests {
             tell(&[record], &mut notes);
             notes.len()
         };
-        // A sine, torn after a bit more than half of a cycle, and one that ends at its turn.
+        // A sine that breaks off after a little more than half a cycle, and one that ends at its turning point.
         assert_eq!(told(&|t| ((3.6 * t).sin(), 3.6 * (3.6 * t).cos())), 1);
         assert_eq!(told(&|t| ((4.71 * t).sin(), 4.71 * (4.71 * t).cos())), 0);
-        // A way from rest to rest, and two cycles.
+        // A motion from standstill to standstill, and two cycles.
         assert_eq!(told(&|t| (-(PI * t).cos(), PI * (PI * t).sin())), 0);
         assert_eq!(told(&|t| ((12.5 * t).sin(), 12.5 * (12.5 * t).cos())), 0);
     }

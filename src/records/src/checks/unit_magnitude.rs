@@ -1,4 +1,5 @@
-//! Units that are a thousandfold off: told by figures that no damper of any size and no rig shows together.
+//! Rejects units that are wrong by a factor of a thousand. The evidence is a combination of figures that no damper and
+//! no rig shows.
 
 use crate::data::record::Record;
 use crate::error::RecordError;
@@ -12,7 +13,8 @@ use crate::tuning::unit_magnitude::{
     FASTEST, FOLLOWS, LONG, MOST_CURRENT, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
 };
 
-/// Refuses a campaign whose figures speak for a unit a thousandfold off; a unit given by the user is right.
+/// Rejects a campaign whose figures indicate a unit wrong by a factor of a thousand. A unit given by the user counts as
+/// correct.
 pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), RecordError> {
     let Some(fastest) = records.iter().max_by(|a, b| a.peak_velocity.total_cmp(&b.peak_velocity)) else {
         return Ok(());
@@ -68,7 +70,7 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         return slip(Channel::Displacement, Unit::Millimetre, Unit::Metre, evidence);
     }
     let is_weak = strongest < WEAK && damping < WEAKEST && fastest.peak_velocity > MOVING;
-    // A dead load cell is weak too, but what it shows has nothing to do with the motion.
+    // A dead load cell shows small forces too, but they do not correlate with the motion.
     if !insisted(Channel::Force) && is_weak && follows(fastest) {
         let evidence = Sentence::from(phrases::TOO_WEAK)
             .with("count", records.len())
@@ -82,7 +84,7 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     Ok(())
 }
 
-/// Largest current of a record's valve, A.
+/// Returns the largest current of a record's valve, A.
 fn largest_current(record: &Record) -> f64 {
     let constant = record.setting.as_ref().filter(|of| of.name == "current" && of.unit == "A").map(|of| of.value.abs());
     let changing = record.setting_signal.as_ref().filter(|of| of.name == "current" && of.unit == "A");
@@ -90,7 +92,7 @@ fn largest_current(record: &Record) -> f64 {
     constant.or(ends).unwrap_or(0.0)
 }
 
-/// Whether the force of a record has to do with its motion.
+/// Returns whether the force of a record correlates with its velocity.
 fn follows(record: &Record) -> bool {
     let count = record.force.len().max(1) as f64;
     let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
@@ -109,7 +111,8 @@ mod tests {
     use super::*;
     use crate::quantities::setting_value::Setting;
 
-    /// A damper with a force at 1 m/s, and friction, tested at some amplitudes and peak speeds; units slip by factors.
+    /// Makes a campaign of a damper with a force at 1 m/s and friction, tested at several amplitudes and peak speeds.
+    /// `slip` multiplies the channels to imitate wrong units.
     fn campaign(force: f64, friction: f64, tests: &[(f64, f64)], slip: [f64; 3]) -> Vec<Record> {
         tests
             .iter()
@@ -154,7 +157,7 @@ mod tests {
         for force in [20.0, 60.0, 200.0, 2000.0, 20e3] {
             for plan in plans {
                 for friction in [0.02, 0.1] {
-                    // Friction of a small damper is a few newtons too; a slow test shows little else.
+                    // The friction of a small damper is a few newtons too. A slow test shows little else.
                     let records = campaign(force, friction * force + 2.0, plan, [1.0; 3]);
                     assert_eq!(said(&records), "", "{force} N, {plan:?}");
                 }
@@ -172,7 +175,7 @@ mod tests {
                 ([1.0, 1e-3, 1.0], "--unit displacement=m, or --unit displacement=mm to insist"),
             ] {
                 let records = campaign(force, 0.05 * force, &USUAL, slip);
-                // Time read a thousandfold short is absurd at once where the speed is.
+                // A time that is too short by a factor of a thousand may already be rejected for its implausible speed.
                 let message = said(&records);
                 assert!(message.contains(wanted), "{force} {slip:?}: {message}");
             }
@@ -196,7 +199,7 @@ mod tests {
         assert!(at(800.0, &none).contains("--unit current=mA, or --unit current=A to insist"), "{}", at(800.0, &none));
         assert!(at(-1600.0, &none).contains("1600 A"));
         assert_eq!([at(10.0, &none), at(800.0, &insists)], ["", ""]);
-        // One file among others: the unit of all is not at fault.
+        // If only one file deviates, the unit of all files is not at fault.
         let mut records = campaign(2000.0, 50.0, &USUAL, [1.0; 3]);
         for (record, value) in records.iter_mut().zip([0.3, 700.0, 0.7]) {
             record.setting = Some(Setting { name: "current".into(), unit: "A".into(), value });
@@ -209,7 +212,7 @@ mod tests {
         );
     }
 
-    /// A record with half the range of its force, N, its peak velocity, m/s, and its sampling.
+    /// A record with half the range of its force, N, its peak velocity, m/s, its amplitude, m, and its sampling, s.
     struct Figures {
         half: f64,
         speed: f64,

@@ -1,4 +1,4 @@
-//! Channels cut off at the end of their measuring range: flat tops at an extreme value.
+//! Finds channels clipped at the end of their measuring range: flat tops at an extreme value.
 
 use crate::data::samples::Samples;
 use crate::error::RecordError;
@@ -8,7 +8,7 @@ use crate::numbers::quantum;
 use crate::quantities::channel::Channel;
 use crate::tuning::clipped::{FORCE_FRACTION, ROUNDED_FRACTION, RUN, SHOWN};
 
-/// How far the motion channels of all tests of a campaign go: an end of the measuring range is one for all.
+/// Range of the motion channels over all tests of a campaign. A real end of the measuring range limits all tests.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reach {
     displacement: (f64, f64),
@@ -23,19 +23,19 @@ impl Default for Reach {
 }
 
 impl Reach {
-    /// Takes in a test.
+    /// Extends the range by a test.
     pub fn with(mut self, samples: &Samples) -> Reach {
         for (channel, ends) in
             [(Channel::Displacement, &mut self.displacement), (Channel::Velocity, &mut self.velocity)]
         {
-            // NaN is neither less nor more.
+            // Comparisons with NaN are false, so NaN does not change the range.
             let values = samples.channel(channel).unwrap_or_default();
             *ends = values.iter().fold(*ends, |(low, high), v| (low.min(*v), high.max(*v)));
         }
         self
     }
 
-    /// Whether some test goes on where the flat top stands.
+    /// Returns whether some test exceeds the value of the flat top.
     fn goes_beyond(&self, channel: Channel, top: &FlatTop) -> bool {
         let (low, high) = if channel == Channel::Velocity { self.velocity } else { self.displacement };
         if top.up { high > top.value + top.overshoot } else { low < top.value - top.overshoot }
@@ -52,19 +52,19 @@ struct FlatTops {
     runs: Vec<FlatTop>,
 }
 
-/// One of them.
+/// One flat top.
 #[derive(Debug, Clone)]
 struct FlatTop {
     samples: std::ops::Range<usize>,
     value: f64,
-    /// Whether it is a top, and no bottom.
+    /// Whether it is a maximum and not a minimum.
     up: bool,
-    /// How far the channel would have gone beyond, by its slopes before and after.
+    /// Estimated height of the clipped part, from the slopes before and after.
     overshoot: f64,
 }
 
 impl FlatTops {
-    /// All runs taken together.
+    /// Combines all runs.
     fn of(n: usize, runs: Vec<FlatTop>) -> FlatTops {
         let mut tops = FlatTops { clipped: vec![false; n], first: n, ..FlatTops::default() };
         for run in &runs {
@@ -77,20 +77,21 @@ impl FlatTops {
         FlatTops { runs, ..tops }
     }
 
-    /// Leaves out those that are none.
+    /// Removes the flat tops for which `is_none` is true.
     fn leave_out(&mut self, is_none: impl Fn(&FlatTop) -> bool) {
         let runs = std::mem::take(&mut self.runs).into_iter().filter(|run| !is_none(run)).collect();
         *self = FlatTops::of(self.clipped.len(), runs);
     }
 }
 
-/// Whether the other motion channel moved as the flat top says: constant velocity to and fro, or a rest between two ramps, is no clipping.
+/// Returns whether the other motion channel confirms the flat top. A constant velocity between turns, or a standstill
+/// between two ramps, is not clipping.
 fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> bool {
     let (first, last) = (top.samples.start, top.samples.end - 1);
     let seconds = time[last] - time[first];
     let beyond = match channel {
         Channel::Velocity => (other[last] - other[first]) / seconds - top.value,
-        // How far it went on and came back, at most.
+        // Largest distance from the start of the flat top.
         _ => {
             let mut at = 0.0;
             (first + 1..=last).fold(0.0f64, |most, k| {
@@ -102,10 +103,11 @@ fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> boo
     seconds > 0.0 && beyond.abs() < SHOWN * top.overshoot
 }
 
-/// Deals with clipped channels; returns which samples have no usable force.
+/// Handles clipped channels. Returns the samples whose force is unusable.
 ///
-/// Clipped force samples are dropped by the caller once the motion is complete, since the motion is sound there. A
-/// clipped motion channel is given up if the other can replace it. `reach` is how far the tests of the campaign go.
+/// The caller drops clipped force samples once the motion is complete, because the motion is valid there. A clipped
+/// motion channel is dropped if the other can replace it. `reach` is the range of the motion over all tests of the
+/// campaign.
 pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, RecordError> {
     for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
         let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {
@@ -191,8 +193,8 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
 
 /// Finds flat tops at the largest and the smallest value.
 ///
-/// The top of a coarse sine is flat too. What tells clipping is that the signal runs into the top with a slope that
-/// would have carried it on: with slope s at both ends of a gap of length m a parabola rises s·m/4 above its ends.
+/// The top of a coarse sine is flat too. A signal is clipped if it enters the top with a slope that would have carried
+/// it on. With the slope s at both ends of a gap of length m, a parabola rises by s·m/4 above its ends.
 fn flat_tops(values: &[f64]) -> Option<FlatTops> {
     let n = values.len();
     let quantum = quantum(values);
@@ -205,7 +207,8 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
         let mut start = 0;
         for run in values.chunk_by(|a, b| a == b) {
             let end = start + run.len();
-            // The slope is taken over half the gap: next to a rounded top the last digit's own step would pass for slope.
+            // Compute the slope over half the gap. Next to a rounded top a shorter span would mistake a step of the
+            // last digit for a slope.
             let reach = (run.len() / 2).max(3);
             if run[0] == extreme && run.len() >= RUN && start >= reach && end + reach <= n {
                 let rise = up * (values[start] - values[start - reach]) / reach as f64;
@@ -238,7 +241,7 @@ mod tests {
         let mut samples = clip(0.98 * top);
         let expected: Vec<bool> = samples.force.iter().map(|f| *f == 0.98 * top).collect();
         let masked = deal(&mut samples, &Reach::default()).unwrap();
-        // Single noisy samples at the limit are no flat top; all long runs are.
+        // Single noisy samples at the limit are not a flat top. All long runs are.
         let missed = masked.iter().zip(&expected).filter(|(m, e)| !**m && **e).count();
         let hits = masked.iter().filter(|m| **m).count();
         assert!(hits > 2 * missed && masked.iter().zip(&expected).all(|(m, e)| !*m || *e), "{hits} {missed}");
@@ -276,7 +279,7 @@ mod tests {
         assert!(deal(&mut samples, &own).is_err());
         deal(&mut samples, &reach).unwrap();
         assert!(samples.notes[0].kind == "rounded", "{:?}", samples.notes);
-        // Many samples are an end, of a range that may have been another one.
+        // Many samples are an end of the range, which may differ from that of the other tests.
         assert!(deal(&mut clip(0.8), &reach).is_err());
     }
 
@@ -293,13 +296,15 @@ mod tests {
         }
     }
 
-    /// Constant velocity to and fro, recorded without noise: its plateaus are what the displacement says, and stay unless that says more.
+    /// A velocity with plateaus, recorded without noise. The displacement confirms the plateaus, so they stay. A larger
+    /// displacement shows that they are clipped.
     #[test]
     fn a_plateau_that_the_displacement_confirms_is_no_clipping() {
         let (rate, frequency, speed) = (1000.0, 5.0, 0.05);
         let mut samples = SineTest::default().samples();
         let n = samples.len();
-        // It turns within some sixteen samples: two would be taken for the step of the last digit.
+        // The motion turns within about sixteen samples. Within two samples the slope would look like a step of the
+        // last digit.
         let of = |t: f64| speed * (4.0 * libm::sin(std::f64::consts::TAU * frequency * t)).clamp(-1.0, 1.0);
         samples.time = (0..n).map(|i| i as f64 / rate).collect();
         let velocity: Vec<f64> = samples.time.iter().map(|t| of(*t)).collect();
@@ -309,7 +314,7 @@ mod tests {
         samples.force = velocity.iter().map(|v| 1500.0 * v + libm::sin(v * 7e3)).collect();
         deal(&mut samples, &Reach::default()).unwrap();
         assert!(samples.velocity.is_some(), "{:?}", samples.notes);
-        // The same channel where the damper went on faster than it shows.
+        // The velocity channel is unchanged, but the damper moved faster than its plateaus.
         let went_on = |t: f64| 4.0 * speed * libm::sin(std::f64::consts::TAU * frequency * t);
         let real: Vec<f64> = samples.time.iter().map(|t| went_on(*t)).collect();
         samples.displacement = Some(moved(&real));

@@ -1,4 +1,5 @@
-//! What the user knows of the sensors: zeros, a gain, signs, a late force channel. The only place where these are applied.
+//! Applies the user's corrections of the sensors: zeros, gains, signs and a delay of the force. No other module applies
+//! them.
 
 use super::{Motion, cycles};
 use crate::data::record::Note;
@@ -8,8 +9,8 @@ use crate::messages::sentence::Sentence;
 use crate::options::Options;
 use crate::signal::delayed_motion::DelayedMotion;
 
-/// Applies factors of channels other than the force, before displacement and velocity are compared with each other. A displacement without a
-/// velocity brings its factor into the velocity that is derived of it.
+/// Applies factors to channels other than the force, before displacement and velocity are compared. Without a velocity
+/// channel the factor of the displacement also scales the derived velocity.
 pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
     for (channel, gain) in options.gains.iter().filter(|(_, gain)| **gain != 1.0) {
         let Some(values) = samples.channel_mut(*channel) else { continue };
@@ -21,7 +22,7 @@ pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
 
 /// Applies the corrections of the options, in the file's own directions, with a note for each.
 ///
-/// Returns the range of samples that are left; the rest has no partner after a delay was taken out.
+/// Returns the range of the remaining samples. After a delay correction the other samples have no motion.
 pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<usize> {
     let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.force_zero_n != 0.0 {
@@ -49,7 +50,7 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.rig_mass_kg != 0.0 {
         note(Sentence::from(phrases::MASS_TAKEN_OFF).with("mass", options.rig_mass_kg));
-        // It takes the acceleration of the whole record, cut and turned the right way.
+        // The correction needs the acceleration of the whole record, trimmed and with the right sign.
         motion.stated_error.mass_kg = options.rig_mass_kg;
     }
     if options.delay_s == 0.0 {
@@ -61,9 +62,9 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     delay_motion(motion, options.delay_s)
 }
 
-/// Gives every force sample the motion of `delay` seconds before.
+/// Pairs every force sample with the motion `delay` seconds earlier.
 ///
-/// Returns the range of the samples, of those before, that have such a motion.
+/// Returns the range of the original samples that have such a motion.
 pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<usize> {
     let earlier = DelayedMotion::new(&motion.time, delay);
     motion.displacement = earlier.values(&motion.displacement);
@@ -109,7 +110,7 @@ mod tests {
         let sound = repair(test.samples(), &Options::default()).unwrap();
         for (steps, delay) in [(9, 9.0 / 800.0), (40, 40.0 / 800.0)] {
             let mut late = test.samples();
-            // The force of sample i stands in row i + steps.
+            // The force of sample i is in row i + steps.
             late.force.rotate_right(steps);
             let options = Options { delay_s: delay, ..Options::default() };
             let found = repair(late, &options).unwrap();
@@ -121,7 +122,7 @@ mod tests {
                 assert!((found.velocity[i] - sound.velocity[i]).abs() < 1e-9 + 1e-3 * 1.3, "{i}");
             }
         }
-        // A delay between two samples: the motion of a sine is found to a thousandth of a step.
+        // A delay between two samples. The motion of a sine is interpolated to a thousandth of a step.
         let options = Options { delay_s: 3.4 / 800.0, ..Options::default() };
         let found = repair(test.samples(), &options).unwrap();
         let steady = found.steady();
@@ -159,7 +160,7 @@ mod tests {
             assert!(with.notes.iter().any(|n| n.kind == "corrected" && n.text.to_string().contains("3 kg")));
             let steady = without.cycles[0].start + 5..without.cycles[2].end - 5;
             for i in steady {
-                // Of a sine: the acceleration is −ω² times the distance from the middle.
+                // The acceleration of a sine is −ω² times the displacement from the mean.
                 let taken = -3.0 * omega * omega * (without.displacement[i] - without.mean_displacement);
                 let found = without.force[i] - with.force[i];
                 assert!((found - taken).abs() < 0.02 * 3.0 * omega * omega * 0.05, "{i}: {found} {taken}");

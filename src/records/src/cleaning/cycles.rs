@@ -1,10 +1,9 @@
 //! Finds the whole cycles of a periodic test in its displacement.
 //!
-//! A cycle runs from one upward crossing of the mean to the next. The mean is taken locally, midway between the
-//! neighbouring turning points, so that a slowly wandering mean does no harm; turning points count only if the
-//! motion between them is large (hysteresis), so that noise does no harm either. Free-running drives are allowed a
-//! frequency that wanders. Cycles that differ in stroke or length from the rest (run-up, run-down, a pause) are not
-//! taken.
+//! A cycle runs from one upward crossing of the mean to the next. The mean is local, midway between the neighboring
+//! turning points, so that a slow drift has no effect. Turning points count only if the motion between them is large
+//! (hysteresis), so that noise has no effect. The frequency may vary, as with drives without speed control. Cycles
+//! whose stroke or period differs from the rest (run-up, run-down, a pause) are excluded.
 
 use super::drift::time_mean;
 use crate::data::cycle::Cycle;
@@ -13,10 +12,10 @@ use crate::numbers::{median, quantile, range, sample_time};
 use crate::signal::noise::difference_noise;
 use crate::tuning::cycles::{END_TOLERANCE, LIKENESS, LONELY, TOLERANCE, WIGGLE};
 
-/// Phases at which the courses of cycles are compared.
+/// Number of phases at which the shapes of cycles are compared.
 const PHASES: usize = 64;
 
-/// The whole cycles; empty where the motion is not periodic.
+/// Finds the whole cycles. Returns none if the motion is not periodic.
 pub(crate) fn find(time: &[f64], displacement: &[f64]) -> Vec<Cycle> {
     let whole = range(displacement);
     if displacement.len() < 8 || whole == 0.0 {
@@ -24,7 +23,7 @@ pub(crate) fn find(time: &[f64], displacement: &[f64]) -> Vec<Cycle> {
     }
     let noise = difference_noise(displacement);
     let floor = (8.0 * noise).max(1e-3 * whole);
-    // The rig may have moved to its starting position before: then the test's own stroke is a small part of the
+    // The rig may have moved to its start position before the test. The test's own stroke is then a small part of the
     // whole range, and a smaller threshold finds it.
     let mut threshold = 0.3 * whole;
     for _ in 0..7 {
@@ -47,7 +46,7 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     }
     let stroke = |c: &Cycle| c.stroke();
     let (typical_stroke, stroke_tolerance) = typical(&candidates, stroke, TOLERANCE.0);
-    // Noise alone makes the extremes of a cycle scatter.
+    // Noise alone scatters the extremes of cycles.
     let stroke_tolerance = stroke_tolerance.max(6.0 * noise / typical_stroke);
     let (typical_period, period_tolerance) = typical(&candidates, Cycle::period, TOLERANCE.0);
     let accepted: Vec<Cycle> = candidates
@@ -61,7 +60,7 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
             span.len() >= 8 && hole < 0.15 * c.period()
         })
         .collect();
-    // Run-up and run-down take a cycle or two each; beyond that the bulk must be alike.
+    // Run-up and run-down take one or two cycles each. Most of the other cycles must be alike.
     let run_up = 4.min(candidates.len().saturating_sub(accepted.len()));
     if accepted.is_empty() || 2 * accepted.len() < candidates.len() - run_up / 2 {
         return Vec::new();
@@ -70,7 +69,7 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     if covered < 0.1 * (time[time.len() - 1] - time[0]) {
         return Vec::new();
     }
-    // Swings of like size and length also occur on a road: only a like course makes them cycles.
+    // Swings of similar size and length also occur on a road. Only a similar shape makes them cycles.
     let shapes: Vec<[f64; PHASES]> = accepted.iter().map(|c| shape(time, x, c)).collect();
     let mut likeness: Vec<f64> = shapes
         .windows(2)
@@ -86,10 +85,11 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     if stand_alone(time, x, &cycles, noise) { cycles } else { Vec::new() }
 }
 
-/// Whether cycles are enough to be a test: one or two must look like one by themselves, and two be alike in everything.
+/// Returns whether the cycles suffice for a test. One or two cycles must have the shape of a test cycle. Two must also
+/// agree in stroke and period.
 fn stand_alone(time: &[f64], x: &[f64], cycles: &[Cycle], noise: f64) -> bool {
     let looks_made = |c: &Cycle| {
-        // A road turns on its way; what a rig is told to drive goes out and comes back.
+        // A road profile has more turning points. A driven cycle has one stroke out and one back.
         let turns = turning_points(&x[c.start..c.end], (WIGGLE * c.stroke()).max(8.0 * noise)).len();
         turns <= 4 && fundamental_share(time, x, c) >= LONELY
     };
@@ -107,7 +107,7 @@ fn stand_alone(time: &[f64], x: &[f64], cycles: &[Cycle], noise: f64) -> bool {
     }
 }
 
-/// Leaves out first and last cycles that the tail of a run-up or run-down still bends; says whether there were any.
+/// Removes first and last cycles that the end of a run-up or run-down distorts. Returns whether any were removed.
 fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
     let before = cycles.len();
     let (stroke, stroke_tolerance) = typical(cycles, Cycle::stroke, END_TOLERANCE);
@@ -125,12 +125,12 @@ fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
     cycles.len() < before
 }
 
-/// Puts the crossings on the mean of the cycles themselves. Before, the mean was taken between turning points, which
-/// run-up and run-down shift at the first and last crossing.
+/// Moves the crossings to the mean of the cycles themselves. The first estimate is the mean between turning points,
+/// which run-up and run-down shift at the first and last crossing.
 fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     let means: Vec<f64> = cycles.iter().map(|c| time_mean(time, x, c.start, c.end)).collect();
     let joined = |k: usize| k > 0 && k < cycles.len() && cycles[k - 1].end == cycles[k].start;
-    // Level at the start of cycle k, and at the end of cycle k: between neighbours, and carried on at the ends.
+    // Level at the start or at the end of cycle k: the mean of neighboring cycles, extrapolated at the ends.
     let level = |k: usize, at_end: bool| {
         let (before, after) = if at_end { (k, k + 1) } else { (k.wrapping_sub(1), k) };
         if joined(after) {
@@ -147,7 +147,7 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     let moved = |index: usize, at: f64, level: f64, cycle: &Cycle| -> (usize, f64) {
         let quarter = (cycle.end - cycle.start) / 4;
         let (low, high) = (index.saturating_sub(quarter), (index + quarter).min(x.len() - 1));
-        // The sample before the crossing, next to where it was found first.
+        // Find the sample before the crossing, close to the first estimate.
         let beside = index.min(x.len() - 1);
         let near = if x[beside] >= level {
             (low..beside).rev().find(|&i| x[i] < level).unwrap_or(beside)
@@ -178,14 +178,14 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     cycles
 }
 
-/// The median and the tolerance around it, as a share of it and at least `least`.
+/// Returns the median and its relative tolerance, at least `least`.
 fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
     let scatter = 1.4826 * median(&mut cycles.iter().map(|c| (of(c) - centre).abs()).collect::<Vec<_>>());
     (centre, restrict(4.0 * scatter / centre, least, TOLERANCE.1))
 }
 
-/// Everything between two upward crossings, alike or not.
+/// Returns all intervals between two upward crossings, alike or not.
 pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> {
     let turns = turning_points(x, threshold);
     let crossings = crossings(time, x, &turns);
@@ -195,15 +195,15 @@ pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> 
         .map(|pair| {
             let ((start, start_time), (end, end_time)) = (pair[0], pair[1]);
             let inside = &x[start..end];
-            // Spikes were taken out before, so the extremes are the motion's own.
+            // Spikes were removed before, so the extremes are those of the motion.
             let (low, high) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
             Cycle { start, end, start_time, end_time, low, high }
         })
         .collect()
 }
 
-/// Turning points of a signal: alternately lows and highs that lie more than `threshold` apart. The first and the last
-/// may be ends of the record rather than turns.
+/// Finds the turning points of a signal: alternating minima and maxima that differ by more than `threshold`. The first
+/// and the last may be ends of the record instead.
 pub(crate) fn turning_points(x: &[f64], threshold: f64) -> Vec<usize> {
     let mut turns = Vec::new();
     let (mut low, mut high) = (0, 0);
@@ -234,7 +234,7 @@ pub(crate) fn turning_points(x: &[f64], threshold: f64) -> Vec<usize> {
     turns
 }
 
-/// Sample index and time of the upward crossing of every rising flank.
+/// Finds the sample index and time of the upward crossing of every rising flank.
 fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
     let step = sample_time(time);
     let mut crossings = Vec::new();
@@ -244,7 +244,7 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
             continue;
         }
         let (first, last) = (k == 0, k + 2 == turns.len());
-        // Midway between the turns around the flank; a flank cut off by the record's end has no turn there.
+        // The level is midway between the turns around the flank. A flank at the record's end has no turn there.
         let before = (k > 0).then(|| 0.5 * (x[low] + 0.5 * (x[turns[k - 1]] + x[high])));
         let after = turns.get(k + 2).map(|&next| 0.5 * (x[high] + 0.5 * (x[low] + x[next])));
         let mean = match (before, after) {
@@ -255,7 +255,8 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
             _ => continue,
         };
         let flank = low..=high;
-        // Rest before the first flank and after the last may lie at the mean: take the crossing next to the motion.
+        // The standstill before the first flank and after the last may lie at the mean. Use the crossing next to the
+        // motion.
         let below = if last {
             flank.clone().find(|&i| x[i] >= mean).map(|i| i.saturating_sub(1).max(low))
         } else {
@@ -266,21 +267,21 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
         let Some(at) = crossing_time(time, x, near, mean, band, low..=high) else {
             continue;
         };
-        // A record that begins or ends at a crossing may miss it by a sample.
+        // A record that begins or ends at a crossing may miss the crossing by a sample.
         if at < time[low] - 1.5 * step || at > time[high] + 1.5 * step {
             continue;
         }
-        // Within a tenth of a sample the crossing counts as at the sample.
+        // A crossing within a tenth of a sample counts as at the sample.
         let index = time.partition_point(|&t| t < at - 0.1 * step);
         crossings.push((index, at));
     }
     crossings
 }
 
-/// Time at which the displacement crosses `level` near sample `near`, from a straight line through the samples of the
-/// flank within `band` of it.
+/// Computes the time at which the displacement crosses `level` near sample `near`. Fits a straight line to the samples
+/// of the flank within `band` of the level.
 ///
-/// One sample's noise would shift the crossing.
+/// A single pair of samples would pass its noise on to the crossing.
 fn crossing_time(
     time: &[f64],
     x: &[f64],
@@ -310,7 +311,7 @@ fn crossing_time(
     (slope > 0.0).then(|| centre + (level - middle) / slope)
 }
 
-/// The course of a cycle at equally spaced phases, without its mean and scaled to a root mean square of one.
+/// Returns the shape of a cycle at equally spaced phases, without its mean and scaled to a root mean square of one.
 fn shape(time: &[f64], x: &[f64], cycle: &Cycle) -> [f64; PHASES] {
     let mut shape = [0.0; PHASES];
     for (k, value) in shape.iter_mut().enumerate() {
@@ -324,7 +325,7 @@ fn shape(time: &[f64], x: &[f64], cycle: &Cycle) -> [f64; PHASES] {
     shape.map(|v| (v - mean) / scale)
 }
 
-/// Share of a cycle's variance that its fundamental carries.
+/// Returns the fraction of a cycle's variance that its fundamental carries.
 fn fundamental_share(time: &[f64], x: &[f64], cycle: &Cycle) -> f64 {
     let span = cycle.start..cycle.end;
     let mean = x[span.clone()].iter().sum::<f64>() / span.len() as f64;
@@ -339,9 +340,10 @@ fn fundamental_share(time: &[f64], x: &[f64], cycle: &Cycle) -> f64 {
     2.0 * (c * c + s * s) / (span.len() as f64 * total)
 }
 
-/// Peak of |values| that a single noisy sample does not set.
+/// Returns a peak of |values| that does not depend on a single noisy sample.
 ///
-/// The value that one in a hundred exceeds, per cycle, and the median over the cycles. A sine loses 0.01 % by it.
+/// The peak is the 99th percentile of each cycle, and the median over the cycles. A sine loses 0.01 % by this
+/// definition.
 pub(crate) fn robust_peak(values: &[f64], cycles: &[Cycle]) -> f64 {
     let peak = |span: &[f64]| quantile(&mut span.iter().map(|v| v.abs()).collect::<Vec<_>>(), 0.99);
     if cycles.is_empty() {
@@ -399,7 +401,7 @@ mod tests {
             let mut random = Random::new(seed);
             let per_cycle = 150.0;
             let time: Vec<f64> = (0..1800).map(|i| f64::from(i) / per_cycle / frequency).collect();
-            // Phase in cycles: 12 in all, the frequency going up and down by `wander`.
+            // Phase in cycles: 12 in all. The frequency varies by `wander`.
             let phase: Vec<f64> = time.iter().map(|t| {
                 let cycles = t * frequency;
                 cycles + wander * (cycles / 2.0).sin() * 2.0

@@ -1,4 +1,4 @@
-//! Slow change of mean displacement and force over the cycles: reported, never removed.
+//! Slow change of mean displacement and force over the cycles, which is reported but never removed.
 
 use crate::data::cycle::Cycle;
 use crate::data::record::Note;
@@ -6,7 +6,7 @@ use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::signal::noise;
 
-/// Drift of a cycle mean, over the record.
+/// Reports the drift of the cycle means over the record.
 pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: &[Cycle], notes: &mut Vec<Note>) {
     if cycles.len() < 3 {
         return;
@@ -37,7 +37,8 @@ pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: 
     }
 }
 
-/// Change of the cycle mean from the first to the last cycle by a straight line, and the scatter about that line.
+/// Fits a straight line to the cycle means. Returns the change from the first to the last cycle, and the scatter about
+/// the line.
 fn trend(time: &[f64], values: &[f64], cycles: &[Cycle]) -> (f64, f64) {
     let n = cycles.len() as f64;
     let means: Vec<f64> = cycles.iter().map(|c| time_mean(time, values, c.start, c.end)).collect();
@@ -49,7 +50,7 @@ fn trend(time: &[f64], values: &[f64], cycles: &[Cycle]) -> (f64, f64) {
     (slope * (at[cycles.len() - 1] - at[0]), (rest / n).sqrt())
 }
 
-/// Mean over time (trapezoids), so that uneven sampling does not weigh.
+/// Computes the mean over time (trapezoids), so that uneven sampling has no influence.
 pub(crate) fn time_mean(time: &[f64], values: &[f64], start: usize, end: usize) -> f64 {
     let last = end.min(time.len() - 1);
     if last <= start {

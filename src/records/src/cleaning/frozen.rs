@@ -1,4 +1,4 @@
-//! A channel that stands still while the others move: a lost sensor or a stalled logger.
+//! Finds channels that are constant while the others move: a lost sensor or a stalled logger.
 
 use super::cycles::turning_points;
 use crate::data::samples::Samples;
@@ -9,14 +9,14 @@ use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
 use crate::tuning::frozen::RUN;
 
-/// Refuses a record with a frozen channel.
+/// Rejects a record with a frozen channel.
 ///
-/// A force that is constant over part of a stroke can be real (pure friction, a coarse load cell), so a channel that
-/// is coarse elsewhere is only frozen if it stays the same through two whole strokes.
+/// A force that is constant over part of a stroke can be real (pure friction, a coarse load cell). A channel that is
+/// coarse elsewhere is therefore frozen only if it is constant for two whole strokes.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     check(samples, Channel::Force, &motion(samples))?;
     if let Some(velocity) = &samples.velocity {
-        // The motion that the velocity channel tells of, to hold the displacement against.
+        // Integrate the velocity as a reference for the displacement.
         let travelled = travelled(&samples.time, velocity);
         check(samples, Channel::Displacement, &travelled)?;
     } else {
@@ -28,7 +28,7 @@ pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     Ok(())
 }
 
-/// The displacement, or what the velocity adds up to.
+/// Returns the displacement, or the integral of the velocity.
 fn motion(samples: &Samples) -> Vec<f64> {
     match (&samples.displacement, &samples.velocity) {
         (Some(x), _) => x.clone(),
@@ -59,18 +59,19 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
         return Ok(());
     }
     let noise = difference_noise(other);
-    // Force may change a little at rest, as friction relaxes.
+    // The force may change a little at standstill, as friction relaxes.
     let share = if channel == Channel::Displacement { 0.5 } else { 0.1 };
     let mut start = 0;
     for run in values.chunk_by(|a, b| a == b) {
         let end = start + run.len();
         if run.len() >= RUN {
-            // The first samples may still settle after a stop.
+            // The other channel may still settle in the first samples after a stop.
             let inner = &other[start + run.len() / 10..end];
             let moved = range(inner) - 8.0 * noise;
             let swings = turning_points(inner, 0.5 * whole).len().saturating_sub(1);
             let coarse = equal_share(&values[..start], &values[end..]) > 0.2;
-            // Constant velocity over a stroke is a triangle test, not a fault; zero velocity in motion is.
+            // A constant velocity over a stroke is a triangle test, not a fault. Zero velocity during a motion is a
+            // fault.
             let steady_motion = channel == Channel::Velocity && run[0] != 0.0;
             let frozen = swings >= 2 || (!coarse && !steady_motion && moved > share * whole);
             if frozen {
@@ -101,7 +102,7 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
     Ok(())
 }
 
-/// Share of neighbouring samples that are equal, outside the run in question.
+/// Returns the fraction of equal neighboring samples outside the run in question.
 fn equal_share(before: &[f64], after: &[f64]) -> f64 {
     let pairs = before.windows(2).chain(after.windows(2));
     let (equal, all) = pairs.fold((0, 0), |(equal, all), w| (equal + usize::from(w[0] == w[1]), all + 1));
@@ -139,12 +140,12 @@ mod tests {
 
     #[test]
     fn rest_and_coarse_plateaus_are_not_frozen() {
-        // Pure friction without noise, load cell of 1 N: the force stays the same through most of every stroke.
+        // Pure friction without noise, load cell of 1 N: the force is constant through most of every stroke.
         let mut samples = SineTest { rest: 3.0, frequency: 0.01, ..SineTest::default() }.samples();
         let velocity = samples.velocity.clone().unwrap();
         samples.force = velocity.iter().map(|v| (60.0 * libm::tanh(v / 1e-5)).round() - 120.0).collect();
         refuse(&samples).unwrap();
-        // Rest is rest, in every channel, also without a velocity to say so.
+        // A standstill is not a frozen channel, even in a record without a velocity channel.
         let mut samples = SineTest { rest: 3.0, frequency: 0.01, ..SineTest::default() }.samples();
         samples.velocity = None;
         for x in samples.displacement.as_mut().unwrap() {

@@ -1,4 +1,4 @@
-//! Gaps in time: a logger that paused, a buffer that was lost. What lies on both sides are tests of their own.
+//! Finds gaps in time, from a paused logger or a lost buffer. The data on both sides are separate tests.
 
 use super::cycles::{self, turning_points};
 use crate::data::cycle::Cycle;
@@ -11,7 +11,7 @@ use crate::tuning::cleaning::FEWEST;
 use crate::tuning::gaps::{AROUND, BEYOND, LONGER, TURNS};
 use std::ops::Range;
 
-/// Splits a test at its gaps; says so first.
+/// Splits a test at its gaps and puts a note about them first.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let gaps = find(&samples.time);
     if gaps.is_empty() {
@@ -63,10 +63,9 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         .collect()
 }
 
-/// Takes out pieces without a whole cycle beside pieces that have some, and says so.
+/// Removes pieces without a whole cycle if other pieces have cycles. Returns a note about the removed pieces.
 ///
-/// On its own such a stump would be a motion whose ends are where the gap is. A longer piece is a motion of another
-/// kind.
+/// Such a stump would be a motion that ends at the gap. A longer piece is a motion of another kind and stays.
 fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<Sentence> {
     let x = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite()))?;
     let stroke = |span: &Range<usize>| {
@@ -96,12 +95,12 @@ fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<
     })
 }
 
-/// Indices of the samples that follow a gap.
+/// Returns the indices of the samples that follow a gap.
 fn find(time: &[f64]) -> Vec<usize> {
     let steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).collect();
     let typical = median(&mut steps.clone());
     (0..steps.len())
-        // The comparison with the whole record is quick and passes few.
+        // The comparison with the whole record is fast and leaves few candidates.
         .filter(|&k| steps[k] > LONGER * typical)
         .filter(|&k| {
             let side = |range: std::ops::Range<usize>| {
@@ -148,7 +147,7 @@ mod tests {
         let mut samples = SineTest::default().samples();
         samples.retain(|i| !(300..308).contains(&i));
         let n = samples.len();
-        // From here on every fortieth sample alone was kept.
+        // From here on only every fortieth sample remains.
         samples.retain(|i| i < n / 2 || i % 40 == 0);
         assert_eq!(split(samples).len(), 1);
     }
@@ -170,7 +169,7 @@ mod tests {
     fn a_stump_without_a_whole_cycle_is_left_out() {
         let sine = SineTest { frequency: 4.0, ..SineTest::default() };
         let mut samples = sine.samples();
-        // From a third of the first cycle on something is missing.
+        // Data are missing from a third of the first cycle on.
         let at = ((sine.steady_from() + 0.3) * 200.0) as usize;
         let (from, to) = (at.min(samples.len() / 4), samples.len());
         let step = samples.time[1] - samples.time[0];
@@ -179,7 +178,7 @@ mod tests {
         assert_eq!(pieces.len(), 1, "{:?}", pieces.iter().map(Samples::len).collect::<Vec<_>>());
         assert_eq!(pieces[0].len(), to - from);
         assert!(pieces[0].notes[1].text.to_string().contains("no whole cycle"), "{}", pieces[0].notes[1].text);
-        // A test that goes on behind the gap is two.
+        // A test that continues after the gap gives two tests.
         let mut halves = sine.samples();
         let middle = halves.len() / 2;
         halves.time[middle..].iter_mut().for_each(|t| *t += 40.0 * step);

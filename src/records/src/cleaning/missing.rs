@@ -1,4 +1,4 @@
-//! Empty and not-a-number cells: a few rows are dropped, many are refused.
+//! Handles empty and not-a-number cells: drops a few rows, and rejects a record with many.
 
 use crate::data::samples::Samples;
 use crate::error::RecordError;
@@ -59,7 +59,8 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
 
 const NEEDED: [Channel; 4] = [Channel::Time, Channel::Force, Channel::Displacement, Channel::Velocity];
 
-/// A column without a single value is no channel, unless the record cannot do without it.
+/// Removes motion columns without a single value if the other motion channel exists, and empty side force and
+/// temperature columns.
 fn forget_empty_columns(samples: &mut Samples) {
     let empty = |values: &Option<Vec<f64>>| values.as_ref().is_some_and(|v| v.iter().all(|x| x.is_nan()));
     let both = samples.displacement.is_some() && samples.velocity.is_some();
@@ -84,7 +85,7 @@ fn forget_empty_columns(samples: &mut Samples) {
     }
 }
 
-/// Fills missing values by straight lines over time, and holds the first and last value outwards.
+/// Fills missing values by linear interpolation over time. The first and the last value extend to the ends.
 fn bridge(time: &[f64], values: &mut [f64]) -> usize {
     let known: Vec<usize> = (0..values.len()).filter(|&i| !values[i].is_nan()).collect();
     let (Some(&first), Some(&last)) = (known.first(), known.last()) else {

@@ -1,5 +1,5 @@
-//! Cleaning of one test. Every step repairs what is safe to repair, notes what it did with figures, and refuses
-//! what cannot be trusted.
+//! Cleaning of one test. Every step repairs safe cases, notes its repairs with figures, and rejects data that cannot be
+//! trusted.
 
 mod clipped;
 mod corrections;
@@ -44,8 +44,8 @@ pub(crate) use drift::time_mean;
 
 /// Sorts the rows and splits the record into tests.
 ///
-/// Missing and repeated ones dropped, time put in order; split where time has gaps, at rests between tests, and where
-/// the setting of a motion that goes on changes.
+/// Drops missing and repeated rows and orders the time stamps. Splits at gaps in time, at standstills between tests,
+/// and at changes of amplitude, frequency or speed without a standstill.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
     swapped_columns::refuse(&samples, options)?;
@@ -61,7 +61,7 @@ pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Sa
         .collect())
 }
 
-/// First half, before the sign is known, of a test without gaps and rests between tests.
+/// Cleans a test without gaps and standstills between tests, up to the determination of the sign.
 #[cfg(test)]
 pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, RecordError> {
     let mut pieces = sort_out(samples, options)?;
@@ -69,8 +69,8 @@ pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, Reco
     mend(pieces.remove(0), options, &Reach::default())
 }
 
-/// First half, before the sign is known: flaws of single samples repaired, the missing motion channel derived, what the user
-/// knows of the sensors applied. `reach` is how far the tests of the campaign go.
+/// Cleans a test up to the determination of the sign: repairs single samples, derives a missing motion channel and
+/// applies the user's corrections. `reach` is the range of the motion over all tests of the campaign.
 pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Result<Motion, RecordError> {
     enough(&samples)?;
     still::refuse(&samples)?;
@@ -138,7 +138,7 @@ struct CompleteMotion {
     velocity_window_s: f64,
 }
 
-/// Completes the motion: derives what is missing and compares what is not.
+/// Completes the motion: derives a missing channel, or compares the two channels.
 fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, RecordError> {
     match (samples.displacement.take(), samples.velocity.take()) {
         (Some(displacement), Some(velocity)) => {
@@ -176,12 +176,12 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
         }
         (Some(displacement), None) => Ok(differentiated(samples, displacement)),
         (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
-        // The layout admits no table without motion, and cleaning gives up at most one of two channels.
+        // The table layout requires a motion channel, and cleaning drops at most one of two.
         (None, None) => Err(RecordError::NoData { at: samples.at.clone() }),
     }
 }
 
-/// Velocity from displacement.
+/// Derives the velocity from the displacement.
 fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMotion {
     let cycles = cycles::find(&samples.time, &displacement);
     let window = match cycles.len() {
@@ -202,14 +202,14 @@ fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMoti
     CompleteMotion { displacement, velocity, cycles, velocity_window_s: filter.window }
 }
 
-/// Displacement from velocity. A velocity offset would drift away with it; it is the mean over whole cycles, since the
-/// damper returns in every cycle.
+/// Derives the displacement from the velocity. Subtracts the velocity offset, which would integrate to a drift. The
+/// offset is the mean over whole cycles, because the damper returns in every cycle.
 fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> CompleteMotion {
     let time = &samples.time;
     let n = time.len();
     let mut cycles = Vec::new();
     let mut removed = 0.0;
-    // The first pass removes the offset of the whole record, the second what whole cycles show to be left.
+    // The first pass removes the offset of the whole record. The others remove the residual offset over whole cycles.
     for _ in 0..3 {
         let span = steady(&cycles, n);
         let offset = time_mean(time, &velocity, span.start, span.end.min(n - 1));
@@ -234,14 +234,15 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
     CompleteMotion { displacement, velocity, cycles, velocity_window_s: 0.0 }
 }
 
-/// Sample ranges of the whole cycles of a motion.
+/// Returns the sample ranges of the whole cycles of a motion.
 pub(crate) fn cycles_of(time: &[f64], displacement: &[f64]) -> Vec<std::ops::Range<usize>> {
     cycles::find(time, displacement).iter().map(|c| c.start..c.end).collect()
 }
 
-/// Second half, rebound positive: rest and ramps cut off, whole cycles found, figures of the test taken.
+/// Completes the cleaning of a rebound positive test: removes standstill and ramps, finds whole cycles and computes the
+/// figures of the test.
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
-    // Cycles of a test whose setting changes are not alike: it is kept whole, as a road is.
+    // The cycles of a test with a changing setting differ, so the test stays whole, as a road does.
     motion.cycles = match motion.setting_signal {
         Some(_) => Vec::new(),
         None => cycles::find(&motion.time, &motion.displacement),
@@ -249,7 +250,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     let untrimmed = motion.time.len() >= FEWEST;
     let whole = motion.clone();
     trim::trim(&mut motion);
-    // A slow logger has few samples of a short test: then what lies around its whole cycles counts too.
+    // A slow logger records few samples of a short test. The samples around its whole cycles then count too.
     if motion.time.len() < FEWEST && untrimmed {
         motion = whole;
     }
@@ -435,7 +436,7 @@ mod tests {
         assert!(
             record.notes.iter().any(|note| note.kind == "changing_setting" && note.text.to_string().contains("steps"))
         );
-        // Cycles that differ by their current are no measure of noise.
+        // Cycles with different currents are no measure of noise.
         assert_eq!(record.noise.from, NoiseSource::SampleDifferences);
         samples.current = Some(vec![0.8; n]);
         let record = clean(samples, &Options::default()).unwrap();
@@ -451,7 +452,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(drawn(200))]
-        /// Whatever a file holds, cleaning gives a sound record or an error, never a panic.
+        /// For any file contents cleaning returns a valid record or an error, and never panics.
         #[test]
         fn any_table_gives_a_sound_record_or_an_error(
             rows in prop::collection::vec(

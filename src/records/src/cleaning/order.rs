@@ -1,4 +1,4 @@
-//! Time stamps that repeat or step back.
+//! Handles time stamps that repeat or step back.
 
 use crate::data::samples::Samples;
 use crate::error::RecordError;
@@ -7,19 +7,19 @@ use crate::messages::sentence::Sentence;
 use crate::numbers::{range, sample_time};
 use crate::tuning::order::{REACH, STALE};
 
-/// Takes out rows at the beginning that belong to an earlier run.
+/// Removes rows at the beginning that belong to an earlier run.
 ///
-/// A logger that writes its buffer before it is filled anew begins with them, on a clock that the rows behind them do
-/// not go on with.
+/// A logger may write its buffer before the buffer is filled anew. The old rows then come first, and the clock of the
+/// later rows does not continue theirs.
 pub(crate) fn drop_stale(samples: &mut Samples) {
     let time = &samples.time;
     let mut back = (1..time.len()).filter(|&i| time[i] < time[i - 1]);
     let (Some(first), None) = (back.next(), back.next()) else { return };
-    // Rows that are a little out of order lie among those behind them.
+    // Rows that are slightly out of order belong among the later rows.
     if time[first] >= time[0] || first as f64 > STALE * time.len() as f64 {
         return;
     }
-    // The clock behind them must not come back to theirs as if it had only been interrupted.
+    // The clock of the later rows must not return to the old rows, as after a mere interruption.
     let step = sample_time(&time[first..]);
     if first <= REACH && time[0] - time[first] <= REACH as f64 * step {
         return;
@@ -36,10 +36,10 @@ pub(crate) fn drop_stale(samples: &mut Samples) {
     );
 }
 
-/// Makes time strictly increasing: puts single rows back in order, spreads rows that share a time stamp.
+/// Makes time strictly increasing: reorders single rows and spreads rows that share a time stamp.
 ///
 /// # Errors
-/// If time never advances, or goes back by whole blocks.
+/// Time never advances, or whole blocks step back in time.
 pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
     if range(&samples.time) == 0.0 && samples.len() > 1 {
         return Err(RecordError::ConstantTime { at: samples.at.clone(), time: samples.time[0] });
@@ -69,7 +69,7 @@ pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
     Ok(())
 }
 
-/// Rows that share a time stamp were logged faster than the stamps resolve: they are spread up to the next stamp.
+/// Spreads rows that share a time stamp up to the next stamp. They were logged faster than the stamps resolve.
 fn spread(samples: &mut Samples) {
     let n = samples.len();
     let shared = (1..n).filter(|&i| samples.time[i] == samples.time[i - 1]).count();
@@ -113,7 +113,7 @@ mod tests {
                 note.text
             );
         }
-        // Two tests one after the other are not one with stale rows, nor are rows that are a little out of order.
+        // Two consecutive tests are not a test with stale rows. Neither are rows that are slightly out of order.
         let mut two = sound.clone();
         for i in 0..two.len() / 2 {
             two.time[i] += 100.0;

@@ -1,4 +1,4 @@
-//! Spikes: one to three samples far off both neighbours, which nothing mechanical does.
+//! Spikes: one to three samples far from both neighbors, which no mechanical motion produces.
 
 use crate::data::samples::Samples;
 use crate::messages::phrases;
@@ -51,11 +51,11 @@ pub(crate) fn replace(samples: &mut Samples) {
     }
 }
 
-/// Start and length of every spike.
+/// Returns start and length of every spike.
 ///
-/// A spike leaves the band between its neighbours and comes back. A reversal of friction or the knee of a blow-off
-/// does not: there the force stays on the other side, or only changes its slope. A break-away peak does leave the
-/// band, but by less than the friction step it rides on.
+/// A spike leaves the band between its neighbors and returns. A reversal of friction or the knee of a blow-off does not
+/// return: the force stays on the other side, or only its slope changes. A break-away peak leaves the band, but by less
+/// than its friction step.
 fn find(values: &[f64]) -> Vec<(usize, usize)> {
     let n = values.len();
     let sigma = difference_noise(values);
@@ -93,7 +93,7 @@ fn is_spike(values: &[f64], steps: &[f64], sigma: f64, start: usize, length: usi
     let above = inside.iter().map(|v| v - band.1).fold(f64::INFINITY, f64::min);
     let below = inside.iter().map(|v| band.0 - v).fold(f64::INFINITY, f64::min);
     let off = above.max(below);
-    // Steps nearby that are not the spike's own.
+    // Largest step nearby, without the steps of the spike.
     let nearby = steps[start.saturating_sub(8)..start - 1]
         .iter()
         .chain(steps.get(start + length..(start + length + 7).min(steps.len())).unwrap_or_default())
@@ -125,8 +125,8 @@ mod tests {
         assert!((a - b).abs() < 2e-4, "{a} {b}");
     }
 
-    /// Friction that reverses within a sample, break-away peaks half as high again, and a blow-off knee, at every sampling
-    /// rate and with and without noise.
+    /// Friction that reverses within a sample, break-away peaks of one and a half times the friction, and a blow-off
+    /// knee. All sampling rates, with and without noise.
     #[test]
     fn reversals_break_away_and_knees_stay() {
         for per_cycle in [20, 47, 200, 1000] {

@@ -1,5 +1,8 @@
-//! Several tests one after the other in one record, without a column that tells them apart: rigs that run through a list write so. They are
-//! told apart at rests, where what comes before moves otherwise than what follows. A pause between equal cycles parts nothing.
+//! Splits a record of several consecutive tests without a column that separates them, as rigs with a test list write
+//! it.
+//!
+//! A standstill separates two tests if the motions before and after it differ. A pause between equal cycles separates
+//! nothing.
 
 use super::cycles::{self, turning_points};
 use crate::data::cycle::Cycle;
@@ -14,39 +17,39 @@ use crate::tuning::rests::{MARGIN, PIECES, REST, SAME_ENDS, SAME_SPEED, SPIKES, 
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// A motion between two rests.
+/// A motion between two standstills.
 #[derive(Debug, Clone)]
 struct Moves {
     samples: Range<usize>,
     low: f64,
     high: f64,
-    /// Way from turn to turn over the time that it takes, m/s.
+    /// Distance between turning points over the time it takes, m/s.
     speed: f64,
     returns: bool,
-    /// Whether it is made of strokes one way with rests between them.
+    /// Whether it consists of strokes in one direction with standstills between them.
     in_strokes: bool,
 }
 
-/// Splits a record into its tests; says so first.
+/// Splits a record into its tests and puts a note about them first.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
     };
-    // Channels that hold their last value at rest show no noise there.
+    // Channels that hold their last value at standstill show no noise there.
     let still = (STILL * difference_noise(x)).max(quantum(x)).max(STILL_OF_RANGE * range(x));
     let moving = between(&rests(&samples.time, x, still), x.len());
     if moving.len() < 2 {
         return vec![samples];
     }
     let (tests, found) = tests(&samples.time, x, moving, still);
-    // Where nothing goes round, as on a road with stops, nothing tells one test from the next.
+    // If no motion is periodic, as on a road with stops, no criterion separates the tests.
     if tests.len() < 2 || found.iter().all(Vec::is_empty) {
         return vec![samples];
     }
     let of = tests.len();
     samples.notes.insert(0, Note { kind: "rests", text: Sentence::from(phrases::AT_RESTS).with("count", of) });
-    // A test without cycles keeps half of the rest on either side, for the force at standstill; where there are cycles, rest is cut off in any
-    // case.
+    // A test without cycles keeps half of the standstill on either side, for the force at standstill. A test with
+    // cycles loses the standstill anyway.
     let middle = |k: usize| match k {
         0 => 0,
         k if k == of => samples.len(),
@@ -61,9 +64,10 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         .collect()
 }
 
-/// The samples of a test as a record of its own.
+/// Makes a record of one test from a range of samples.
 ///
-/// The `place`-th of so many, named by its cycles, or by its `stroke` where it has none.
+/// The test is number `place` of `of`. Its name contains the amplitude and frequency of its cycles, or half the
+/// `stroke` if it has none.
 pub(super) fn part(
     samples: &Samples,
     span: Range<usize>,
@@ -87,14 +91,14 @@ pub(super) fn part(
     piece
 }
 
-/// A number to two figures, as it stands in a name.
+/// Formats a number to two significant digits, for a name.
 fn figures(value: f64) -> String {
     let digits = (1.0 - libm::log10(value.abs().max(1e-6)).floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.digits$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// Where the damper stands still for long enough.
+/// Finds the ranges in which the damper stands still for long enough.
 fn rests(time: &[f64], x: &[f64], still: f64) -> Vec<Range<usize>> {
     let length = ((REST / PIECES as f64 / sample_time(time).max(1e-9)).ceil() as usize).max(5);
     let mut rests: Vec<Range<usize>> = Vec::new();
@@ -122,16 +126,16 @@ fn rests(time: &[f64], x: &[f64], still: f64) -> Vec<Range<usize>> {
     rests
 }
 
-/// What lies between these.
+/// Returns the ranges between the standstills.
 fn between(rests: &[Range<usize>], samples: usize) -> Vec<Range<usize>> {
     let ends = rests.iter().map(|r| r.start).chain([samples]);
     let starts = std::iter::once(0).chain(rests.iter().map(|r| r.end));
     starts.zip(ends).filter(|(from, to)| to > from).map(|(from, to)| from..to).collect()
 }
 
-/// The motion in a range of samples; nothing where it is hardly more than rest.
+/// Measures the motion in a range of samples. Returns `None` if it hardly exceeds a standstill.
 fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Moves> {
-    // Rests are found in pieces: what stands still at the ends of a motion belongs to them, but for a little.
+    // Standstills are found in pieces. Still samples at the ends of a motion belong to them, except for a small margin.
     let stands = |at: f64| move |i: &usize| (x[*i] - at).abs() <= still;
     let from = span.clone().find(|i| !stands(x[span.start])(i))?;
     let to = span.clone().rev().find(|i| !stands(x[span.end - 1])(i))? + 1;
@@ -140,7 +144,7 @@ fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Move
     }
     let span = from.saturating_sub(MARGIN).max(span.start)..(to + MARGIN).min(span.end);
     let inside = &x[span.clone()];
-    // Spikes are still in it: of hundreds of samples they are a few.
+    // Spikes are not yet removed, but they are few among hundreds of samples.
     let spikes = (5.0 / inside.len() as f64).min(0.002);
     let ends = |q: f64| quantile(&mut inside.to_vec(), q);
     let (low, high) = (ends(spikes), ends(1.0 - spikes));
@@ -160,11 +164,11 @@ impl Moves {
     fn is_like(&self, other: &Moves, still: f64) -> bool {
         let near = SAME_ENDS * (self.high - self.low).max(other.high - other.low) + still;
         let same_ends = (self.low - other.low).abs() <= near && (self.high - other.high).abs() <= near;
-        // Strokes may be fast one way and slow the other.
+        // Strokes may be fast in one direction and slow in the other.
         same_ends && (self.in_strokes && other.in_strokes || self.is_as_fast_as(other))
     }
 
-    /// Whether a rest is no longer than this motion takes to turn within what counts as still.
+    /// Returns whether a standstill is no longer than the apparent standstill of this motion at its turning points.
     ///
     /// A sine of amplitude a and frequency f stays within d of its end for sqrt(2 d / a) / (pi f).
     fn only_turns(&self, rest: f64, still: f64) -> bool {
@@ -177,17 +181,18 @@ impl Moves {
         (self.speed - other.speed).abs() <= SAME_SPEED * self.speed.max(other.speed)
     }
 
-    /// Whether a stroke belongs to this motion: the way into it or out of it.
+    /// Returns whether a stroke leads into this motion or out of it.
     fn takes(&self, stroke: &Moves, still: f64) -> bool {
         let near = SAME_ENDS * (self.high - self.low) + still;
         stroke.low >= self.low - near && stroke.high <= self.high + near && self.is_as_fast_as(stroke)
     }
 }
 
-/// The tests among the motions, and the whole cycles of each.
+/// Returns the tests among the motions, and the whole cycles of each.
 fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec<Moves>, Vec<Vec<Cycle>>) {
     let whole = |a: &Moves, b: &Moves| moves(time, x, a.samples.start..b.samples.end, still);
-    // The same motion again. So strokes one way with a hold at each end are one test, as is a slow one that seems to rest at its turns.
+    // Join a motion that repeats the previous one. Strokes in one direction with a hold at each end are thus one test.
+    // So is a slow motion with apparent standstills at its turning points.
     let mut runs: Vec<Moves> = Vec::new();
     for next in moving.into_iter().filter_map(|span| moves(time, x, span, still)) {
         let goes_on = |last: &&Moves| {
@@ -197,7 +202,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
         };
         let joined = runs.last().filter(goes_on);
         match joined.and_then(|last| whole(last, &next)) {
-            // The time of the rest between them is no time of the motion.
+            // The duration of the standstill between them does not count for the speed.
             Some(both) => {
                 let last = runs.pop().unwrap_or_else(|| next.clone());
                 let speed = 0.5 * (last.speed + next.speed);
@@ -206,7 +211,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
             None => runs.push(next),
         }
     }
-    // A stroke one way is the way into a test or out of one.
+    // A stroke in one direction leads into a test or out of one.
     let mut groups: Vec<Moves> = Vec::new();
     let mut way_in: Option<Moves> = None;
     for run in runs {
@@ -228,7 +233,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
     for group in groups {
         let cycles = cycles::find(&time[group.samples.clone()], &x[group.samples.clone()]);
         match tests.last_mut() {
-            // Of two motions without cycles it is not known whether they are two.
+            // Two motions without cycles may be one test, so they stay together.
             Some(last) if cycles.is_empty() && found.last().is_some_and(Vec::is_empty) => {
                 last.samples.end = group.samples.end;
                 (last.low, last.high) = (last.low.min(group.low), last.high.max(group.high));
@@ -248,7 +253,8 @@ mod tests {
     use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
-    /// A course in pieces: rests (amplitude 0), sines (amplitude and frequency in mm and Hz, for so many cycles) and ways to another place.
+    /// A motion in pieces: standstills, sines (amplitude in mm, frequency in Hz, number of cycles) and moves to another
+    /// position.
     struct Course {
         x: Vec<f64>,
         at: f64,
@@ -296,12 +302,13 @@ mod tests {
             .rest(3.0)
             .sine(25.0, 2.0, 6.0)
             .rest(2.0)
-            // The same again is the same test.
+            // The repeated motion belongs to the same test.
             .sine(25.0, 2.0, 6.0)
             .rest(3.0)
             .sine(2.0, 8.0, 20.0)
             .rest(1.5)
-            // At another place, with the way there, and slow enough to seem to rest at its turns.
+            // The next motion has another position with a move to it, and is slow enough for apparent standstills at
+            // its turning points.
             .to(20.0, 5.0)
             .rest(2.0)
             .sine(8.0, 0.02, 3.0)
@@ -323,7 +330,7 @@ mod tests {
         let mut random = Random::new(9);
         let mut held = 0.0;
         let x = course.rest(2.0).x;
-        // Noise of some micrometres in motion, of which rest keeps the last value of every quarter of a second.
+        // Noise of some micrometers. At standstill the channel updates only every quarter of a second.
         let mut out = Vec::new();
         for (i, x) in x.iter().enumerate() {
             if *x != 0.0 || i % 125 == 0 {
@@ -349,7 +356,7 @@ mod tests {
         for course in [dwell, strokes, stairs, Course::new().rest(5.0).sine(10.0, 1.0, 5.0).rest(5.0)] {
             assert_eq!(course.names(), ["long"]);
         }
-        // A slow sine rests at no turn, wherever it ends.
+        // A slow sine has no standstill at any turning point, wherever it ends.
         for (frequency, cycles) in [(0.01, 2.0), (0.0146, 3.0), (0.0096, 2.3), (0.004, 1.6), (0.02, 4.75)] {
             for amplitude in [10.0, 60.0] {
                 let course = Course::new().rest(2.0).sine(amplitude, frequency, cycles).rest(2.0);

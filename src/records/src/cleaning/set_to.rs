@@ -1,4 +1,4 @@
-//! What a damper was set to in a test, by a channel of it.
+//! Reads the setting of the damper during a test from a channel of the record.
 
 use crate::columns::heading::{without_unit, written_unit};
 use crate::data::samples::Samples;
@@ -8,19 +8,20 @@ use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, as_set, setting_in_unit};
 
-/// A column that holds what a damper is set to.
+/// A column with the setting of a damper.
 #[derive(Debug, Clone, PartialEq)]
 struct SettingColumn {
-    /// What is set.
+    /// Name of the setting.
     name: String,
     /// Unit of the setting.
     unit: String,
-    /// Factor from the unit of the column to that.
+    /// Factor from the unit of the column to the unit of the setting.
     factor: f64,
 }
 
 impl SettingColumn {
-    /// By the user's rules, else by the unit in the heading, else by the words of the heading itself.
+    /// Determines the name and unit from the user's rules, else from the unit in the heading, else from the words of
+    /// the heading.
     fn new(heading: &str, rules: &SettingRules) -> SettingColumn {
         let written = written_unit(heading).unwrap_or_default();
         let own = without_unit(heading);
@@ -30,7 +31,7 @@ impl SettingColumn {
             own => own,
         };
         let (name, unit, factor) = setting_in_unit(written).unwrap_or((named, written, 1.0));
-        // What the user says the unit is, the figures are in.
+        // If the user states the unit, the values are in that unit.
         let is_other = rules.name.is_some() && !rules.unit.is_empty() && rules.unit != unit;
         SettingColumn {
             name: rules.name.clone().unwrap_or_else(|| name.to_owned()),
@@ -40,7 +41,8 @@ impl SettingColumn {
     }
 }
 
-/// Takes the channel of the setting out of the samples, with its name and unit. The column that the user named goes before that of the current.
+/// Moves the channel of the setting out of the samples, with its name and unit. The column that the user named precedes
+/// that of the current.
 pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Option<(Vec<f64>, String, String)> {
     match (samples.setting.take(), samples.current.take()) {
         (Some(mut values), _) => {
@@ -53,7 +55,7 @@ pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Op
     }
 }
 
-/// What the damper was set to: a value, or a signal where it changes.
+/// Determines the setting of the damper: a constant value, or a signal if it changes.
 pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
     let is_current = samples.setting.is_none();
     let in_milliamperes = samples.heading(Channel::Current).trim_end_matches([']', ')', '}', ' ']).ends_with("mA");
@@ -62,7 +64,7 @@ pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setti
         samples.note("empty_setting", Sentence::from(phrases::SETTING_EMPTY).with("setting", &name));
     }
     let largest = channel.iter().copied().filter(|value| value.is_finite()).fold(0.0, |most: f64, i| most.max(i.abs()));
-    // So a column of A under a heading in mA looks.
+    // A column in A under a heading in mA has such values.
     if is_current && in_milliamperes && largest > 0.0 && as_set(largest, "A") == 0.0 {
         let current = format!("{:.1}", 1e3 * largest);
         samples.note("small_current", Sentence::from(phrases::SMALL_CURRENT).with("current", current));
@@ -107,7 +109,7 @@ mod tests {
         assert_eq!(of("p [bar]", &named), owned("pilot", "bar", 1.0));
     }
 
-    /// What counts as nothing, or is nothing, is said.
+    /// A note reports a current that is too small for a valve, and an empty column.
     #[test]
     fn currents_that_no_valve_answers_to_and_empty_columns_are_noted() {
         let noted = |heading: &str, current: f64| {
@@ -119,10 +121,10 @@ mod tests {
             let notes: Vec<String> = samples.notes.iter().map(|note| note.text.to_string()).collect();
             (setting.map(|setting| setting.value), notes.concat())
         };
-        // 1.6 under a heading in mA.
+        // The value 1.6 under a heading in mA.
         let (value, said) = noted("I_mA", 1.6e-3);
         assert!(value == Some(0.0) && said.contains("at most 1.6 mA") && said.contains("--unit current=A"), "{said}");
-        // An offset of a sensor, a valve that is on or off.
+        // No note for a sensor offset (1.6 mA), nor for a valve that is on (0.4 A) or off (0 A).
         for (heading, current) in [("current [A]", 1.6e-3), ("current [mA]", 0.4), ("current [mA]", 0.0)] {
             assert_eq!(noted(heading, current).1, "", "{heading} {current}");
         }

@@ -1,8 +1,7 @@
-//! Several tests one after the other without a rest between them, as a drive writes that steps through amplitudes or
-//! frequencies.
+//! Splits a record of several tests without a standstill between them, as a drive writes it that steps through
+//! amplitudes or frequencies.
 //!
-//! They are told apart where stroke or period jumps and then stays. A sweep, whose cycles change little by little, is
-//! one test.
+//! Tests are separated by jumps of stroke or period that persist. A sweep, whose cycles change gradually, is one test.
 
 use super::cycles::{self, candidates};
 use super::rests::part;
@@ -17,12 +16,12 @@ use crate::tuning::cleaning::FEWEST;
 use crate::tuning::settings::{BEFORE, COVERED, JUMPS, SAME, SMALLEST, STAYS};
 use std::ops::Range;
 
-/// What a drive was set to, as logarithms: stroke and period.
+/// Returns the setting of the drive for a cycle: the logarithms of stroke and period.
 fn setting(cycle: &Cycle) -> [f64; 2] {
     [libm::log(cycle.stroke()), libm::log(cycle.period())]
 }
 
-/// Splits a record into its tests; says so first.
+/// Splits a record into its tests and puts a note about them first.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
@@ -30,7 +29,7 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let noise = difference_noise(x);
     let all = candidates(&samples.time, x, (10.0 * noise).max(SMALLEST * range(x)));
     let found = settings(&all, noise);
-    // Each lasts to the middle of what lies between it and the next.
+    // Each test extends to the middle of the interval between its cycles and those of the next.
     let middle = |k: usize| match k {
         0 => 0,
         k if k == found.len() => x.len(),
@@ -39,7 +38,7 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let cycles_of = |span: &Range<usize>| cycles::find(&samples.time[span.clone()], &x[span.clone()]);
     let test = |(k, run): (usize, &Range<usize>)| {
         let whole = middle(k)..middle(k + 1);
-        // Rest and run-down at the ends of the record may be longer than the test.
+        // Standstill and run-down at the ends of the record may be longer than the test.
         let own = all[run.start].start..all[run.end - 1].end;
         [whole, own].into_iter().map(|span| (cycles_of(&span), span)).find(|(cycles, _)| !cycles.is_empty())
     };
@@ -54,7 +53,7 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     tests.map(|(k, (cycles, span))| part(&samples, span, (k, count), &cycles, 0.0)).collect()
 }
 
-/// The cycles of each setting; none where there are not two of them.
+/// Returns the cycles of each setting, or none if there are fewer than two settings.
 fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     let near = |a: &Cycle, b: [f64; 2]| {
         let [stroke, period] = setting(a);
@@ -66,7 +65,7 @@ fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     let mut start = 0;
     while start < all.len() {
         let mut end = start + 1;
-        // By the cycles just before, so that a drive that wanders stays in one.
+        // Compare with the cycles just before, so that a slowly varying drive keeps one setting.
         while end < all.len() && near(&all[end], typical(&all[end.saturating_sub(BEFORE).max(start)..end])) {
             end += 1;
         }
@@ -83,9 +82,10 @@ fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     if runs.len() < 2 || (covered as f64) < COVERED * all.len() as f64 { Vec::new() } else { runs }
 }
 
-/// Whether the cycles that follow are of another setting.
+/// Returns whether the following cycles have another setting.
 ///
-/// By the last of the one and the first of the other, which a sweep or a wandering drive has alike.
+/// Compares the last cycle before with the first cycle after. In a sweep or with a slowly varying drive the two are
+/// similar.
 fn jumps(before: &[Cycle], after: &[Cycle], noise: f64) -> bool {
     let scatter = |cycles: &[Cycle], k: usize| {
         let mut steps: Vec<f64> =
@@ -106,7 +106,7 @@ mod tests {
     use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
-    /// A motion whose amplitude, mm, and frequency, Hz, are given at each moment.
+    /// Makes a motion with the given amplitude, mm, and frequency, Hz, at each time.
     fn driven(seconds: f64, at: impl Fn(f64) -> (f64, f64)) -> Vec<Samples> {
         const RATE: f64 = 500.0;
         let (mut phase, mut random) = (0.0, Random::new(5));
@@ -135,7 +135,7 @@ mod tests {
         assert_eq!(parts.iter().map(|part| part.time.len()).sum::<usize>(), 15_500, "nothing is left out");
         assert!(parts.iter().all(|part| part.notes[0].kind == "rests"));
         assert_eq!(names(parts), ["long 1 25mm 0.2Hz", "long 2 25mm 1Hz", "long 3 25mm 2Hz", "long 4 25mm 4Hz"]);
-        // As drives do it: in half a second from one to the next.
+        // Real drives change from one amplitude to the next in half a second.
         let steps = |t: f64| (if t % 6.0 > 5.5 { 2.0 * (t % 6.0 - 5.5) } else { 0.0 } + (t / 6.0).floor() + 1.0) * 4.0;
         let found = names(driven(18.0, |t| (steps(t), 3.0)));
         assert_eq!(found, ["long 1 4mm 3Hz", "long 2 8mm 3Hz", "long 3 12mm 3Hz"]);
@@ -144,15 +144,15 @@ mod tests {
     #[test]
     fn what_changes_little_by_little_or_all_the_time_is_one_test() {
         for seconds in [20.0, 60.0] {
-            // A sweep of frequency, one of amplitude, and a drive that wanders by a tenth.
+            // A sweep of frequency, a sweep of amplitude, and a drive whose frequency varies by a tenth.
             assert_eq!(driven(seconds, |t| (10.0, 0.5 * 16f64.powf(t / seconds))).len(), 1);
             assert_eq!(driven(seconds, |t| (2.0 + 20.0 * t / seconds, 3.0)).len(), 1);
             assert_eq!(driven(seconds, |t| (10.0, 2.0 * (1.0 + 0.1 * (TAU * t / 10.0).sin()))).len(), 1);
-            // A beat, as of two sines.
+            // A beat, as from two superposed sines.
             assert_eq!(driven(seconds, |t| (10.0 * (1.2 + (TAU * t / 4.0).sin()), 3.0)).len(), 1);
         }
         assert_eq!(driven(10.0, |_| (10.0, 2.0)).len(), 1);
-        // Run-up and run-down, and a hiccup.
+        // A run-up and run-down, and a short disturbance.
         assert_eq!(driven(12.0, |t| (10.0 * t.min(12.0 - t).min(1.0), 2.0)).len(), 1);
         assert_eq!(driven(20.0, |t| (if (10.0..10.4).contains(&t) { 6.0 } else { 10.0 }, 2.0)).len(), 1);
     }

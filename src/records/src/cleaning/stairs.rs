@@ -1,5 +1,7 @@
-//! Friction programs: strokes of constant speed to and fro, a few at each of several speeds, without a rest between them. Each speed is a test.
-//! Too few cycles of each are whole for a comparison of cycles, so the strokes themselves are compared.
+//! Splits friction programs: strokes of constant speed in both directions, a few at each of several speeds, without a
+//! standstill. Each speed is a test.
+//!
+//! Each speed has too few whole cycles for a comparison of cycles, so the strokes are compared.
 
 use super::cycles::{self, turning_points};
 use super::rests::part;
@@ -14,17 +16,17 @@ use crate::tuning::cleaning::FEWEST;
 use crate::tuning::stairs::{COARSE, FEWEST_STROKES, LINE_DEVIATION, MOST, SAME, STROKE};
 use std::ops::Range;
 
-/// A stroke between two turns.
+/// A stroke between two turning points.
 struct Stroke {
     samples: Range<usize>,
-    /// Signed, m/s.
+    /// Slope of the fitted straight line, m/s, with its sign.
     speed: f64,
-    /// Root mean square off a straight line, m.
+    /// Root mean square deviation from a straight line, m.
     off: f64,
     is_straight: bool,
 }
 
-/// Splits a record into its speeds; says so first.
+/// Splits a record into its speeds and puts a note about them first.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
@@ -60,14 +62,15 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     parts.map(|(k, (span, (cycles, stroke)))| part(&samples, span, (k, count), &cycles, stroke)).collect()
 }
 
-/// The strokes from turn to turn. A turn between two samples leaves one on either side.
+/// Returns the strokes between turning points. A turning point between two samples separates them.
 fn strokes(time: &[f64], x: &[f64]) -> Vec<Stroke> {
     let threshold = (STROKE * range(x)).max(10.0 * difference_noise(x));
     let turns = turning_points(x, threshold);
     let inner = turns.get(1..turns.len().saturating_sub(1)).unwrap_or_default();
     let mut bounds = vec![0];
     for (k, &turn) in inner.iter().enumerate() {
-        // Of two samples beside a turn noise makes either the highest; it belongs to the stroke that it lies straight with.
+        // Noise decides which of two samples at a turning point is the extreme. Assign each to the stroke whose line it
+        // fits.
         let (from, to) = (bounds[k], inner.get(k + 1).copied().unwrap_or(x.len()));
         let off = |cut: &usize| stroke(time, x, from..*cut).off + stroke(time, x, *cut..to).off;
         let cuts = [turn + 1, turn, turn + 2].into_iter().filter(|cut| *cut > from + 2 && *cut + 2 < to);
@@ -91,7 +94,7 @@ fn stroke(time: &[f64], x: &[f64], samples: Range<usize>) -> Stroke {
     Stroke { samples, speed, off, is_straight }
 }
 
-/// Strokes of one speed, one after the other.
+/// Groups consecutive strokes of one speed.
 fn runs(strokes: &[Stroke]) -> Vec<Range<usize>> {
     let mut runs: Vec<Range<usize>> = Vec::new();
     for (k, stroke) in strokes.iter().enumerate() {
@@ -112,7 +115,7 @@ mod tests {
     use super::*;
     use crate::fixtures::{Random, moving};
 
-    /// Two cycles of a triangle at each speed, mm/s, over 35 mm or at least half a second.
+    /// Makes two cycles of a triangle at each speed, mm/s, over 35 mm or at least half a second.
     fn program(rate: f64, speeds: &[f64]) -> Samples {
         let mut random = Random::new(4);
         let mut x = Vec::new();

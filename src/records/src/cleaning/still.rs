@@ -1,4 +1,4 @@
-//! Tests in which nothing moves, or no force is measured: nothing can be learned of a damper from them.
+//! Rejects tests without motion or without a measured force, which give no information about a damper.
 
 use crate::data::samples::Samples;
 use crate::error::RecordError;
@@ -7,10 +7,10 @@ use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
 use crate::tuning::still::{FLICKER, RANGE, SPREAD};
 
-/// Refuses a test that does not move.
+/// Rejects a test without motion.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     let motion = [Channel::Displacement, Channel::Velocity].map(|c| samples.channel(c).map(|values| (c, values)));
-    // A channel that stands while the other moves is another fault, with other advice.
+    // A channel that is constant while the other moves is another fault, with other advice.
     if motion.iter().flatten().any(|(_, values)| !rests(values)) {
         return Ok(());
     }
@@ -19,7 +19,7 @@ pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     Err(RecordError::NoMotion { at: samples.at.clone(), channel, range: 1e3 * range(values), unit })
 }
 
-/// Refuses a test that moves under a force which never changes by a digit.
+/// Rejects a moving test whose force never changes, not even in the last digit.
 pub(crate) fn refuse_constant_force(samples: &Samples) -> Result<(), RecordError> {
     if range(&samples.force) > 0.0 {
         return Ok(());
@@ -27,7 +27,7 @@ pub(crate) fn refuse_constant_force(samples: &Samples) -> Result<(), RecordError
     Err(RecordError::ConstantForce { at: samples.at.clone(), value: samples.force.first().copied().unwrap_or(0.0) })
 }
 
-/// Whether a channel shows nothing but its noise.
+/// Returns whether a channel contains only noise.
 fn rests(values: &[f64]) -> bool {
     if flickers(values) {
         return true;
@@ -39,7 +39,7 @@ fn rests(values: &[f64]) -> bool {
     range(values) < RANGE * noise && spread < SPREAD * noise
 }
 
-/// Whether a channel has no more values than a resting sensor.
+/// Returns whether a channel has at most as many distinct values as a sensor at rest.
 fn flickers(values: &[f64]) -> bool {
     let mut seen: Vec<f64> = Vec::with_capacity(FLICKER);
     for value in values {
@@ -79,7 +79,7 @@ mod tests {
         {
             let message = with(still, false).unwrap_err();
             assert!(message.contains("test.csv: the damper does not move: displacement"), "{message}");
-            // A sensor that stands while the other moves is another fault.
+            // A sensor that is constant while the other moves is another fault.
             with(still, true).unwrap();
         }
         // A stroke as small as the noise of its sensor is still a stroke.

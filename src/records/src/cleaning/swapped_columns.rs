@@ -1,4 +1,4 @@
-//! Headings that stand over each other's columns: time over something that does not advance, displacement over force.
+//! Rejects exchanged headings: a time that does not advance, or a displacement that looks like a force.
 
 use crate::data::complete_motion::Motion;
 use crate::data::cycle::Cycle;
@@ -11,7 +11,7 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::tuning::swapped_columns::{FORWARD, HIGHEST, LONGEST, NO_SINE, PURER, ROUGHER};
 
-/// Refuses samples whose headings look swapped; a unit that the user gave for a channel says that it is right.
+/// Rejects samples whose headings look exchanged. A unit that the user gave for a channel confirms its heading.
 pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
     let insisted = |a: Channel, b: Channel| [a, b].iter().any(|c| options.units.contains_key(c));
     let error = |a: Channel, b: Channel, evidence: Sentence| RecordError::Swapped {
@@ -52,7 +52,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         .with("displacement", format!("{:.1}", 1e3 * move_range))
         .with("force", format!("{force_range:.3}"));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
-    // A motion of metres under a force of newtons, and the smoother of the two is called force.
+    // The motion spans meters under a force of newtons, and the channel called force is the smoother of the two.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,
@@ -60,8 +60,8 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
             Sentence::from(phrases::FORCE_SMOOTHER).with_sentence("spans", spans),
         ));
     }
-    // A damper takes energy out: the loop of force over displacement runs one way round. Swapped, it runs the other way;
-    // with both measured signs possible, only a smooth force under a rough displacement tells.
+    // A damper dissipates, so the loop of force over displacement has one sense of rotation. Exchanged channels reverse
+    // it. So does a wrong sign, so only a smooth force with a rough displacement is evidence.
     if let Some(v) = &samples.velocity {
         let (by_x, by_f) = (follows(&samples.time, x, v), follows(&samples.time, &samples.force, v));
         if by_f > 0.97 && by_x < 0.8 {
@@ -79,7 +79,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
     Ok(())
 }
 
-/// How far a test of cycles is from a sine in displacement and in force: the overtones as a share of the ground wave.
+/// Deviation of a periodic test from a sine in displacement and in force: the harmonics relative to the fundamental.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Overtones {
     pub displacement: f64,
@@ -87,12 +87,12 @@ pub(crate) struct Overtones {
 }
 
 impl Overtones {
-    /// Whether what is read as force is the motion, and the reverse.
+    /// Returns whether the channels of force and motion are exchanged.
     pub fn exchanged(&self) -> bool {
         self.displacement > NO_SINE && self.displacement > PURER * self.force
     }
 
-    /// Over the whole cycles of a test; nothing where it has none or too few samples.
+    /// Computes the harmonics over the whole cycles of a test. Returns `None` without cycles or with too few samples.
     pub fn measure(motion: &Motion) -> Option<Overtones> {
         let of = |values: &[f64]| {
             let mut shares: Vec<f64> =
@@ -103,7 +103,7 @@ impl Overtones {
     }
 }
 
-/// The overtones of one cycle as a share of its ground wave.
+/// Computes the harmonics of one cycle relative to its fundamental.
 fn overtones(time: &[f64], values: &[f64], cycle: &Cycle) -> Option<f64> {
     let span = cycle.start..cycle.end;
     if span.len() < 4 * HIGHEST {
@@ -126,18 +126,18 @@ fn overtones(time: &[f64], values: &[f64], cycle: &Cycle) -> Option<f64> {
     (ground > 0.0).then(|| over / ground)
 }
 
-/// Share of the steps that go forward.
+/// Returns the fraction of steps that increase.
 fn forward(values: &[f64]) -> f64 {
     let steps = values.windows(2).filter(|w| w[1] > w[0]).count();
     steps as f64 / (values.len() - 1).max(1) as f64
 }
 
-/// Root mean square of the third differences as a share of the range: steps, knees and noise.
+/// Computes the root mean square of the third differences relative to the range. Steps, knees and noise make it large.
 fn roughness(values: &[f64]) -> f64 {
     let mut sizes: Vec<f64> =
         values.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).powi(2)).filter(|d| d.is_finite()).collect();
     let spread = range(values);
-    // The few largest may be outliers.
+    // The few largest differences may be outliers.
     let count = sizes.len();
     sizes.sort_by(f64::total_cmp);
     sizes.truncate(count - count / 200);
@@ -145,16 +145,16 @@ fn roughness(values: &[f64]) -> f64 {
     if spread > 0.0 { (mean.sqrt() / spread).max(1e-12) } else { 1e-12 }
 }
 
-/// Area of the loop, positive where the damper takes energy out.
+/// Computes the area of the loop, positive if the damper dissipates.
 fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     let pairs = x.windows(2).zip(force.windows(2));
     pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
 }
 
-/// Correlation of the steps of one column with another taken as its speed.
+/// Computes the correlation of a column's derivative with another column as its velocity.
 fn follows(time: &[f64], values: &[f64], speed: &[f64]) -> f64 {
     let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
-    // Over several samples, so that noise does not hide the motion.
+    // Differences over several samples reduce the noise.
     let reach = (time.len() / 400).clamp(1, 20);
     for i in reach..time.len().saturating_sub(reach) {
         let step = time[i + reach] - time[i - reach];
@@ -188,7 +188,7 @@ mod tests {
     fn swapped_headings_are_told_with_the_evidence() {
         assert_eq!(said(|_| ()), "");
         assert_eq!(said(|s| s.velocity = None), "");
-        // A force or a motion counted the other way round is another matter.
+        // A reversed sign of force or motion is another fault.
         assert_eq!(said(|s| s.force.iter_mut().for_each(|f| *f = -*f)), "");
         assert_eq!(
             said(|s| {
@@ -201,7 +201,7 @@ mod tests {
             for scale in [1.0, 1e-3] {
                 let message = said(|s| {
                     swap_with_force(s);
-                    // Columns under the other's heading are taken in the other's unit.
+                    // Columns under the wrong heading are read in the wrong unit.
                     s.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x *= scale);
                     s.force.iter_mut().for_each(|f| *f *= 1e3);
                     if without_velocity {

@@ -1,4 +1,5 @@
-//! Cuts off what is not whole cycles: rest and run-up before, run-down and rest after, a noisy last cycle.
+//! Removes everything but whole cycles: standstill and run-up before, run-down and standstill after, a noisy last
+//! cycle.
 
 use crate::data::complete_motion::Motion;
 use crate::data::cycle::Cycle;
@@ -9,7 +10,7 @@ use crate::numbers::median;
 use crate::signal::noise::cycle_deviations;
 use crate::tuning::trim::NOISY;
 
-/// Cuts the test to its whole cycles, with notes; a test that is not periodic is kept whole.
+/// Trims the test to its whole cycles, with notes. A test that is not periodic stays whole.
 pub(crate) fn trim(motion: &mut Motion) {
     let n = motion.time.len();
     if motion.cycles.is_empty() {
@@ -23,7 +24,7 @@ pub(crate) fn trim(motion: &mut Motion) {
     let count = motion.cycles.len();
     let frequency = count as f64 / motion.cycles.iter().map(Cycle::period).sum::<f64>();
     if span.start > 0 || span.end < n {
-        // What follows the last whole cycle is the beginning of another, a run-down or rest.
+        // The last whole cycle is followed by the beginning of another one, a run-down or a standstill.
         let moved = super::range(&motion.displacement[span.end.min(n - 1)..]) > 0.1 * first.stroke();
         let tail = if moved { "an incomplete cycle or run-down" } else { "rest" };
         motion.notes.push(Note {
@@ -58,7 +59,8 @@ pub(crate) fn trim(motion: &mut Motion) {
     }
 }
 
-/// Many rigs disturb the last cycle by stopping; with four or more there are enough others to judge it by.
+/// Removes a disturbed last cycle, which many rigs cause by stopping. Four cycles or more allow a comparison with the
+/// others.
 fn drop_noisy_last(motion: &mut Motion) {
     let count = motion.cycles.len();
     if count < 4 {

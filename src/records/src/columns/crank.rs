@@ -1,11 +1,11 @@
-//! Records over the angle of a crank instead of time, as dynos with a crank drive write them.
+//! Converts records over a crank angle instead of time, as dynos with a crank drive write them.
 //!
-//! With the speed of the crank among the lines above the table, the angle is a clock.
+//! If the lines above the table state the speed of the crank, the angle gives the time.
 
 use super::heading::words;
 use super::table::number;
 
-/// What a column of the crank's angle is called, in words without accents.
+/// Headings of a column with the crank angle, as words without accents.
 const ANGLES: [&str; 11] = [
     "crank angle",
     "crankangle",
@@ -19,7 +19,7 @@ const ANGLES: [&str; 11] = [
     "angle vilebrequin",
     "曲柄转角",
 ];
-/// What the speed of the crank is called.
+/// Names of the speed of the crank.
 const SPEEDS: [&str; 10] = [
     "speed",
     "crank speed",
@@ -32,25 +32,26 @@ const SPEEDS: [&str; 10] = [
     "转速",
     "frequency",
 ];
-/// What the heading of time is replaced by.
+/// Heading that replaces that of the angle.
 const TIME: &str = "Time [s]";
 
 /// The crank as a clock.
 #[derive(Debug, Clone)]
 pub(crate) struct Crank {
-    /// The column of its angle.
+    /// The column of the crank angle.
     pub index: usize,
     /// Speed, revolutions per minute.
     pub rpm: f64,
     seconds: f64,
-    /// A whole turn in the column's unit.
+    /// Angle of a full turn, in the unit of the column.
     turn: f64,
-    /// Whole turns so far, and the angle before.
+    /// Number of full turns so far, and the previous angle.
     turns: f64,
     last: Option<f64>,
 }
 
-/// Finds a column of angles in a heading without a time, and the speed in the lines above; the heading then names it a time.
+/// Finds a column of angles in a heading without a time, and the speed in the lines above. The heading of the column
+/// becomes that of a time.
 pub(crate) fn find<'a>(
     header: &mut [String],
     units: Option<&mut Vec<String>>,
@@ -85,7 +86,7 @@ pub(crate) fn find<'a>(
 }
 
 impl Crank {
-    /// The time of an angle, s. An angle that begins anew is that of the next turn.
+    /// Returns the time of an angle, s. A decrease by more than half a turn begins the next turn.
     pub fn time(&mut self, angle: f64) -> f64 {
         if self.last.is_some_and(|last| angle < last - 0.5 * self.turn) {
             self.turns += 1.0;
@@ -97,7 +98,7 @@ impl Crank {
     }
 }
 
-/// A heading's words, and the unit in its brackets.
+/// Returns the words of a heading, and the unit in its brackets.
 fn parted(heading: &str) -> (String, Option<&str>) {
     match heading.trim().split_once(['[', '(']) {
         Some((name, unit)) => (words(name).join(" "), Some(unit.trim_end_matches([']', ')']))),
@@ -105,7 +106,8 @@ fn parted(heading: &str) -> (String, Option<&str>) {
     }
 }
 
-/// The speed of a crank in a line such as `Speed: 120.0 rpm` or `Drehzahl [1/min];120`, revolutions per minute.
+/// Reads the speed of a crank, revolutions per minute, from a line such as `Speed: 120.0 rpm` or `Drehzahl
+/// [1/min];120`.
 fn speed(line: &str) -> Option<f64> {
     let separator = line.chars().find(|c| "\t;:=".contains(*c)).unwrap_or(',');
     let mut cells = line.split(separator).map(|c| c.trim().trim_matches('"'));
@@ -154,7 +156,7 @@ mod tests {
             times.iter().zip([0.0, 0.25, 359.0 / 360.0, 1.0, 1.5]).all(|(a, b)| (a - b).abs() < 1e-12),
             "{times:?}"
         );
-        // Without a speed it is no clock, nor is a column of something else.
+        // An angle without a speed gives no time. Neither does another quantity.
         assert!(find(&mut vec!["Angle".to_owned()], None, std::iter::empty()).is_none());
         assert!(find(&mut vec!["Force [N]".to_owned()], None, ["RPM: 60"].into_iter()).is_none());
     }

@@ -1,22 +1,22 @@
-//! What stands between the columns of a text.
+//! Delimiters between the columns of a text.
 
 use csv::ReaderBuilder;
 
-/// Delimiters understood, in the order in which they are tried.
+/// Supported delimiters, in the order in which they are tried.
 ///
-/// A comma may also be a decimal comma, so it comes last but for the bar, which hardly any program writes.
+/// A comma may also be a decimal comma, so it follows the tab and the semicolon. The bar is last, because it is rare.
 pub(crate) const ALL: [u8; 4] = [b'\t', b';', b',', b'|'];
 
-/// The delimiter of a short table by its heading: the one that makes most columns, a comma where none is there.
+/// Detects the delimiter of a short table from its heading: the most frequent one, or a comma if there is none.
 pub fn detect(heading: &str) -> u8 {
     let count = |d: u8| heading.bytes().filter(|b| *b == d).count();
-    // Of two that make as many columns the first is meant.
+    // Of equally frequent delimiters the first is used.
     [b',', b';', b'\t', b'|'].into_iter().rev().max_by_key(|d| count(*d)).unwrap_or(b',')
 }
 
-/// Splits one line at a delimiter, honouring quotes.
+/// Splits one line at a delimiter, with support for quotes.
 pub(crate) fn split(line: &str, delimiter: u8) -> Vec<String> {
-    // Without quotes a reader with its buffers would take longer than the line.
+    // For a line without quotes the setup of a reader would take longer than the split.
     if !line.is_empty() && !line.contains(['"', '\r', '\n']) {
         return line.split(char::from(delimiter)).map(str::to_owned).collect();
     }
@@ -25,10 +25,10 @@ pub(crate) fn split(line: &str, delimiter: u8) -> Vec<String> {
     reader.records().next().and_then(Result::ok).map(|r| r.iter().map(str::to_string).collect()).unwrap_or_default()
 }
 
-/// Whether the quoted cells of a text that is separated by commas hold decimal commas: `"0,5","12,75"`. A comma before three
-/// digits alone may as well part thousands, and so does one in a number with a point.
+/// Returns whether quoted cells of comma-separated text contain decimal commas: `"0,5","12,75"`. A comma before three
+/// digits is ambiguous, because it may separate thousands. A number that also has a point excludes decimal commas.
 pub(crate) fn quotes_decimal_commas(text: &str) -> bool {
-    /// Rows that are looked at; a column of numbers shows its decimals sooner.
+    /// Number of rows to inspect. A column of numbers shows its decimals sooner.
     const ROWS: usize = 500;
     let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
     let mut told = false;

@@ -1,11 +1,11 @@
-//! How a column heading names a channel and its unit, in the languages and manners of test rigs.
+//! Recognizes channel and unit in column headings, in the languages and notations of test rigs.
 
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::CLICKS;
 use crate::quantities::unit::{Dimension, Unit, plain};
 use std::str::FromStr;
 
-/// Headings understood for a channel, without the unit and without accents, in lower case with blanks between the words.
+/// Returns the headings of a channel without unit and accents, in lower case, with blanks between the words.
 pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
     match channel {
         Channel::Time => &[
@@ -179,22 +179,22 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "电流",
             "電流",
         ],
-        // A pressure or a voltage may be that of anything.
+        // A pressure or a voltage may be any quantity, so only clicks identify a setting.
         Channel::Setting => &CLICKS,
     }
 }
-/// What a column heading says.
+/// Meaning of a column heading.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Heading {
-    /// One of the channels; the unit if the heading carries one.
+    /// One of the channels, with the unit if the heading contains one.
     Channel(Channel, HeadingUnit),
-    /// The column that tells several tests in one file apart.
+    /// The column that distinguishes several tests in one file.
     Test,
-    /// Sample time of a record without time vector (MAT scalars).
+    /// Sample time of a record without a time vector (MAT scalars).
     SampleTime(HeadingUnit),
-    /// Samples per second of a record without time vector.
+    /// Samples per second of a record without a time vector.
     SampleRate,
-    /// Nothing known here.
+    /// No known meaning.
     Unknown,
 }
 
@@ -203,13 +203,13 @@ pub(crate) enum Heading {
 pub(crate) enum HeadingUnit {
     /// No unit in the heading.
     Missing,
-    /// A unit is written there but not understood, or does not measure this quantity.
+    /// The heading contains a unit that is unknown or does not measure this quantity.
     Unknown(String),
     /// The unit.
     Known(Unit),
 }
 
-/// What a column that holds the name of the test is called, alone or before one of [`OF_A_TEST`].
+/// Headings of a column with the name of the test, alone or before a word of [`OF_A_TEST`].
 const TESTS: [&str; 27] = [
     "test",
     "run",
@@ -239,7 +239,7 @@ const TESTS: [&str; 27] = [
     "测试编号",
     "试验名称",
 ];
-/// What stands behind it.
+/// Words that follow a word of [`TESTS`].
 const OF_A_TEST: [&str; 15] = [
     "id",
     "no",
@@ -258,7 +258,7 @@ const OF_A_TEST: [&str; 15] = [
     "名称",
 ];
 
-/// Words in a heading that say nothing about the quantity.
+/// Words in a heading without information about the quantity.
 const FILLERS: [&str; 58] = [
     "channel",
     "ch",
@@ -302,7 +302,7 @@ const FILLERS: [&str; 58] = [
     "misurato",
     "medida",
     "medido",
-    // What controllers of rigs call the measured value, and the axis that it is of.
+    // Names that rig controllers use for the measured value and for its axis.
     "feedback",
     "fbk",
     "fb",
@@ -320,7 +320,7 @@ const FILLERS: [&str; 58] = [
     "filtered",
     "gefiltert",
 ];
-/// Words that name a sensor or an input. A heading that needs them left out gives way to one that does not.
+/// Words that name a sensor or an input. A heading that is recognized without removing such words takes precedence.
 const SENSORS: [&str; 15] = [
     "lvdt",
     "sensor",
@@ -339,17 +339,18 @@ const SENSORS: [&str; 15] = [
     "messung",
 ];
 
-/// Clocks that are called by what they count.
+/// Clock headings that name the unit of the count.
 const CLOCKS: [(&[&str], Unit); 3] = [
     (&["seconds", "secs", "sekunden", "secondes", "segundos", "secondi"], Unit::Second),
     (&["millis", "milliseconds", "millisekunden", "millisecondes"], Unit::Millisecond),
     (&["micros", "microseconds", "mikrosekunden", "microsecondes"], Unit::Microsecond),
 ];
 
-/// Words of headings that are understood where no other one names the quantity: beside `time`, Simulink writes a `tout` of its own.
+/// Words of headings that are recognized only if no other heading names the quantity. Simulink, for example, writes a
+/// `tout` in addition to `time`.
 const STOPGAPS: [&str; 6] = ["times", "tout", "dist", "distance", "forc", "lead"];
 
-/// Whether a heading gives way to one that names the quantity by its usual name.
+/// Returns whether a heading gives precedence to one that names the quantity by a common name.
 pub(crate) fn is_stopgap(text: &str) -> bool {
     if text.len() > LONGEST {
         return false;
@@ -360,10 +361,10 @@ pub(crate) fn is_stopgap(text: &str) -> bool {
     words(text).iter().any(is_one)
 }
 
-/// Longest heading that is understood, bytes: a longer text is none, and its words would be compared for minutes.
+/// Length limit of a heading, bytes. A longer text is no heading, and comparing its words would take minutes.
 const LONGEST: usize = 400;
 
-/// Words of a heading that name what was wanted of a quantity, or one figure of it, and not its course over time.
+/// Words of a heading for the setpoint of a quantity, or for a single figure, and not for its signal over time.
 const NO_COURSE: [&str; 30] = [
     "command",
     "cmd",
@@ -397,7 +398,7 @@ const NO_COURSE: [&str; 30] = [
     "设定",
 ];
 
-/// The channel that the unit of a heading that is not understood speaks for: a force or a displacement.
+/// Returns the channel that the unit of an unknown heading indicates: a force or a displacement.
 pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
     if text.len() > LONGEST {
         return None;
@@ -427,7 +428,7 @@ pub(crate) fn heading(text: &str) -> Heading {
     }
 }
 
-/// Whether the heading is understood without leaving sensor names and numbers out.
+/// Returns whether the heading is recognized without removing sensor names and numbers.
 pub(crate) fn is_plain(text: &str) -> bool {
     text.len() <= LONGEST && strict(text) != Heading::Unknown
 }
@@ -439,7 +440,7 @@ fn strict(text: &str) -> Heading {
         return classify(&words(name), HeadingUnitText::Bracketed(unit));
     }
     let words = words(text);
-    // The longest unit that fits wins: `Piston velocity in/s`, but `Messzeit in s`.
+    // The longest matching unit has precedence: `Piston velocity in/s`, but `Messzeit in s`.
     let mut other = None;
     for (split, unit) in trailing_units(&words) {
         match classify(&words[..split], HeadingUnitText::Trailing(unit)) {
@@ -453,10 +454,10 @@ fn strict(text: &str) -> Heading {
     other.unwrap_or_else(|| classify(&words, HeadingUnitText::None))
 }
 
-/// A heading with the name of a sensor, the number of an input, or what the acquisition calls it.
+/// Reads a heading with the name of a sensor, the number of an input, or a name from the acquisition.
 ///
-/// `Ch 1 Displacement (mm)`, `Displacement LVDT [mm]`, `Position(Linear:Digital Position) (mm)`. Only with a unit
-/// that fits.
+/// Examples are `Ch 1 Displacement (mm)`, `Displacement LVDT [mm]` and `Position(Linear:Digital Position) (mm)`. A
+/// stated unit must match the channel.
 fn loose(text: &str) -> Heading {
     let text = without_rate(&plain(text));
     let (name, unit) = match bracketed(text.trim()) {
@@ -474,7 +475,7 @@ fn loose(text: &str) -> Heading {
         .filter(|word| !SENSORS.contains(&word.as_str()) && !word.chars().all(|c| c.is_ascii_digit()))
         .collect();
     match classify(&told, unit.map_or(HeadingUnitText::None, HeadingUnitText::Trailing)) {
-        // A letter and a number are too little to go by without a unit.
+        // A single letter with a number is too ambiguous without a unit.
         Heading::Channel(_, HeadingUnit::Missing) if told.concat().chars().count() == 1 => Heading::Unknown,
         found @ Heading::Channel(_, HeadingUnit::Known(_) | HeadingUnit::Missing) => found,
         Heading::Unknown => misspelt(&told, unit),
@@ -482,14 +483,16 @@ fn loose(text: &str) -> Heading {
     }
 }
 
-/// A long name with one letter wrong: `Lead Actuator Displacment`. Not of a time, for `Restzeit` is no `Testzeit`.
+/// Reads a long name with one wrong letter, such as `Lead Actuator Displacment`. Excludes times, because `Restzeit` is
+/// not a misspelled `Testzeit`.
 fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
-    /// Letters of a name from which on one that is wrong leaves no doubt.
+    /// Number of letters above which a name with one wrong letter is unambiguous.
     const LONG: usize = 9;
     let telling: Vec<&str> = told.iter().map(String::as_str).filter(|w| !FILLERS.contains(w)).collect();
     let [name] = telling[..] else { return Heading::Unknown };
     let length = name.chars().count();
-    // Few names have nearly its length, and only those are compared letter by letter: this is asked of every cell that may be a heading.
+    // Compare letter by letter only names of similar length, because this function is called for every possible heading
+    // cell.
     let near = |h: &&&str| h.chars().count() >= LONG && h.chars().count().abs_diff(length) <= 1;
     let of = |channel: &Channel| headings(*channel).iter().filter(near).any(|h| distance(name, h) == 1);
     match ([Channel::Displacement, Channel::Velocity, Channel::Force].into_iter().find(of), unit) {
@@ -501,7 +504,7 @@ fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
     }
 }
 
-/// The heading without the rate that some acquisitions write behind the name of their time channel: `Zeit 1 - Standardmessrate`.
+/// Removes the rate that some acquisitions append to the name of their time channel: `Zeit 1 - Standardmessrate`.
 fn without_rate(text: &str) -> String {
     const RATES: [&str; 6] = [
         "standardmessrate",
@@ -514,19 +517,19 @@ fn without_rate(text: &str) -> String {
     let Some((name, remark)) = text.split_once(" - ") else { return text.to_owned() };
     let lower = remark.to_lowercase();
     match RATES.iter().find(|rate| lower.trim_start().starts_with(**rate)) {
-        // What stands behind it is the unit.
+        // The unit follows the rate.
         Some(rate) => format!("{} {}", name, &remark.trim_start()[rate.len()..]),
         None => text.to_owned(),
     }
 }
 
-/// Units written as trailing words (`velocity_m_s`, `force N`) and where they begin, the longest first.
+/// Returns units written as trailing words (`velocity_m_s`, `force N`) and their positions, the longest first.
 fn trailing_units(words: &[String]) -> Vec<(usize, Unit)> {
     (1..=2.min(words.len().saturating_sub(1)))
         .rev()
         .map(|count| words.len() - count)
         .filter_map(|split| Some((split, words[split..].join("/").parse::<Unit>().ok()?)))
-        // `Load cell A` is the first of several.
+        // In `Load cell A` the letter numbers the cell and is no unit.
         .filter(|(split, unit)| {
             unit.dimension() != Dimension::Current
                 || headings(Channel::Current).contains(&words[..*split].join(" ").as_str())
@@ -534,12 +537,12 @@ fn trailing_units(words: &[String]) -> Vec<(usize, Unit)> {
         .collect()
 }
 
-/// The longest of them.
+/// Returns the longest trailing unit.
 fn trailing_unit(words: &[String]) -> (usize, Option<Unit>) {
     trailing_units(words).first().map_or((words.len(), None), |(split, unit)| (*split, Some(*unit)))
 }
 
-/// The heading without its unit, in words, to compare names given by the user with.
+/// Returns the heading without its unit, in words, for comparison with names given by the user.
 pub(crate) fn without_unit(text: &str) -> String {
     if text.len() > LONGEST {
         return text.to_owned();
@@ -554,7 +557,7 @@ pub(crate) fn without_unit(text: &str) -> String {
     }
 }
 
-/// The heading nearest to a name that is not there, if any is near: a third of the letters may differ.
+/// Returns the heading nearest to a missing name, if at most a third of the letters differ.
 pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = without_unit(wanted);
     let allowed = (wanted.chars().count() / 3).max(1);
@@ -567,18 +570,18 @@ pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a s
         .map(|(_, h)| h)
 }
 
-/// The heading that looks most like one of a channel's, misspelt.
+/// Returns the heading that most resembles a misspelled heading of a channel.
 pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a str> {
-    /// Headings of a file that are compared; hostile files have millions.
+    /// Number of headings of a file to compare. Hostile files have millions.
     const COMPARED: usize = 200;
     let known = headings(channel).iter().filter(|h| h.chars().count() >= 3);
     known.filter_map(|h| nearest(h, found.iter().copied().take(COMPARED))).next()
 }
 
-/// Letters to change, add, leave out or exchange with their neighbour to get from one text to the other (Damerau 1964). Long
-/// texts count as far.
+/// Returns the number of letter changes, insertions, deletions and exchanges of neighbors that convert one text into
+/// the other (Damerau 1964). Long texts count as infinitely distant.
 fn distance(a: &str, b: &str) -> usize {
-    /// Headings are shorter; this bounds the work on hostile files.
+    /// Headings are shorter than this. The limit bounds the work on hostile files.
     const LONG: usize = 64;
     let is_long = |text: &str| text.chars().nth(LONG).is_some();
     if is_long(a) || is_long(b) { usize::MAX } else { strsim::osa_distance(a, b) }
@@ -621,21 +624,21 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
             Some(_) => Heading::Unknown,
         };
     }
-    // `fs` is the sampling frequency in most files, and the side force where its unit says so.
+    // `fs` is the sampling frequency in most files. With a unit of force it is the side force.
     match &unit {
         Some(Ok(u)) if name == "fs" && u.dimension() == Dimension::Force => {
             return Heading::Channel(Channel::SideForce, HeadingUnit::Known(*u));
         }
         _ => {}
     }
-    // `T [degC]`: the letter is time's, but the unit says what it is.
+    // `T [degC]`: the letter also names the time, but the unit indicates a temperature.
     match &unit {
         Some(Ok(u)) if name == "t" && u.dimension() == Dimension::Temperature => {
             return Heading::Channel(Channel::Temperature, HeadingUnit::Known(*u));
         }
         _ => {}
     }
-    // A clock called by what it counts, as small boards write it.
+    // A clock heading that names the unit of the count, as small boards write it.
     if unit.is_none()
         && let Some((_, unit)) = CLOCKS.iter().find(|(names, _)| names.contains(&name.as_str()))
     {
@@ -647,7 +650,7 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
     match unit {
         None => Heading::Channel(channel, HeadingUnit::Missing),
         Some(Ok(u)) if u.dimension() == channel.dimension() => Heading::Channel(channel, HeadingUnit::Known(u)),
-        // A single letter with a foreign unit is another quantity (`f [Hz]`, `v [V]`), not a damper channel.
+        // A single letter with a unit of another quantity (`f [Hz]`, `v [V]`) is not a damper channel.
         Some(_) if name.len() == 1 => Heading::Unknown,
         Some(Ok(u)) => Heading::Channel(channel, HeadingUnit::Unknown(u.name().to_string())),
         Some(Err(text)) => Heading::Channel(channel, HeadingUnit::Unknown(text)),
@@ -666,17 +669,17 @@ fn bracketed(text: &str) -> Option<(&str, &str)> {
     None
 }
 
-/// The unit that a heading carries in brackets, as it is written.
+/// Returns the unit in the brackets of a heading, as written.
 pub(crate) fn written_unit(text: &str) -> Option<&str> {
     bracketed(text).map(|(_, unit)| unit).filter(|unit| !unit.is_empty())
 }
 
-/// Words of a heading in lower case.
+/// Splits a heading into words in lower case.
 pub(crate) fn words(text: &str) -> Vec<String> {
     plain(text).split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).map(str::to_lowercase).collect()
 }
 
-/// What headings and units are understood, for error messages.
+/// Lists the supported headings and units, for error messages.
 pub(crate) fn vocabulary() -> String {
     let some = |c: Channel| headings(c).iter().take(6).copied().collect::<Vec<_>>().join(", ");
     let units = |c: Channel| c.units_understood();
@@ -843,7 +846,7 @@ mod tests {
             ("u [mm]", None, Some(Channel::Displacement)),
             ("Force setpoint [N]", None, None),
             ("displacement command (mm)", None, None),
-            // Understood as what it is.
+            // The heading itself is recognized, so the unit decides nothing.
             ("Lateral Force [N]", None, None),
             ("Force [N]", None, None),
             ("[N]", None, None),

@@ -1,4 +1,4 @@
-//! Tables: the column headings, their channels and units, and the rows below them. Every file format ends here.
+//! Tables: the column headings, their channels and units, and the rows below them. All file formats use this module.
 
 pub(crate) mod crank;
 pub mod delimiter;

@@ -1,7 +1,7 @@
-//! Lines of a table that are no rows.
+//! Handles lines of a table that are not rows.
 //!
-//! What a channel is below the heading, results or remarks below the last row, and what an acquisition writes between
-//! its rows. They are told and not read; many of them, or figures in them, are a fault.
+//! Such lines describe the channels below the heading, give results or remarks below the last row, or are messages of
+//! the acquisition between rows. Notes report these lines. Many of them, or lines with figures, are an error.
 
 use super::heading::{Heading, heading};
 use super::table::{Rows, is_units_row};
@@ -9,10 +9,10 @@ use crate::error::RecordError;
 use crate::messages::phrases;
 use crate::messages::sentence::{Sentence, Template};
 
-/// Lines right below a heading that hold no figures: names of sensors, rates, remarks of a channel.
+/// Largest number of lines without figures right below a heading: names of sensors, rates, remarks on a channel.
 pub(crate) const LABELS: usize = 5;
 
-/// The lines beside the rows of one table.
+/// The lines of one table that are not rows.
 #[derive(Default)]
 pub(crate) struct Beside {
     labels: Vec<(usize, String)>,
@@ -20,9 +20,9 @@ pub(crate) struct Beside {
     rows: usize,
     /// Lines between rows without a figure.
     remarks: Lot,
-    /// Rows with text behind the columns of the heading, which are read without it.
+    /// Rows with extra text after the columns of the heading. The text is ignored.
     texts: Lot,
-    /// Rows with figures behind the columns of the heading, which are left out.
+    /// Rows with extra figures after the columns of the heading. The rows are left out.
     figures: Lot,
 }
 
@@ -30,17 +30,17 @@ pub(crate) struct Beside {
 #[derive(Default)]
 struct Lot {
     count: usize,
-    /// The first of them.
+    /// Line numbers of the first of them.
     lines: Vec<usize>,
     first: String,
     fault: Option<RecordError>,
 }
 
 impl Lot {
-    /// Lines that a note names.
+    /// Number of lines that a note names.
     const NAMED: usize = 5;
 
-    /// Takes lines one after the other; text and fault are the first one's.
+    /// Adds lines. Keeps the text and the fault of the first one.
     fn add_all(&mut self, lines: &[usize], text: &str, fault: RecordError) {
         if self.fault.is_none() {
             (self.first, self.fault) = (text.to_owned(), Some(fault));
@@ -50,9 +50,10 @@ impl Lot {
         self.count += lines.len();
     }
 
-    /// Says that they were left; their fault where they are more than stray ones among so many rows.
+    /// Returns a note about the lines, or their fault if `few` is set and they are more than single stray lines.
     fn tell(self, rows: usize, few: bool, template: Template) -> Result<Option<Sentence>, RecordError> {
-        /// Stray lines that any test may have, and the share of its rows; more is another table than its heading says.
+        /// Number of stray lines that any test may have, and the number of rows per further stray line. More lines
+        /// indicate another table than the heading says.
         const FEW: (usize, usize) = (3, 50);
         let stray = self.count <= FEW.0.max(rows / FEW.1) && 2 * self.count < rows;
         match self.fault {
@@ -71,18 +72,19 @@ impl Lot {
     }
 }
 
-/// What stands below the last row of figures, with the fault that it is where figures follow.
+/// Text below the last row of figures, with the fault that applies if figures follow.
 struct Foot {
     line: usize,
     text: String,
     fault: RecordError,
-    /// Its lines, where it is a remark between rows: nothing in it is a figure, a heading or a unit.
+    /// Line numbers if the text is a remark between rows, without figures, headings or units.
     remarks: Option<Vec<usize>>,
 }
 
 impl Beside {
-    /// Takes a line that is no row. Nothing where it lies below a row, or right below the heading without any figure
-    /// (`figures` tells of the cells that are read, but for its time); else its fault.
+    /// Handles a line that is no row. Accepts lines below a row, and lines without figures right below the heading.
+    /// Returns the fault of other lines. `figures` states whether a cell of a channel other than the time contains a
+    /// figure.
     pub fn take(
         &mut self,
         below_rows: bool,
@@ -111,7 +113,7 @@ impl Beside {
         Ok(())
     }
 
-    /// A row of figures comes: text between it and the rows before is no foot of the table.
+    /// Handles a row of figures. Text between two rows is then no foot of the table, but a remark or a fault.
     pub fn row(&mut self) -> Result<(), RecordError> {
         self.rows += 1;
         let Some(Foot { text, fault, remarks, .. }) = self.foot.take() else { return Ok(()) };
@@ -120,17 +122,18 @@ impl Beside {
         Ok(())
     }
 
-    /// A row has more fields than the heading. Whether it can be read without them: as long as they are text.
+    /// Handles a row with more fields than the heading. Returns whether the row is usable without them, which is so if
+    /// they are text.
     pub fn surplus(&mut self, line: usize, fields: &[String], figures: bool, fault: RecordError) -> bool {
         let kind = if figures { &mut self.figures } else { &mut self.texts };
         kind.add_all(&[line], &shortened(fields), fault);
         !figures
     }
 
-    /// Says of the tests of a table what was not read beside them.
+    /// Adds notes to the tests of a table about the lines that were not read.
     ///
     /// # Errors
-    /// The fault of lines that are too many to be stray ones.
+    /// The fault of lines that are too many to be stray lines.
     pub fn report(self, rows: &mut Rows) -> Result<(), RecordError> {
         for (line, text) in self.labels {
             rows.note("ignored", Sentence::from(phrases::BELOW_HEADING).with("line", line).with("text", text));
@@ -151,7 +154,7 @@ impl Beside {
     }
 }
 
-/// Cells of a line, as a note quotes them.
+/// Joins and shortens the cells of a line for a note.
 fn shortened(cells: &[String]) -> String {
     let told = cells.iter().map(|c| c.trim()).filter(|c| !c.is_empty());
     let text: String = told.collect::<Vec<_>>().join(" ").chars().filter(|c| !c.is_control()).collect();

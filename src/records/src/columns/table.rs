@@ -1,4 +1,4 @@
-//! From a header and rows of cells to the samples of the tests they hold, whatever the file format.
+//! Builds the samples of the tests from a header and rows of cells, for all file formats.
 
 use std::collections::HashMap;
 
@@ -18,21 +18,21 @@ use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
 
-/// How many lines at the top of a file are searched for the header.
+/// Number of lines at the top of a file in the search for the header.
 pub(crate) const HEADER_WITHIN: usize = 60;
 
-/// Columns that a table may have: a rig records tens. Each heading is compared with every channel.
+/// Largest number of columns of a table. A rig records tens. Each heading is compared with every channel.
 pub(crate) const MOST_COLUMNS: usize = 4096;
 
-/// Which column holds what.
+/// Assignment of columns to channels.
 #[derive(Debug, Clone)]
 pub(crate) struct Layout {
     pub columns: Vec<Column>,
     pub test: Option<usize>,
     ignored: Vec<String>,
-    /// Columns taken for a channel by their unit alone.
+    /// Columns assigned to a channel by their unit alone.
     guessed: Vec<(Channel, String)>,
-    /// Time from sample to sample that the user gives for files without a column of time, s.
+    /// Time between samples that the user gives for files without a time column, s.
     step: Option<f64>,
 }
 
@@ -43,14 +43,14 @@ pub(crate) struct Column {
     pub index: usize,
     pub unit: Unit,
     pub heading: String,
-    /// Whether it holds times of day.
+    /// Whether the column contains times of day.
     pub clock: bool,
 }
 
-/// Whether a line of cells can be a header.
+/// Returns whether a line of cells can be a header.
 ///
-/// Two cells are headings known here or named in the options, or have a unit that speaks for a channel beside a time
-/// where no cell is a figure. Without a time it is a table of results.
+/// Two cells must be known headings or named in the options. Alternatively a cell may have a unit that indicates a
+/// channel, if there is a time and no cell is a figure. Without a time the table contains results.
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     let cells = &cells[..cells.len().min(MOST_COLUMNS)];
     let known = cells.iter().filter(|c| {
@@ -68,12 +68,12 @@ pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     known >= 2 || (known + spoken_for >= 2 && timed() && !figures())
 }
 
-/// Names for the columns of a table without a header.
+/// Returns names for the columns of a table without a header.
 pub(crate) fn numbered(columns: usize) -> Vec<String> {
     (1..=columns).map(|n| format!("column {n}")).collect()
 }
 
-/// Whether a line of cells below the header is a row of units: nothing but units, at least one of them.
+/// Returns whether a line of cells below the header is a row of units: only units, and at least one.
 pub(crate) fn is_units_row<S: AsRef<str>>(cells: &[S]) -> bool {
     let mut units = 0;
     for cell in cells {
@@ -93,7 +93,7 @@ fn same(wanted: &str, text: &str) -> bool {
     wanted.trim().eq_ignore_ascii_case(text.trim())
 }
 
-/// Whether a name given by the user is this heading: to the letter, or but for its unit.
+/// Returns whether a name given by the user matches this heading, exactly or without its unit.
 fn names(wanted: &str, text: &str) -> bool {
     same(wanted, text) || {
         let (wanted, text) = (without_unit(wanted), without_unit(text));
@@ -101,7 +101,7 @@ fn names(wanted: &str, text: &str) -> bool {
     }
 }
 
-/// The channel that a heading stands for, by itself or because the user names it.
+/// Returns the channel of a heading, as named by the user or as recognized.
 pub(crate) fn channel_of(text: &str, options: &Options) -> Option<Channel> {
     let named = options.columns.iter().find(|(_, wanted)| names(wanted, text)).map(|(channel, _)| *channel);
     named.or_else(|| match heading(text.trim()) {
@@ -110,12 +110,12 @@ pub(crate) fn channel_of(text: &str, options: &Options) -> Option<Channel> {
     })
 }
 
-/// The number of a column, from 1, that the user gives in place of a heading.
+/// Returns the column number, from 1, that the user gives instead of a heading.
 pub(crate) fn column_number(wanted: &str) -> Option<usize> {
     wanted.trim().parse::<usize>().ok().filter(|n| *n > 0)
 }
 
-/// The column that the user names: by the whole heading, by the heading without its unit, or by its number.
+/// Finds the column that the user names: by the whole heading, by the heading without its unit, or by its number.
 fn wanted_column(wanted: &str, header: &[&str]) -> Vec<usize> {
     let at = |found: &dyn Fn(&str) -> bool| -> Vec<usize> { (0..header.len()).filter(|i| found(header[*i])).collect() };
     let exact = at(&|h| same(wanted, h));
@@ -133,13 +133,13 @@ fn maybe(near: Option<&str>) -> Option<Sentence> {
     near.map(|near| Sentence::from(phrases::MEANT).with("near", near))
 }
 
-/// A number, also with a decimal comma where the delimiter allows one. Empty and not-a-number cells are NaN.
+/// Reads a number, also with a decimal comma if the delimiter allows one. Empty and not-a-number cells give NaN.
 pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     let text = text.trim();
     if let Ok(value) = text.parse::<f64>() {
         return Some(if value.is_finite() { value } else { f64::NAN });
     }
-    // A minus sign as typesetters write it, and exponents as Fortran does.
+    // A typographic minus sign, and the exponents of Fortran.
     if let Some(plain) = text.strip_prefix('\u{2212}') {
         return number(plain, decimal_comma).map(|value| -value);
     }
@@ -161,13 +161,13 @@ pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     None
 }
 
-/// The error for a file without a header known here; `cells` are those of its first line.
+/// Makes the error for a file without a known header. `cells` are those of its first line.
 pub(crate) fn no_header<S: AsRef<str>>(at: &Place, cells: &[S]) -> RecordError {
     let line: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
     no_header_near(at, &line.join(", "), &[(1, line)])
 }
 
-/// The error for a table without a heading; of several lines it shows the one whose columns are best understood.
+/// Makes the error for a table without a heading. The error shows the line with the most recognized columns.
 pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines: &[(usize, Vec<S>)]) -> RecordError {
     let shortened = |text: &str| {
         let mut short: String = text.trim().chars().filter(|c| !c.is_control()).take(120).collect();
@@ -183,7 +183,7 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
         };
         cells.iter().take(MOST_COLUMNS).map(AsRef::as_ref).filter_map(of).collect()
     };
-    // The first of those with most.
+    // The first of the lines with the most recognized columns.
     let best = lines.iter().rev().map(|(line, cells)| (line, understood(cells))).max_by_key(|(_, known)| known.len());
     let first = lines.first();
     let figures =
@@ -212,13 +212,13 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
     RecordError::Header { at: at.clone(), found: shortened(first_line), near, understood: vocabulary() }
 }
 
-/// Columns that a message lists.
+/// Number of columns that a message lists.
 const LISTED: usize = 40;
 
 impl Layout {
     /// Assigns the columns of a header to channels.
     ///
-    /// `sample_time_given` is true where the source brings its own sample time, so that no time column is needed.
+    /// `sample_time_given` is true if the source has its own sample time and needs no time column.
     pub fn new<S: AsRef<str>>(
         at: &Place,
         line: usize,
@@ -230,7 +230,7 @@ impl Layout {
         Layout::with_clock(at, line, header, units, options, sample_time_given, &|_| false)
     }
 
-    /// Builds the layout; `is_clock` says whether a column holds times of day, which need no unit.
+    /// Builds the layout. `is_clock` returns whether a column contains times of day, which need no unit.
     pub fn with_clock<S: AsRef<str>>(
         at: &Place,
         line: usize,
@@ -263,7 +263,7 @@ impl Layout {
             let index = if let Some(wanted) = options.columns.get(&channel) {
                 match wanted_column(wanted, &header)[..] {
                     [index] => Some(index),
-                    // A test at a constant setting that its name states has no such column.
+                    // A test at a constant setting, stated by its name, has no such column.
                     [] if channel == Channel::Setting => None,
                     [] => {
                         return Err(RecordError::NoSuchColumn {
@@ -295,8 +295,8 @@ impl Layout {
                 let mut possible = candidates.clone();
                 possible.extend(&by_their_unit);
                 possible.sort_unstable();
-                // A heading that names the quantity goes before one that names the sensor too; of a pair such as
-                // `Force (V)` and `Force (kN)` the one in a unit of the quantity is meant.
+                // A heading that names the quantity precedes one that also names the sensor. Of a pair such as `Force
+                // (V)` and `Force (kN)` the one with a unit of the quantity is used.
                 prefer(&mut candidates, |i| is_plain(header[i]) && !is_stopgap(header[i]));
                 prefer(&mut candidates, |i| is_plain(header[i]));
                 prefer(&mut candidates, |i| {
@@ -305,7 +305,8 @@ impl Layout {
                             u[i].as_ref().parse::<Unit>().is_ok_and(|u| u.dimension() == channel.dimension())
                         })
                 });
-                // Where no heading names it, the only column in a unit of it is meant; a displacement where there is no velocity either.
+                // If no heading names the channel, use the only column in a unit of the channel. For a displacement
+                // there must be no velocity either.
                 let wanted = match channel {
                     Channel::Displacement => {
                         !options.columns.contains_key(&Channel::Velocity)
@@ -319,7 +320,7 @@ impl Layout {
                         guessed.push((channel, header[index].to_string()));
                     }
                 }
-                // A current may be that of anything: only one with its unit is read.
+                // A current may be that of any device, so only a column with a unit of current is read.
                 let is_known = |i: &usize| {
                     let unit =
                         unit_of(at, line, channel, header[*i], &headings[*i], units.map(|u| u[*i..].iter()), options);
@@ -328,7 +329,7 @@ impl Layout {
                 if channel == Channel::Current && !(candidates.len() == 1 && candidates.iter().all(is_known)) {
                     continue;
                 }
-                // Several columns of clicks are those of a table of peaks, or of two adjusters.
+                // Several columns of clicks belong to a table of peaks or to two adjusters.
                 if channel == Channel::Setting && candidates.len() > 1 {
                     continue;
                 }
@@ -392,20 +393,20 @@ impl Layout {
     }
 }
 
-/// The question which of several columns is meant.
+/// Makes the error that asks the user to select one of several columns.
 fn several_columns(at: &Place, line: usize, channel: Channel, header: &[&str], several: &[usize]) -> RecordError {
     let headings = several.iter().take(LISTED).map(|i| header[*i].to_string()).collect();
     RecordError::SeveralColumns { at: at.clone(), line, channel, headings }
 }
 
-/// Keeps those that are better, where there are several and some are.
+/// Keeps only the better candidates, if there are several candidates and some are better.
 fn prefer(candidates: &mut Vec<usize>, better: impl Fn(usize) -> bool) {
     if candidates.len() > 1 && candidates.iter().any(|i| better(*i)) {
         candidates.retain(|i| better(*i));
     }
 }
 
-/// The unit of a column; none where nothing says it.
+/// Returns the unit of a column, or `None` if no source states it.
 fn unit_of<'a, S: AsRef<str> + 'a>(
     at: &Place,
     line: usize,
@@ -436,7 +437,7 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
         Heading::Channel(_, HeadingUnit::Unknown(text)) => return Err(unknown(text)),
         _ => {}
     }
-    // A column chosen by name may still carry its unit: `Load Cell 1 [kN]`.
+    // A column selected by name may still contain its unit: `Load Cell 1 [kN]`.
     let written = column.rsplit_once(['[', '(']).map(|(_, unit)| unit);
     let below = units.as_mut().and_then(|u| u.next()).map(|u| u.as_ref().trim()).filter(|u| !u.is_empty());
     let parsed = |text: &str| text.parse::<Unit>().ok().filter(|unit| unit.dimension() == channel.dimension());
@@ -461,17 +462,17 @@ pub(crate) struct Rows {
     by_name: HashMap<String, usize>,
     notes: Vec<Note>,
     budget: Budget,
-    /// When the table's time zero was, as [`Samples::begins`]. A column of dates says it too, and counts before it.
+    /// Date and time of the table's time zero, as [`Samples::begins`]. A column of dates has precedence.
     pub begins: Option<f64>,
-    /// What tells the order of day and month in its dates.
+    /// Evidence for the order of day and month in its dates.
     pub dates: Dates,
-    /// What the file says of the tests beside their figures.
+    /// Statements of the file about the tests in addition to their figures.
     pub about: TestMetadata,
 }
 
 impl Rows {
     pub fn new(at: Place, name: String, layout: Layout, budget: &Budget) -> Self {
-        // Paid by the first row: what is used up stays so.
+        // The first row reports an exhausted budget, because a budget stays exhausted.
         let names = layout.columns.iter().map(|c| &c.heading).chain(&layout.ignored);
         let _ = budget.hold(512 + names.map(|name| name.len() as u64 + 64).sum::<u64>());
         let values = vec![Vec::new(); layout.columns.len()];
@@ -492,12 +493,12 @@ impl Rows {
         }
     }
 
-    /// Whether no row is there yet.
+    /// Returns whether there are no rows yet.
     pub fn is_empty(&self) -> bool {
         self.lines.is_empty()
     }
 
-    /// Says something of the tests to come.
+    /// Adds a note to the tests of these rows.
     pub fn note(&mut self, kind: &'static str, text: Sentence) {
         self.notes.push(Note { kind, text });
     }
@@ -509,7 +510,7 @@ impl Rows {
     /// Adds a row: one value per column of the layout in the file's units, and the text of the test column.
     ///
     /// # Errors
-    /// Where the file has used up its budget.
+    /// The file has exhausted its budget.
     pub fn push(
         &mut self,
         line: usize,
@@ -523,7 +524,7 @@ impl Rows {
             column.push(channel.unit.to_si(value));
         }
         if let Some(test) = test {
-            // Tests mostly come in blocks: look at the last one first.
+            // The rows of a test are mostly consecutive, so compare with the last test first.
             let test = test.trim();
             let index = match self.tests.last() {
                 Some(&last) if self.names[last] == test => last,
@@ -546,7 +547,7 @@ impl Rows {
         charged.map_err(|exhausted| exhausted.into_error(&self.at))
     }
 
-    /// The tests that the rows hold. `sample_time` stands in for a missing time column.
+    /// Returns the tests in the rows. `sample_time` replaces a missing time column.
     pub fn finish(mut self, sample_time: Option<f64>) -> Result<Vec<Samples>, RecordError> {
         if self.lines.is_empty() {
             return Err(RecordError::NoData { at: self.at });
@@ -587,7 +588,7 @@ impl Rows {
         } else {
             vec![(self.name.clone(), self.at.clone(), None)]
         };
-        // What stands beside the figures is kept with every test.
+        // Notes and metadata are stored with every test.
         let beside = 256
             + notes.iter().map(|note| note.text.to_string().len()).sum::<usize>()
             + [&self.about.part, &self.about.serial, &self.about.tester, &self.about.rig]

@@ -1,4 +1,4 @@
-//! A test whose samples are sound and whose motion is complete.
+//! A test with valid samples and complete motion.
 
 use super::cycle::Cycle;
 use super::measurement_error::MeasurementError;
@@ -8,7 +8,7 @@ use super::test_metadata::TestMetadata;
 use crate::error::Place;
 use crate::quantities::setting_value::Setting;
 
-/// A test whose samples are sound and whose motion is complete, still in the file's signs and untrimmed.
+/// A test with valid samples and complete motion, still with the file's signs and untrimmed.
 #[derive(Debug, Clone)]
 pub(crate) struct Motion {
     pub at: Place,
@@ -28,19 +28,19 @@ pub(crate) struct Motion {
     /// See [`Record::setting_signal`](super::record::Record::setting_signal).
     pub setting_signal: Option<SettingSignal>,
     pub cycles: Vec<Cycle>,
-    /// What the user gave; the force of the mass that moves between load cell and damper is still in the channel.
+    /// Error stated by the user. The force channel still contains the inertia of the mass between load cell and damper.
     pub stated_error: MeasurementError,
     pub notes: Vec<Note>,
 }
 
 impl Motion {
-    /// Sample range of the steady part: from the first whole cycle to the last, or everything.
+    /// Returns the sample range of the steady part: from the first whole cycle to the last, or all samples.
     pub fn steady(&self) -> std::ops::Range<usize> {
         steady(&self.cycles, self.time.len())
     }
 }
 
-/// Sample range from the first whole cycle to the last, or everything.
+/// Returns the sample range from the first whole cycle to the last, or all samples.
 pub(crate) fn steady(cycles: &[Cycle], samples: usize) -> std::ops::Range<usize> {
     match (cycles.first(), cycles.last()) {
         (Some(first), Some(last)) => first.start..last.end,

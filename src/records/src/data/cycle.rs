@@ -1,4 +1,4 @@
-//! A whole cycle of a periodic test; [`crate::cleaning`] finds them.
+//! A whole cycle of a periodic test, as found by [`crate::cleaning`].
 
 /// One whole cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -7,9 +7,9 @@ pub(crate) struct Cycle {
     pub start: usize,
     /// One past the last sample.
     pub end: usize,
-    /// Time of the crossing at which it starts, between samples, s.
+    /// Time of the crossing at the start, between samples, s.
     pub start_time: f64,
-    /// Time of the crossing at which it ends, s.
+    /// Time of the crossing at the end, s.
     pub end_time: f64,
     /// Lowest displacement, m.
     pub low: f64,

@@ -1,11 +1,12 @@
-//! What a record is off by.
+//! Measurement error of a record.
 
-/// What a record is off by.
+/// Measurement error of a record: delay, inertia, and drift of gain and zero.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MeasurementError {
-    /// How late the force is, s.
+    /// Delay of the force, s.
     pub delay_s: f64,
-    /// Mass between load cell and damper, kg, that the load cell has to speed up with the damper's end.
+    /// Mass between load cell and damper, kg. The load cell measures the inertia force of this mass, which moves with
+    /// the damper's end.
     pub mass_kg: f64,
     /// Growth of the force's gain with the campaign's clock, 1/s.
     pub gain_per_s: f64,
@@ -14,11 +15,11 @@ pub struct MeasurementError {
 }
 
 impl MeasurementError {
-    /// Not off at all.
+    /// No measurement error.
     pub const NONE: MeasurementError =
         MeasurementError { delay_s: 0.0, mass_kg: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
 
-    /// What is left of it where some was taken out before.
+    /// Returns the remaining error after an earlier correction by `before`.
     pub fn beyond(&self, before: &MeasurementError) -> MeasurementError {
         MeasurementError {
             delay_s: self.delay_s - before.delay_s,

@@ -1,4 +1,4 @@
-//! One cleaned rig test: the channels in SI, rebound positive, and what is known about them.
+//! One cleaned rig test: the channels in SI, rebound positive, and the facts known about them.
 
 use super::measurement_error::MeasurementError;
 use super::rig_frame::RigFrame;
@@ -13,29 +13,32 @@ use std::sync::{Mutex, PoisonError};
 
 /// One test of a campaign after reading and cleaning.
 ///
-/// All channels have the same length. SI units, extension (rebound) velocity positive, tension force positive.
+/// All channels have the same length and SI units. Extension (rebound) velocity and tension force are positive.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Record {
     /// Name of the test: the file stem, or the value of the test column.
     pub name: String,
-    /// Where it was read from: path, and sheet or test column value.
+    /// Source of the test: path, and sheet or test column value.
     pub source: String,
     /// Time, s, strictly increasing.
     #[serde(skip)]
     pub time: Vec<f64>,
-    /// Date and time of the record's time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
+    /// Date and time of the record's time zero, s since 1970 by the rig's own clock, if the file states it. A value
+    /// below one day is a time of an unknown day.
     #[serde(default)]
     pub begins: Option<f64>,
-    /// Part, serial number, tester and rig, where the file says them.
+    /// Part, serial number, tester and rig, if the file states them.
     #[serde(default, skip_serializing_if = "TestMetadata::is_empty")]
     pub about: TestMetadata,
-    /// What the damper was set to, where a channel or the name of the test says it.
+    /// Setting of the damper, if a channel or the name of the test states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting: Option<Setting>,
-    /// The setting over time, where a channel shows it to change within the test; then it has no [`Record::setting`].
+    /// Signal of a setting that changes within the test, if a channel shows a change. [`Record::setting`] is then
+    /// `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting_signal: Option<SettingSignal>,
-    /// The campaign's clock at the record's time zero, s: 0 where each record has a clock of its own or all run on one already.
+    /// The campaign's clock at the record's time zero, s. It is 0 if each record has its own clock or all records share
+    /// one.
     #[serde(default)]
     pub clock_s: f64,
     /// Damper displacement, m.
@@ -44,24 +47,24 @@ pub struct Record {
     /// Damper velocity, m/s.
     #[serde(skip)]
     pub velocity: Vec<f64>,
-    /// Length of the window in which the velocity was taken from the displacement, s; 0 where the file has a velocity.
+    /// Length of the window for deriving the velocity from the displacement, s; 0 if the file has a velocity.
     #[serde(skip)]
     pub velocity_window_s: f64,
     /// Damper force, N.
     #[serde(skip)]
     pub force: Vec<f64>,
-    /// Side force, N, where the rig measured it.
+    /// Side force, N, if the rig measured it.
     #[serde(skip)]
     pub side_force: Option<Vec<f64>>,
-    /// Damper temperature, °C, where the rig measured it.
+    /// Damper temperature, °C, if the rig measured it.
     #[serde(skip)]
     pub temperature: Option<Vec<f64>>,
-    /// Sample ranges of the whole cycles (between upward zero crossings of the displacement about its
-    /// mean); empty where the motion is not periodic.
+    /// Sample ranges of the whole cycles (between upward zero crossings of the displacement about its mean). Empty if
+    /// the motion is not periodic.
     pub cycles: Vec<std::ops::Range<usize>>,
     /// Displacement amplitude, m (half the peak-to-peak of a typical cycle).
     pub amplitude: f64,
-    /// Frequency of the cycles, Hz; 0 where the motion is not periodic.
+    /// Frequency of the cycles, Hz; 0 if the motion is not periodic.
     pub frequency: f64,
     /// Peak velocity, m/s (a robust maximum of |velocity|, not a single noisy sample).
     pub peak_velocity: f64,
@@ -69,46 +72,47 @@ pub struct Record {
     pub mean_displacement: f64,
     /// Noise of the force channel.
     pub noise: Noise,
-    /// What cleaning and derivation did or noticed, in the order it happened.
+    /// Actions and findings of cleaning and derivation, in chronological order.
     pub notes: Vec<Note>,
-    /// The fingerprint that it had when it was read, where something was taken out of it since.
+    /// Fingerprint of the record as read, if a correction was applied since.
     #[serde(skip)]
     pub original_fingerprint: Option<String>,
-    /// What the user said the measurement to be off by, and what was taken out of it therefore: a delay and a mass.
+    /// Measurement error stated by the user, for which the record is corrected: a delay and a mass.
     #[serde(skip)]
     pub stated_error: MeasurementError,
-    /// Delay of its force channel by a first look at its campaign, s; 0 where none stood out.
+    /// Delay of the force channel estimated from the campaign, s; 0 if not significant.
     #[serde(skip)]
     pub apparent_delay_s: f64,
-    /// How its file was read to count; `None` of a record that was in no file.
+    /// Positive direction with which its file was read. `None` for a record that was not read from a file.
     #[serde(skip)]
     pub counted: Option<Counted>,
-    /// How its rig counts its own position, and how far the campaign has gone.
+    /// Sign convention, zero, unit and range of its rig.
     #[serde(skip)]
     pub frame: RigFrame,
 }
 
-/// Which direction a file was read to count positive.
+/// Positive direction with which a file was read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counted {
     /// The direction.
     pub positive: Positive,
-    /// Whether the user said so; else it was worked out.
+    /// Whether the user stated the direction. Otherwise it was estimated.
     pub is_stated: bool,
 }
 
 impl Record {
-    /// From when to when it was measured, by the campaign's clock, s; nothing of a record without samples.
+    /// Returns start and end of the measurement on the campaign's clock, s. Returns `None` without samples.
     pub fn span(&self) -> Option<(f64, f64)> {
         Some((self.time.first()? + self.clock_s, self.time.last()? + self.clock_s))
     }
 
-    /// A short name for the content: tells whether two records hold the same measurement, whatever their file is called.
+    /// Returns a hash of the content. Equal hashes mean the same measurement, whatever the name of the file.
     pub fn fingerprint(&self) -> String {
         if let Some(as_read) = &self.original_fingerprint {
             return as_read.clone();
         }
-        // Not of the campaign's clock, which depends on the other records. FNV-1a over the bits of time and force.
+        // FNV-1a over the bits of time and force. The campaign's clock is excluded, because it depends on the other
+        // records.
         let hash = self.time.iter().chain(&self.force).fold(0xcbf2_9ce4_8422_2325u64, |hash, value| {
             value.to_bits().to_le_bytes().iter().fold(hash, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3))
         });
@@ -121,46 +125,46 @@ impl Record {
 pub struct Noise {
     /// Root mean square of the force noise of one sample, N.
     pub force_rms: f64,
-    /// Autocorrelation of that noise from one sample to the next, −1..1.
+    /// Autocorrelation of the noise from one sample to the next, −1..1.
     pub lag1: f64,
-    /// How it was estimated.
+    /// Method of the estimate.
     pub from: NoiseSource,
 }
 
-/// What a noise figure rests on.
+/// Basis of a noise estimate.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NoiseSource {
     /// Differences between repeated cycles at equal phase.
     CycleRepeat,
-    /// Too few cycles: high-pass differences of neighbouring samples.
+    /// High-pass differences of neighboring samples, if there are too few cycles.
     SampleDifferences,
     /// The record is too short for either.
     #[default]
     Unknown,
 }
 
-/// A kind of finding. As a name of its own, for serde takes a reference for something borrowed from what is read.
+/// A kind of finding. A separate name is necessary because serde would otherwise borrow the text from its input.
 pub type Kind = &'static str;
 
-/// One thing that cleaning or derivation did to a record, or noticed in it.
+/// An action or finding of cleaning or derivation on a record.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Note {
     /// Kind of finding, one word in snake case (`trimmed`, `clipped`, `frozen`, `duplicated`, `out_of_order`,
     /// `outlier`, `drift`, `derived`, `converted`, ...).
     #[serde(deserialize_with = "known_kind")]
     pub kind: Kind,
-    /// What a person reads, with figures.
+    /// Text for readers, with figures.
     pub text: Sentence,
 }
 
 impl Note {
-    /// Whether it is a warning: a result may be wrong where nobody acts on it.
+    /// Returns whether the note is a warning: without a reaction a result may be wrong.
     pub fn is_loud(&self) -> bool {
         ["sign_unsure", "settings", "setting_name", "changing_setting", "cut_off"].contains(&self.kind)
     }
 
-    /// Whether it tells of damage to a record or of what was only guessed of it, and not of routine.
+    /// Returns whether the note reports damage to a record or an assumption, and not a routine step.
     pub fn is_of_damage(&self) -> bool {
         [
             "clipped",
@@ -179,7 +183,7 @@ impl Note {
     }
 }
 
-/// A kind read back, as a word that lasts: there are some dozens of kinds, each of which is kept once.
+/// Reads a kind as a static text. Each of the few dozen kinds is stored once.
 fn known_kind<'de, D: Deserializer<'de>>(from: D) -> Result<Kind, D::Error> {
     static KINDS: Mutex<BTreeSet<Kind>> = Mutex::new(BTreeSet::new());
     let kind = String::deserialize(from)?;

@@ -1,24 +1,24 @@
-//! How a rig counts its own position, and how far it has gone.
+//! Coordinate frame of a rig's position, and the range of its tests.
 //!
-//! Tests that are proposed are stated in the direction, from the zero and in the unit of the files, and stay within what
-//! the rig has reached.
+//! Proposed tests use the sign convention, the zero and the unit of the files, and stay within the range of the
+//! recorded tests.
 
 use crate::numbers::restrict;
 use crate::quantities::unit::Unit;
 use crate::tuning::rig_frame::BEYOND;
 
-/// The rig's own count of displacement against that inside, and the reach of its tests.
+/// Transformation between the displacement of the files and the internal one, and the range of the tests.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigFrame {
-    /// 1 where the files count displacement rebound positive, −1 where they count it the other way.
+    /// 1 if displacement in the files is positive in rebound, −1 if it is positive in compression.
     pub turn: f64,
-    /// What the files show where displacement is zero, m.
+    /// Reading of the files at zero displacement, m.
     pub zero_m: f64,
     /// Factor on the displacement of the files.
     pub gain: f64,
-    /// Unit of lengths in a sentence: inches where the files count so, else millimetres.
+    /// Unit of lengths in messages: inches if the files use inches, else millimeters.
     pub unit: Unit,
-    /// Lowest and highest displacement of all tests, m, as counted inside.
+    /// Lowest and highest displacement of all tests, m, in internal coordinates.
     pub reach_m: (f64, f64),
     /// Highest peak velocity of all tests, m/s.
     pub speed_m_s: f64,
@@ -50,30 +50,30 @@ pub struct RigSine {
 }
 
 impl RigFrame {
-    /// A position as the files count it, m.
+    /// Converts a position to the coordinates of the files, m.
     pub fn position(&self, inside: f64) -> f64 {
         (self.zero_m + self.turn * inside) / self.gain
     }
 
-    /// A sine as the files count it.
+    /// Converts a sine to the coordinates of the files.
     pub fn count(&self, sine: RigSine) -> RigSine {
         RigSine { amplitude_m: sine.amplitude_m / self.gain, mean_m: self.position(sine.mean_m), ..sine }
     }
 
-    /// A sine within what the rig has reached, as counted inside.
+    /// Limits a sine to the range of the recorded tests, in internal coordinates.
     ///
-    /// One beyond its reach is moved or made smaller, and slower where it was too fast.
+    /// Shifts or reduces a sine that exceeds the range, and lowers the frequency of one that is too fast.
     pub fn restrict_sine(&self, sine: RigSine) -> RigSine {
         let (low, high) = self.reach_m;
         let amplitude = sine.amplitude_m.min((0.5 + BEYOND) * (high - low));
         let (lowest, highest) = (low + amplitude, high - amplitude);
-        // An amplitude of the whole reach leaves its middle alone.
+        // An amplitude of half the range or more allows only the middle as mean.
         let mean = if lowest <= highest { restrict(sine.mean_m, lowest, highest) } else { 0.5 * (low + high) };
         let fastest = (1.0 + BEYOND) * self.speed_m_s / (std::f64::consts::TAU * amplitude);
         RigSine { amplitude_m: amplitude, frequency_hz: sine.frequency_hz.min(fastest), mean_m: mean }
     }
 
-    /// The frame of the same files, counted the other way round.
+    /// Returns the frame with the opposite sign of displacement.
     pub(crate) fn reversed(&self) -> RigFrame {
         let (low, high) = self.reach_m;
         RigFrame { turn: -self.turn, reach_m: (-high, -low), ..*self }
@@ -94,9 +94,9 @@ mod tests {
             assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-4), "{a:?} {b:?}");
         };
         near(made(sine(0.01, 1.0, -0.005)), sine(0.01, 1.0, 0.105));
-        // As far as the rig goes, about its middle.
+        // The sine covers the whole range, about its middle.
         near(made(sine(0.08, 0.1, 0.0)), sine(0.0416, 0.1, 0.09));
-        // Slower, and moved until its end is reached: 510 mm/s over 10 mm of amplitude.
+        // The sine is slower, and shifted to the end of the range: 510 mm/s with 10 mm of amplitude.
         near(made(sine(0.01, 50.0, 0.045)), sine(0.01, 8.1169, 0.06));
         let anywhere = sine(0.01, 50.0, 0.045);
         assert_eq!(RigFrame::default().restrict_sine(anywhere), anywhere);

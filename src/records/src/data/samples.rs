@@ -1,4 +1,4 @@
-//! The samples of one test as they came from the file: SI, but with the file's signs and flaws.
+//! The samples of one test as read from the file: in SI, but with the file's signs and faults.
 
 use std::ops::Range;
 
@@ -20,11 +20,12 @@ pub(crate) struct Samples {
     /// Line (row, element) of every sample in its file, from 1.
     pub lines: Vec<usize>,
     pub time: Vec<f64>,
-    /// Date and time of its time zero, s since 1970 by the rig's own clock; below a day, of an unknown day. Where the file bears it.
+    /// Date and time of its time zero, s since 1970 by the rig's own clock, if the file states it. A value below one
+    /// day is a time of an unknown day.
     pub begins: Option<f64>,
-    /// What tells the order of day and month in that date.
+    /// Evidence for the order of day and month in that date.
     pub dates: Dates,
-    /// What the file says of it beside its figures.
+    /// Statements of the file about the test in addition to its figures.
     pub about: TestMetadata,
     pub force: Vec<f64>,
     pub displacement: Option<Vec<f64>>,
@@ -33,11 +34,11 @@ pub(crate) struct Samples {
     pub temperature: Option<Vec<f64>>,
     /// Current of an adjustable damper's valve, A.
     pub current: Option<Vec<f64>>,
-    /// What else the damper is set to, in the unit of its column.
+    /// Another setting of the damper, in the unit of its column.
     pub setting: Option<Vec<f64>>,
-    /// Headings of the channels that are there, as the file writes them.
+    /// Headings of the available channels, as the file writes them.
     pub headings: Vec<(Channel, String)>,
-    /// The units that the channels were read in.
+    /// The units in which the channels were read.
     pub units: Vec<(Channel, Unit)>,
     pub notes: Vec<Note>,
 }
@@ -47,7 +48,7 @@ impl Samples {
         self.time.len()
     }
 
-    /// With the date and time of its first sample, where its own times do not say it.
+    /// Adds the date and time of the first sample, if the time column does not state it.
     pub fn beginning(mut self, first: Option<f64>, dates: Dates) -> Samples {
         if self.begins.is_none() {
             let zero = self.time.iter().find(|t| t.is_finite());
@@ -61,13 +62,13 @@ impl Samples {
         self.notes.push(Note { kind, text });
     }
 
-    /// What the file calls a channel.
+    /// Returns the heading of a channel in the file.
     pub fn heading(&self, channel: Channel) -> String {
         let found = self.headings.iter().find(|(c, _)| *c == channel);
         found.map_or_else(|| channel.to_string(), |(_, heading)| heading.clone())
     }
 
-    /// A channel's values, where the record has it.
+    /// Returns a channel's values, if the record has the channel.
     pub fn channel(&self, channel: Channel) -> Option<&[f64]> {
         match channel {
             Channel::Time => Some(&self.time),
@@ -81,7 +82,7 @@ impl Samples {
         }
     }
 
-    /// The values of a channel, mutable.
+    /// Returns the values of a channel, mutable.
     pub fn channel_mut(&mut self, channel: Channel) -> Option<&mut Vec<f64>> {
         match channel {
             Channel::Time => Some(&mut self.time),
@@ -105,7 +106,7 @@ impl Samples {
         }
     }
 
-    /// The samples of a range as a record of its own, with all that is known of this one.
+    /// Returns the samples of a range as a record of its own, with all information about this one.
     pub fn piece(&self, span: Range<usize>) -> Samples {
         let cut = |values: &[f64]| values[span.clone()].to_vec();
         Samples {
@@ -129,7 +130,7 @@ impl Samples {
         }
     }
 
-    /// Keeps the samples for which `keep` holds.
+    /// Keeps the samples for which `keep` is true.
     pub fn retain(&mut self, keep: impl Fn(usize) -> bool) {
         let indices: Vec<usize> = (0..self.len()).filter(|&i| keep(i)).collect();
         if indices.len() < self.len() {

@@ -1,4 +1,4 @@
-//! A setting that changes within a test: steps of the current of a valve, or a current that never stays.
+//! A setting that changes within a test: steps of a valve's current, or a continuously varying current.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,35 +7,35 @@ use crate::messages::sentence::Sentence;
 use crate::numbers::{median, white_noise};
 use crate::quantities::setting_value::{as_set, with_setting_name};
 
-/// Tolerance of a level as a fraction of the range of the signal: a step of less than three times it is none.
+/// Tolerance of a level as a fraction of the signal's range. A step below three times the tolerance does not count.
 const LEVEL: f64 = 0.03;
 /// Tolerance of a level in standard deviations of the noise.
 const NOISE: f64 = 4.0;
-/// Tolerances by which successive levels differ at least: levels of a ramp differ by less.
+/// Smallest difference of successive levels, in tolerances. Levels of a ramp differ by less.
 const APART: f64 = 3.0;
-/// How many tolerances a sample of noise may lie off its level.
+/// Largest deviation of a noisy sample from its level, in tolerances.
 const OUTLIER: f64 = 2.0;
-/// Fewest samples of a level. A supply that is on its way shows fewer.
+/// Smallest number of samples of a level. A supply in transition shows fewer.
 const STAYS: usize = 5;
-/// Fraction of the samples that levels hold at least. A slow supply spends the others on its way.
+/// Smallest fraction of the samples at levels. A slow supply needs the other samples for its transitions.
 const COVERED: f64 = 0.9;
 
-/// How a setting changes within a test.
+/// Pattern of a setting that changes within a test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SettingPattern {
-    /// From level to level.
+    /// Steps between constant levels.
     Steps,
-    /// In any other way.
+    /// Any other change.
     Varying,
 }
 
 /// A change from one level to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SettingStep {
-    /// First sample that is not at the level before.
+    /// First sample after the previous level.
     pub index: usize,
-    /// End of the level after, exclusive.
+    /// End of the next level, exclusive.
     pub end: usize,
     /// Level before.
     pub from: f64,
@@ -43,23 +43,23 @@ pub struct SettingStep {
     pub to: f64,
 }
 
-/// A setting that changes within a test, as a channel shows it.
+/// A setting that changes within a test, from a channel.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SettingSignal {
-    /// What is set, such as `current`.
+    /// Name of the setting, such as `current`.
     pub name: String,
-    /// Its unit.
+    /// Unit of the setting.
     pub unit: String,
-    /// How it changes.
+    /// Pattern of the change.
     pub pattern: SettingPattern,
     /// Lowest and highest value.
     pub range: [f64; 2],
-    /// Its value at each sample of the record. At a level it is that of the level, without noise.
+    /// Value at each sample of the record. Within a level the value is that of the level, without noise.
     #[serde(skip)]
     pub values: Vec<f64>,
 }
 
-/// A stretch at one level.
+/// A range of samples at one level.
 #[derive(Debug, Clone, Copy)]
 struct Level {
     from: usize,
@@ -68,7 +68,7 @@ struct Level {
 }
 
 impl SettingSignal {
-    /// The signal of a channel. Missing values are those before them.
+    /// Makes the signal of a channel. Replaces missing values by the previous one.
     pub fn new(name: &str, unit: &str, channel: &[f64]) -> SettingSignal {
         let mut values = channel.to_vec();
         let mut last = channel.iter().copied().find(|v| v.is_finite()).unwrap_or(0.0);
@@ -88,7 +88,7 @@ impl SettingSignal {
         SettingSignal { name: name.to_owned(), unit: unit.to_owned(), pattern, range, values }
     }
 
-    /// The changes from level to level; none where it does not stay.
+    /// Returns the changes between levels, or none for a varying signal.
     pub fn steps(&self) -> Vec<SettingStep> {
         let of = |pair: &[Level]| SettingStep {
             index: pair[0].end,
@@ -99,13 +99,13 @@ impl SettingSignal {
         levels(&self.values).map_or_else(Vec::new, |levels| levels.windows(2).map(of).collect())
     }
 
-    /// The command in the step that ends at a sample. A change is as likely in the first half of it as in the second.
+    /// Returns the command in the step that ends at a sample. A change is equally likely in both halves of the step.
     pub fn command(&self, sample: usize) -> f64 {
         let at = |index: usize| self.values.get(index).copied().unwrap_or(0.0);
         0.5 * (at(sample.saturating_sub(1)) + at(sample))
     }
 
-    /// How it changes, in a sentence.
+    /// Describes the change in a sentence.
     pub fn describe(&self) -> Sentence {
         let text = match self.pattern {
             SettingPattern::Steps => Sentence::from(phrases::SETTING_STEPS).with("count", self.steps().len()),
@@ -117,20 +117,20 @@ impl SettingSignal {
         text.with("low", format!("{low:.2}")).with("high", high.trim_end())
     }
 
-    /// Largest and smallest value of a range of samples have this distance.
+    /// Returns the difference of the largest and the smallest value in a range of samples.
     pub fn swing(&self, range: std::ops::Range<usize>) -> f64 {
         let [low, high] = extremes(self.values.get(range).unwrap_or(&[]));
         (high - low).max(0.0)
     }
 
-    /// The signal at other samples, each the one of an index here.
+    /// Returns the signal at other samples, each given by its index in this signal.
     #[must_use]
     pub fn select(&self, indices: impl IntoIterator<Item = usize>) -> SettingSignal {
         let values = indices.into_iter().filter_map(|index| self.values.get(index).copied()).collect();
         SettingSignal { values, ..self.clone() }
     }
 
-    /// The signal with other values for the samples of its record.
+    /// Returns the signal with other values for the samples of its record.
     #[must_use]
     pub fn with_values(&self, values: Vec<f64>) -> SettingSignal {
         SettingSignal { values, ..self.clone() }
@@ -143,20 +143,20 @@ fn extremes(values: &[f64]) -> [f64; 2] {
     [low, high]
 }
 
-/// Most samples of the running median that takes noise out before levels are looked for. It keeps a step where it is, and loses levels of half as
-/// many samples.
+/// Largest width of the running median that reduces noise before the search for levels, samples. A median preserves the
+/// position of a step, but loses levels of up to half its width.
 const SMOOTHED: usize = 25;
 
-/// A signal without the white noise that hides its levels.
+/// A signal without the white noise that masks its levels.
 struct Smoothed {
     values: Vec<f64>,
-    /// How far values of a level may lie apart.
+    /// Largest difference of values within a level.
     tolerance: f64,
-    /// Samples of the running median; 1 where none was needed.
+    /// Width of the running median, samples; 1 if none was necessary.
     width: usize,
 }
 
-/// A running median, as short as it may be.
+/// Applies the shortest sufficient running median.
 fn without_noise(values: &[f64]) -> Smoothed {
     let smooth = |width: usize| -> Vec<f64> {
         let at = |k: usize| {
@@ -170,7 +170,7 @@ fn without_noise(values: &[f64]) -> Smoothed {
     loop {
         let smoothed = smooth(width);
         let [low, high] = extremes(&smoothed);
-        // The median of so many samples scatters by 1.25 over the root of their number.
+        // The median of n samples has 1.25/√n times their standard deviation.
         let left = if width == 1 { noise } else { 1.25 * noise / (width as f64).sqrt() };
         let of_range = LEVEL * (high - low);
         if NOISE * left <= of_range || width >= SMOOTHED.min(values.len()) {
@@ -181,7 +181,7 @@ fn without_noise(values: &[f64]) -> Smoothed {
     }
 }
 
-/// Puts the steps between levels where noise hides them: where the two levels leave least of the samples.
+/// Finds the steps between levels that noise masks: the position with the smallest residual about the two levels.
 fn place_steps(values: &[f64], levels: &mut [Level], width: usize) {
     for k in 1..levels.len() {
         let [before, after] = [levels[k - 1], levels[k]];
@@ -200,10 +200,10 @@ fn place_steps(values: &[f64], levels: &mut [Level], width: usize) {
     }
 }
 
-/// The levels of a signal that stays at levels.
+/// Returns the levels of a signal that consists of levels.
 fn levels(values: &[f64]) -> Option<Vec<Level>> {
     let Smoothed { values: smoothed, tolerance, width } = without_noise(values);
-    // Beside a step the median of noise leans towards the other level, for up to half its width.
+    // Next to a step the median of noisy samples is biased toward the other level, for up to half its width.
     let stays = STAYS.max(if width == 1 { 0 } else { width });
     let mut levels: Vec<Level> = Vec::new();
     let mut from = 0;
@@ -216,7 +216,7 @@ fn levels(values: &[f64]) -> Option<Vec<Level>> {
         if end - from >= stays {
             let value = median(&mut values[from..end].to_vec());
             match levels.last_mut() {
-                // A sample of noise beyond the tolerance ends no level.
+                // A noisy sample beyond the tolerance does not end a level.
                 Some(last)
                     if (last.value - value).abs() <= tolerance
                         && from - last.end < stays
@@ -259,7 +259,7 @@ mod tests {
         let steps = signal.steps();
         assert_eq!(steps.iter().map(|s| s.index).collect::<Vec<_>>(), [400, 800, 1200, 1600]);
         assert!((steps[0].from - 0.2).abs() < 1e-3 && (steps[0].to - 1.4).abs() < 1e-3);
-        // A level is free of noise.
+        // A level contains no noise.
         assert!(signal.swing(0..400) == 0.0 && signal.swing(390..410) > 1.0);
         let ramp: Vec<f64> = (0..2000).map(|k| 1e-3 * k as f64).collect();
         let sine: Vec<f64> = (0..2000).map(|k| 0.8 + 0.8 * libm::sin(0.01 * k as f64)).collect();
@@ -270,7 +270,7 @@ mod tests {
         }
     }
 
-    /// Noise of a thirtieth of the steps, as of a current clamp, hides none of them.
+    /// Noise of a thirtieth of the steps, as from a current clamp, masks none of them.
     #[test]
     fn noise_hides_no_step() {
         let mut seed = 1u32;
@@ -278,7 +278,7 @@ mod tests {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             f64::from(seed >> 8) / f64::from(1u32 << 24) - 0.5
         };
-        // Twelve uniform numbers are a normal one.
+        // The sum of twelve uniform numbers is nearly normal.
         let mut normal = || (0..12).map(|_| white()).sum::<f64>();
         for noise in [0.0, 0.01, 0.03, 0.05] {
             let levels = [0.3, 0.7, 1.1, 1.6, 0.3, 1.6, 0.7];
@@ -305,7 +305,7 @@ mod tests {
         let signal = SettingSignal::new("current", "A", &slow);
         assert_eq!(signal.pattern, SettingPattern::Steps);
         assert_eq!(signal.steps().len(), 1);
-        // On its way it is as measured.
+        // In a transition the signal has the measured values.
         assert!((signal.values[502] - slow[502]).abs() < 1e-12);
     }
 

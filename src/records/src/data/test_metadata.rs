@@ -1,9 +1,9 @@
-//! What the lines above a table say of the test beside its figures: which part was on the rig, and who measured it.
+//! Metadata of a test in the lines above its table, such as the part on the rig and the tester.
 
 use crate::quantities::unit::plain;
 use serde::{Deserialize, Serialize};
 
-/// What a file says of a test, as it is written there.
+/// Metadata of a test, as written in the file.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct TestMetadata {
@@ -13,7 +13,7 @@ pub struct TestMetadata {
     /// Serial number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub serial: Option<String>,
-    /// Who tested.
+    /// Name of the tester.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tester: Option<String>,
     /// The rig.
@@ -21,7 +21,7 @@ pub struct TestMetadata {
     pub rig: Option<String>,
 }
 
-/// What such lines begin with, without accents, in lower case with blanks between the words.
+/// Names of the entries, without accents, in lower case, with blanks between the words.
 const PART: &[&str] = &[
     "part",
     "part no",
@@ -110,16 +110,16 @@ const RIG: &[&str] = &[
     "试验机",
 ];
 
-/// Longer texts are no names.
+/// Longest entry, characters. Longer texts are no names.
 const LONGEST: usize = 80;
 
 impl TestMetadata {
-    /// From the lines above a table.
+    /// Reads the metadata from the lines above a table.
     pub(crate) fn of_lines<'a>(lines: impl Iterator<Item = &'a str>) -> TestMetadata {
         let mut about = TestMetadata::default();
         for line in lines {
             let line = line.trim_start().trim_start_matches(['#', '%', '/']).trim();
-            // A comma may belong to the value where something else stands behind the name.
+            // If another separator follows the name, a comma may belong to the value.
             let separator = line.chars().find(|c| "\t;:=|".contains(*c)).unwrap_or(',');
             if let Some((name, value)) = line.split_once(separator) {
                 let value = value.split(['\t', ';']).map(unquoted).find(|cell| !cell.is_empty());
@@ -129,9 +129,9 @@ impl TestMetadata {
         about
     }
 
-    /// From a row above the table of a workbook.
+    /// Reads the metadata from a row above the table of a workbook.
     ///
-    /// A name with the value in the next cell that is not empty, or both in one.
+    /// The value is in the next nonempty cell, or in the cell of the name.
     pub(crate) fn of_row(&mut self, cells: impl Iterator<Item = String>) {
         let cells: Vec<String> = cells.filter(|cell| !cell.trim().is_empty()).collect();
         match &cells[..] {
@@ -145,7 +145,7 @@ impl TestMetadata {
         }
     }
 
-    /// The first that is said counts.
+    /// Stores an entry, unless a previous one exists.
     fn take(&mut self, name: &str, value: &str) {
         if value.is_empty() || value.chars().count() > LONGEST {
             return;
@@ -161,7 +161,7 @@ impl TestMetadata {
         }
     }
 
-    /// Whether nothing is said.
+    /// Returns whether there are no entries.
     pub fn is_empty(&self) -> bool {
         *self == TestMetadata::default()
     }
@@ -192,7 +192,7 @@ mod tests {
         let english = TestMetadata::of_lines("\"Part Number\",\"A-17\"\nS/N: 9\n".lines());
         assert_eq!((english.part, english.serial), (some("A-17"), some("9")));
         assert_eq!(TestMetadata::of_lines("零件号\t4711\n".lines()).part, some("4711"));
-        // A description that merely begins so is none, and neither is an empty cell.
+        // Neither a description that merely begins with such a word nor an empty cell is an entry.
         assert!(TestMetadata::of_lines("Part of the campaign: 3\nTeil;;\n".lines()).is_empty());
         let mut row = TestMetadata::default();
         row.of_row(["Teil:", "", "4711"].map(str::to_owned).into_iter());

@@ -1,16 +1,16 @@
-//! Date and time of day as files write them, in a column of times or above the table, and how reports write them.
+//! Date and time of day: the notations of files, in a column or above the table, and the notation of reports.
 
 use super::date_order::DateOrder;
 
 /// Seconds of a day.
 pub(crate) const DAY: f64 = 86_400.0;
-/// The first instant of 1980, s since 1970: what clocks start from that were never set.
+/// The first instant of 1980, s since 1970, at which clocks start that were never set.
 pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
 
-/// When a test began, from the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one).
+/// Finds the start of a test in the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one).
 ///
-/// Seconds since 1970 by the rig's own clock. A line with both counts before a date and a time in lines of their own.
-/// Nothing without a date.
+/// Returns seconds since 1970 by the rig's own clock, or `None` without a date. A line with both has precedence over
+/// separate lines.
 pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Began<'a>> {
     let (mut date, mut time) = (None, None);
     let both = |(day, word): (f64, &'a str), time: f64| Began { at: day + time, date: Some(word) };
@@ -23,20 +23,20 @@ pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Began<'
     Some(both(date?, time?))
 }
 
-/// When a test began, s since 1970, and the date as it is written.
+/// Start of a test, s since 1970, and the date as written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Began<'a> {
     pub at: f64,
     pub date: Option<&'a str>,
 }
 
-/// The words of a line, a date and a time of day with a `T` between them as two.
+/// Splits a line into words. A date and a time of day joined by `T` give two words.
 pub(crate) fn words(line: &str) -> impl Iterator<Item = &str> {
     let is_between = |c: char| c.is_whitespace() || ",;\"'()[]=".contains(c);
     line.split(is_between).flat_map(|word| word.split('T')).filter(|word| !word.is_empty())
 }
 
-/// The first date and the first time of day in a line, s.
+/// Returns the first date and the first time of day in a line, s.
 fn date_and_time(line: &str) -> (Option<(f64, &str)>, Option<f64>) {
     let mut words = words(line).peekable();
     let (mut date, mut time) = (None, None);
@@ -54,7 +54,8 @@ fn date_and_time(line: &str) -> (Option<(f64, &str)>, Option<f64>) {
     (date, time)
 }
 
-/// A time since 1970 as reports write it, to the second: `2026-11-25 10:03:22`; below a day, which is of an unknown day, without the date.
+/// Formats a time since 1970 for reports, to the second: `2026-11-25 10:03:22`. A value below one day has an unknown
+/// date, so only the time is written.
 pub fn written(seconds: f64) -> String {
     let whole = seconds.floor();
     let (days, of_day) = ((whole / DAY).floor(), whole.rem_euclid(DAY));
@@ -67,7 +68,7 @@ pub fn written(seconds: f64) -> String {
     format!("{year:04}-{month:02}-{day:02} {time}")
 }
 
-/// Year, month and day of the number of a day (Hinnant, as in `number_of_day`).
+/// Converts the number of a day to year, month and day (Hinnant, as in `number_of_day`).
 fn civil(days: f64) -> (f64, f64, f64) {
     let days = days + 719_468.0;
     let era = (days / 146_097.0).floor();
@@ -82,7 +83,7 @@ fn civil(days: f64) -> (f64, f64, f64) {
     (year_of_era + era * 400.0 + f64::from(u8::from(month <= 2.0)), month, day)
 }
 
-/// A time since 1970 with day and month of its date exchanged; nothing where that is no date, or there is none.
+/// Exchanges day and month of a time since 1970. Returns `None` if there is no date or the result is no date.
 pub(crate) fn swapped(seconds: f64) -> Option<f64> {
     if !(seconds >= DAY && seconds.is_finite()) {
         return None;
@@ -92,10 +93,12 @@ pub(crate) fn swapped(seconds: f64) -> Option<f64> {
     Some(number_of_day(year, day, month)? * DAY + (seconds - days * DAY))
 }
 
-/// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`:
-/// with a date seconds since 1970, else since midnight. Nothing where the text is no such time.
+/// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`,
+/// `2024-03-01T12:34:56Z`.
+///
+/// Returns seconds since 1970 with a date, else since midnight. Returns `None` for any other text.
 pub fn seconds(text: &str) -> Option<f64> {
-    /// Longest time, bytes, with a date and the name of a day.
+    /// Longest text of a time, bytes, with a date and the name of a day.
     const LONGEST: usize = 100;
     if text.len() > LONGEST {
         return None;
@@ -110,7 +113,8 @@ pub fn seconds(text: &str) -> Option<f64> {
         Some((date, time)) => (Some(date.trim()), time),
         None => (None, text),
     };
-    // Minutes and seconds, as a spreadsheet shows the time of a run: the decimals tell them from hours and minutes.
+    // Minutes and seconds, as a spreadsheet shows the time of a run. The decimals distinguish them from hours and
+    // minutes.
     if let (None, None, Some((minutes, seconds))) = (date, half, time.split_once(':'))
         && seconds.contains(['.', ','])
         && !seconds.contains(':')
@@ -125,7 +129,7 @@ pub fn seconds(text: &str) -> Option<f64> {
     let seconds = match parts.next() {
         Some(text) if text.starts_with(|c: char| c.is_ascii_digit()) => text.replace(',', ".").parse::<f64>().ok()?,
         Some(_) => return None,
-        // `12:34` alone may be minutes and seconds as well; with a date it is a time of day.
+        // `12:34` alone may also be minutes and seconds. With a date it is a time of day.
         None if date.is_some() => 0.0,
         None => return None,
     };
@@ -146,24 +150,25 @@ fn whole(text: &str) -> Option<f64> {
     (!text.is_empty() && text.len() <= 4 && text.bytes().all(|b| b.is_ascii_digit())).then(|| text.parse().ok())?
 }
 
-/// A date, and what it may mean.
+/// A date, and its alternative reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Date {
-    /// Its number, days since 1970.
+    /// Number of the day, days since 1970.
     pub number: f64,
-    /// Which of day and month was taken as first, where the writing leaves it open and they differ.
+    /// Assumed order of day and month, if the text is ambiguous and the two differ.
     pub order: Option<DateOrder>,
-    /// Its number by the other order, where that is a date too.
+    /// Number of the day with day and month exchanged, if that is also a valid date.
     pub other: Option<f64>,
 }
 
-/// Number of a day, as [`date`] takes it.
+/// Returns the number of a day, as read by [`date`].
 fn day(text: &str) -> Option<f64> {
     date(text).map(|date| date.number)
 }
 
-/// Reads a date from year, month and day in the orders that the separators tell. Between strokes the month is taken as first where it can
-/// be, as in America, between hyphens the day; which of them is right [`crate::campaign::date_agreement`] settles.
+/// Reads a date from year, month and day. The separators determine the order. With slashes the month comes first if
+/// possible, as in America. With hyphens the day comes first. [`crate::campaign::date_agreement`] decides which order
+/// is right.
 pub(crate) fn date(text: &str) -> Option<Date> {
     let separator = text.chars().find(|c| !c.is_ascii_digit()).filter(|c| "-./".contains(*c))?;
     let parts: Vec<f64> = text.split(separator).map(whole).collect::<Option<_>>()?;
@@ -182,7 +187,7 @@ pub(crate) fn date(text: &str) -> Option<Date> {
     Some(Date { number, order: Some(order).filter(|_| a != b), other: other.filter(|_| a != b) })
 }
 
-/// Number of the day of a civil date (Hinnant, chrono-compatible low-level date algorithms, 2013).
+/// Returns the number of the day of a civil date (Hinnant, chrono-compatible low-level date algorithms, 2013).
 fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
     if !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
         return None;
@@ -195,7 +200,7 @@ fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
     Some(days - 719_468.0)
 }
 
-/// Times of day as seconds from the first one on, which is returned; a step back by most of a day is midnight.
+/// Makes times of day relative to the first one and returns the first. A step back by more than half a day is midnight.
 pub(crate) fn from_first(times: &mut [f64]) -> Option<f64> {
     let &first = times.iter().find(|t| t.is_finite())?;
     let (mut before, mut midnights) = (first, 0.0);

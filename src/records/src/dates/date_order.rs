@@ -1,20 +1,20 @@
-//! Which of day and month comes first in a date.
+//! Order of day and month in a date.
 
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
-/// Which of day and month comes first in a date that ends with the year.
+/// Order of day and month in a date that ends with the year.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DateOrder {
-    /// As in Europe: 25/11/2026.
+    /// European order: 25/11/2026.
     DayFirst,
-    /// As in America: 11/25/2026.
+    /// American order: 11/25/2026.
     MonthFirst,
 }
 
 impl DateOrder {
-    /// The name as the command line writes it.
+    /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             DateOrder::DayFirst => "day-first",

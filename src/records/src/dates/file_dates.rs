@@ -1,31 +1,31 @@
-//! What the dates of one file tell of the order of day and month.
+//! Evidence for the order of day and month in the dates of one file.
 
 use super::clock::{self, DAY};
 use super::date_order::DateOrder;
 use crate::numbers::range;
 
-/// What the dates of a file tell.
+/// Evidence from the dates of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Dates {
-    /// The date by which the test began, where it is one in either order.
+    /// Start date of the test, if it is valid in both orders.
     pub(crate) open: Option<Open>,
-    /// What another date of the file decides.
+    /// Order that another date of the file determines.
     pub(crate) decided: Option<DateOrder>,
-    /// How programs write dates that write numbers as this file does.
+    /// Order that programs with the number format of this file use.
     pub likely: Option<DateOrder>,
 }
 
-/// A date that is one in either order.
+/// A date that is valid in both orders.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Open {
     pub text: String,
     pub read: DateOrder,
-    /// From the date as it was read to the other one, s.
+    /// Difference of the other date from the date as read, s.
     pub shift: f64,
 }
 
 impl Dates {
-    /// Of lines above a table, the test of which began on the date `began`.
+    /// Collects the evidence of the lines above a table. The test began on the date `began`.
     pub fn of_lines<'a>(lines: impl Iterator<Item = &'a str>, began: Option<&str>) -> Dates {
         let mut dates = Dates::default();
         if let Some(began) = began {
@@ -37,7 +37,7 @@ impl Dates {
         dates
     }
 
-    /// Sees a date, or a date with a time, by which a test began, or one below it.
+    /// Evaluates a start date of a test, with or without a time, or a later date of the column.
     pub fn see(&mut self, text: &str) {
         let text = text.trim();
         let date = text.split([' ', 'T']).next().unwrap_or_default();
@@ -49,7 +49,7 @@ impl Dates {
         }
     }
 
-    /// Whether a date that is seen may still decide.
+    /// Returns whether a further date may still determine the order.
     pub fn is_open(&self) -> bool {
         self.open.is_some() && self.decided.is_none()
     }
@@ -60,10 +60,10 @@ impl Dates {
         }
     }
 
-    /// Takes the other order for the times of a column, s, where the order is open and they lie closer together by
-    /// it.
+    /// Uses the other order for the times of a column, s, if the order is ambiguous and the other order puts them
+    /// closer together.
     ///
-    /// No test goes on for a month. Dates that only one order reads stay.
+    /// No test takes a month. Dates that are valid in only one order stay unchanged.
     pub fn resolve_column(&mut self, times: &mut [f64]) {
         let Some(open) = self.open.as_mut().filter(|_| self.decided.is_none()) else { return };
         let other: Vec<f64> = times.iter().map(|time| clock::swapped(*time).unwrap_or(*time)).collect();

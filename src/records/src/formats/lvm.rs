@@ -1,7 +1,7 @@
-//! Reads LabVIEW measurement files (`.lvm`): a heading of keys for the file and one for every packet, then columns.
+//! Reads LabVIEW measurement files (`.lvm`): a heading of keys for the file and for every packet, then columns.
 //!
-//! Units stand in the heading of a packet, time in a column of its own, in one a channel, or as a step alone. A packet that goes on
-//! where the one before ended belongs to the same test; one that begins anew is another.
+//! The heading of a packet states the units. The time has one column, one column per channel, or only a step. A packet
+//! that continues the previous one belongs to the same test. A packet whose time restarts is another test.
 
 use crate::columns::delimiter::split;
 use crate::columns::table::{Layout, Rows, is_header, no_header, number};
@@ -15,12 +15,12 @@ use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
 use crate::tuning::lvm::TOGETHER;
 
-/// What a message calls these files.
+/// Name of these files in messages.
 const KIND: &str = "a LabVIEW measurement file";
-/// Ends a heading.
+/// End of a heading.
 const END: &str = "***End_of_Header***";
 
-/// Whether a text is such a file.
+/// Returns whether a text is such a file.
 pub(crate) fn is_one(text: &str) -> bool {
     text.starts_with("LabVIEW Measurement")
 }
@@ -30,25 +30,25 @@ struct Packet<'a> {
     /// Line of the column names, from 1.
     line: usize,
     names: Vec<String>,
-    /// Keys of its heading, each with a cell a column.
+    /// Keys of its heading, each with one cell per column.
     keys: Vec<Vec<String>>,
     /// Lines of figures with their numbers, from 1.
     rows: Vec<(usize, &'a str)>,
 }
 
 impl Packet<'_> {
-    /// What its heading says under a key of a column.
+    /// Returns the entry of its heading for a key and a column.
     fn said(&self, key: &str, column: usize) -> &str {
         let found = self.keys.iter().find(|cells| cells[0].trim() == key);
         found.and_then(|cells| cells.get(column)).map_or("", |cell| cell.trim())
     }
 
-    /// The number under a key of the first channel that has one.
+    /// Returns the number under a key for the first channel that has one.
     fn number(&self, key: &str) -> Option<f64> {
         (1..self.names.len()).find_map(|k| number(self.said(key, k), true).filter(|v| v.is_finite()))
     }
 
-    /// Charges looking up keys for every name, and every name for every row.
+    /// Charges the work of looking up the keys for every name, and the names for every row.
     fn charge(&self, budget: &Budget) -> Result<(), Exhausted> {
         let visits = self.names.len().saturating_mul(4 * self.keys.len() + self.rows.len());
         budget.work(10 * visits as u64)
@@ -58,13 +58,13 @@ impl Packet<'_> {
         self.names[column].trim() == "X_Value"
     }
 
-    /// Clock time at which it began, s from some midnight.
+    /// Returns the clock time of its start, s since 1970 or since midnight.
     fn clock(&self) -> Option<f64> {
         let column = (1..self.names.len()).find(|k| !self.said("Time", *k).is_empty())?;
         clock::seconds(&format!("{} {}", self.said("Date", column), self.said("Time", column)))
     }
 
-    /// What tells the order of day and month in its date.
+    /// Returns the evidence for the order of day and month in its date.
     fn dates(&self) -> Dates {
         let mut dates = Dates::default();
         (1..self.names.len()).for_each(|k| dates.see(self.said("Date", k)));
@@ -73,7 +73,7 @@ impl Packet<'_> {
     }
 }
 
-/// Reads the tests of a text that [`is_one`].
+/// Reads the tests of a text for which [`is_one`] is true.
 pub(crate) fn parse(
     at: &Place,
     name: &str,
@@ -97,7 +97,7 @@ pub(crate) fn parse(
     let step = first.number("Delta_X").filter(|step| *step > 0.0);
     let mut layout = Layout::new(at, first.line, &header, Some(&units), options, step.is_some() && !has_x)?;
     if !has_x && layout.columns.iter().all(|c| c.channel != crate::Channel::Time) {
-        // The time that the packets state is put behind the columns.
+        // The time that the packets state becomes the last column.
         layout.columns.push(crate::columns::table::Column {
             channel: crate::Channel::Time,
             index: usize::MAX,
@@ -170,10 +170,10 @@ pub(crate) fn parse(
     Ok(read)
 }
 
-/// What the column of time is called here.
+/// Heading of the time column.
 const TIME: &str = "Time [s]";
 
-/// The names of the columns as a heading: the first column of times is the time, further ones are left out.
+/// Returns the names of the columns as a heading. The first column of times is the time. Further ones are left out.
 fn header(packet: &Packet<'_>, options: &Options) -> Vec<String> {
     let given = options.columns.contains_key(&crate::Channel::Time);
     let filled = packet.rows.first().map(|(_, text)| split(text, b'\t')).unwrap_or_default();
@@ -195,7 +195,7 @@ fn header(packet: &Packet<'_>, options: &Options) -> Vec<String> {
         .collect()
 }
 
-/// Makes sure that channels with times of their own have the same ones.
+/// Checks that channels with their own times have equal times.
 fn same_clock(packet: &Packet<'_>, cells: &[String], has_x: bool, separator: u8) -> Result<(), ()> {
     if !has_x {
         return Ok(());
@@ -212,11 +212,11 @@ fn same_clock(packet: &Packet<'_>, cells: &[String], has_x: bool, separator: u8)
     }
 }
 
-/// The packets of a file.
+/// Splits a file into its packets.
 fn packets(text: &str, separator: u8) -> Vec<Packet<'_>> {
     let mut packets: Vec<Packet<'_>> = Vec::new();
     let mut keys: Vec<Vec<String>> = Vec::new();
-    // The heading of the file comes first, then those of packets.
+    // The heading of the file precedes those of the packets.
     let (mut of_file, mut in_heading, mut names_next, mut special) = (true, true, false, false);
     for (index, line) in text.lines().enumerate() {
         let line = line.trim_end_matches('\r');
@@ -254,7 +254,7 @@ mod tests {
     const FILE: &str = "LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\nDecimal_Separator\t.\n\
         Multi_Headings\tYes\nX_Columns\tOne\nTime_Pref\tRelative\nDate\t2024/03/01\nTime\t10:45:47.5\n***End_of_Header***\t\n\t\n";
 
-    /// The heading of a packet that began some seconds after 10:45:47.5.
+    /// Writes the heading of a packet that began `seconds` after 10:45:47.5.
     fn heading(seconds: f64, columns: &[&str]) -> String {
         let all = |text: &str| columns.iter().map(|_| format!("\t{text}")).collect::<String>();
         let time = format!("10:45:{:09.6}", 47.5 + seconds);

@@ -1,4 +1,4 @@
-//! File formats, one module each. A reader turns a file into samples.
+//! File formats, one module each. A reader converts a file to samples.
 
 pub(crate) mod csv;
 pub(crate) mod lvm;

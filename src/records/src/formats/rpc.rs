@@ -1,7 +1,7 @@
-//! Reads time histories of RPC III, the format of MTS test rigs and of their users.
+//! Reads time histories of RPC III, a format of MTS test rigs.
 //!
-//! Keys and values in records of 128 bytes, then groups of samples, channel after channel (MTS, RPC III file format,
-//! version 1).
+//! The header has keys and values in records of 128 bytes. Groups of samples follow, channel after channel (MTS, RPC
+//! III file format, version 1).
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use crate::error::RecordError;
 use crate::options::Options;
 use crate::source::Source;
 
-/// Bytes of a header block, of one entry in it, and of the key at the entry's beginning.
+/// Number of bytes of a header block, of one entry in it, and of the key at the beginning of the entry.
 const BLOCK: usize = 512;
 const ENTRY: usize = 128;
 const KEY: usize = 32;
@@ -35,7 +35,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         .map(|c| Ok((c.index, header.scale(c.index + 1)?)))
         .collect::<Result<_, String>>()
         .map_err(wrong)?;
-    // The layout takes no time column; the step stands in the header.
+    // The layout contains no time column, because the header states the time step.
     let mut rows = Rows::new(at, name.to_string(), layout, &source.budget);
     for row in 0..header.samples {
         let value = |(channel, scale): &(usize, f64)| scale * header.value(bytes, *channel, row);
@@ -44,7 +44,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     rows.finish(Some(header.step))
 }
 
-/// What the header says, with every size checked against the file.
+/// The header, with every size checked against the file.
 struct Header<'a> {
     entries: HashMap<String, &'a str>,
     channels: usize,
@@ -122,7 +122,7 @@ impl<'a> Header<'a> {
         }
         let groups = if group == 0 { 0 } else { samples.div_ceil(group) };
         let needed = groups.checked_mul(group).and_then(|n| n.checked_mul(channels));
-        // Each count is checked by itself too: another one of zero would make any product fit.
+        // Check each count separately too, because another count of zero would make any product fit.
         if channels == 0 || group == 0 || group > room || samples == 0 || needed.is_none_or(|n| n > room) {
             return Err(format!(
                 "its header announces {samples} samples of {channels} channels in groups of {group}, and the file holds {room} \
@@ -137,7 +137,7 @@ impl<'a> Header<'a> {
         self.entries.get(key).copied()
     }
 
-    /// What a channel's stored numbers are multiplied with; floating-point samples are in the unit already.
+    /// Returns the factor for a channel's stored numbers. Floating-point samples are already in the unit.
     fn scale(&self, channel: usize) -> Result<f64, String> {
         if !self.short {
             return Ok(1.0);
@@ -171,7 +171,7 @@ pub(crate) mod tests {
 
     use super::*;
 
-    /// A time history as a rig writes it: header of as many blocks as needed, groups of samples.
+    /// Writes a time history as a rig does: a header with the necessary number of blocks, then groups of samples.
     pub(crate) fn rpc(channels: &[(&str, &str, &[f64])], step: f64, short: bool, big_endian: bool) -> Vec<u8> {
         const FRAME: usize = 8;
         let group = 2 * FRAME;

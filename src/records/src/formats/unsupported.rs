@@ -1,8 +1,8 @@
-//! Files that rigs write in formats that are not read here, known by how they begin.
+//! File formats of rigs that are not supported, recognized by their first bytes.
 //!
-//! What each is, and what to save it as instead.
+//! Each entry states the format and a supported alternative.
 
-/// How a file begins, from some byte on.
+/// Signature of a format, from byte `at` on.
 struct Kind {
     at: usize,
     begins: &'static [u8],
@@ -48,19 +48,19 @@ const KINDS: &[Kind] = &[
 const CATMAN: std::ops::RangeInclusive<u16> = 5000..=5999;
 const OF_CATMAN: (&str, &str) = ("a binary file of catman", "export it from catman as ASCII, MDF 4 or MAT");
 
-/// All that is said of such files.
+/// Returns all texts about such files.
 pub(crate) fn words() -> impl Iterator<Item = &'static str> {
     KINDS.iter().flat_map(|kind| [kind.is, kind.instead]).chain([OF_CATMAN.0, OF_CATMAN.1])
 }
 
-/// What a file is that is not read, and what to do; nothing where it may be a text.
+/// Returns the format of an unsupported file and the advice. Returns `None` if the file may be a text.
 pub(crate) fn known(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     let head = &bytes[..bytes.len().min(80)];
     if let Some(kind) = KINDS.iter().find(|k| head.get(k.at..).is_some_and(|rest| rest.starts_with(k.begins))) {
         return Some((kind.is, kind.instead));
     }
     let first = u16::from_le_bytes([*head.first()?, *head.get(1)?]);
-    // Two letters of a text may be that number; the length that follows then is no small one.
+    // Two letters of a text may give the same number. The length that follows would then be large.
     let second = u32::from_le_bytes(head.get(2..6)?.try_into().ok()?);
     (CATMAN.contains(&first) && second < 1 << 24 && head.contains(&0)).then_some(OF_CATMAN)
 }

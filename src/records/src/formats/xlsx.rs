@@ -16,14 +16,14 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::source::{Budget, Exhausted, Source};
 
-/// Work of opening a sheet, of a cell beside its tags, and of a place in a row, in steps of the budget.
+/// Work of opening a sheet, of a cell in addition to its tags, and of a position in a row, in steps of the budget.
 const SHEET: u64 = 50_000;
 const CELL: u64 = 100;
 const PLACE: u64 = 20;
-/// Columns beyond this are left unread; rigs have fewer channels.
+/// Number of columns to read. Rigs have fewer channels.
 const COLUMNS: u32 = 1000;
 
-/// Reads the tests of all sheets of a workbook, cell by cell, so that neither sizes in its headers nor cells far out cost
+/// Reads the tests of all sheets of a workbook, cell by cell. Announced sizes and remote cells therefore need no
 /// memory.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, budget, .. } = &source;
@@ -37,7 +37,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         let wrong = |e: calamine::XlsxError| broken(format!("sheet '{sheet}': {e}"));
         let mut cells = match workbook.worksheet_cells_reader(sheet) {
             Ok(cells) => cells,
-            // Sheets of diagrams have no cells.
+            // Chart sheets have no cells.
             Err(calamine::XlsxError::WorksheetNotFound(_) | calamine::XlsxError::NotAWorksheet(_)) => continue,
             Err(error) => return Err(wrong(error)),
         };
@@ -72,9 +72,9 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     Ok(tests)
 }
 
-/// The cells of the first sheet that has any, row by row with its number, as text: for short tables.
+/// Returns the cells of the first nonempty sheet as text, by row with its number. Intended for short tables.
 pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
-    /// Rows beyond this are no short table.
+    /// Largest number of rows of a short table.
     const ROWS: usize = 10_000;
     let broken = |cause: String| RecordError::Workbook { file: source.file.clone(), cause };
     let mut workbook = open(source).map_err(broken)?;
@@ -114,30 +114,30 @@ fn open(source: &Source) -> Result<Xlsx<archive::Metered<'_>>, String> {
     Xlsx::new(metered).map_err(|e: calamine::XlsxError| e.to_string())
 }
 
-/// A cell's value of its own. Its text is charged, for thousands of cells may show one text.
+/// Copies a cell's value. Charges its text, because thousands of cells may share one text.
 fn copied(cell: &DataRef<'_>, budget: &Budget) -> Result<Data, Exhausted> {
     let text = match cell {
         DataRef::SharedString(text) => text.len(),
         DataRef::String(text) | DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => text.len(),
         _ => return Ok(Data::from(cell.clone())),
     };
-    // A row, its heading and what is said of it each have a copy.
+    // The row, its heading and its messages each have a copy.
     budget.hold(3 * text as u64)?;
     Ok(Data::from(cell.clone()))
 }
 
-/// One sheet while its rows come in.
+/// State of reading one sheet row by row.
 struct Sheet<'a> {
     at: Place,
     name: String,
     options: &'a Options,
-    /// The lines that a header was looked for in, and their numbers.
+    /// Lines in the search for the header, and their numbers.
     lines: Vec<(usize, Vec<String>)>,
     beside: Beside,
     budget: &'a Budget,
-    /// Rows looked at for a header, as text: they may say when the test began.
+    /// Rows in the search for the header, as text. They may state the start of the test.
     above: Vec<String>,
-    /// What they say of the test.
+    /// Metadata of the test in these rows.
     about: TestMetadata,
     header: Option<(u32, Vec<String>)>,
     units: Option<Vec<String>>,
@@ -161,7 +161,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// The next row, with its index from 0.
+    /// Processes the next row, with its index from 0.
     fn take(&mut self, index: u32, row: &[Data]) -> Result<(), RecordError> {
         if row.is_empty() {
             return Ok(());
@@ -230,7 +230,7 @@ impl<'a> Sheet<'a> {
             .filter(|c| c.channel != Channel::Time && !text_in(c))
             .filter_map(|c| row.get(c.index))
             .any(|cell| !is_empty(cell));
-        // What an acquisition writes between its rows may bear a time, but nothing else in figures.
+        // A message of the acquisition between rows may have a time, but no other figure.
         let column = match time {
             Some(time) if figures => Some(time).filter(text_in),
             _ => columns.iter().find(text_in),
@@ -244,7 +244,7 @@ impl<'a> Sheet<'a> {
         self.beside.row()?;
         let clocks: Vec<usize> = columns.iter().filter(|c| c.clock).map(|c| c.index).collect();
         for cell in clocks.iter().filter_map(|index| row.get(*index)) {
-            // A column of dates counts before the lines above it.
+            // A column of dates has precedence over the lines above the table.
             if rows.is_empty() {
                 rows.dates = Dates::default();
             }
@@ -268,7 +268,7 @@ impl<'a> Sheet<'a> {
         rows.push(line, values.into_iter(), test.as_deref())
     }
 
-    /// The tests of the sheet; none where it has no header.
+    /// Returns the tests of the sheet, or none without a header.
     fn finish(mut self) -> Result<Vec<Samples>, RecordError> {
         match (self.rows.take(), &self.header) {
             (Some(mut rows), _) => {
@@ -276,7 +276,7 @@ impl<'a> Sheet<'a> {
                 rows.finish(None)
             }
             (None, Some((line, header))) => {
-                // The header is judged even where no row follows.
+                // Check the header even if no row follows.
                 Layout::new(&self.at, *line as usize + 1, header, self.units.as_deref(), self.options, false)?;
                 Err(RecordError::NoData { at: self.at })
             }
@@ -289,7 +289,7 @@ fn is_empty(cell: &Data) -> bool {
     matches!(cell, Data::Empty) || cell.to_string().trim().is_empty()
 }
 
-/// Whether a cell holds a number or a time, or nothing, which is a missing number.
+/// Returns whether a cell contains a number or a time, or is empty, which is a missing number.
 fn is_figure(cell: Option<&Data>) -> bool {
     match cell {
         None | Some(Data::Empty | Data::Float(_) | Data::Int(_) | Data::Error(_)) => true,
@@ -297,9 +297,9 @@ fn is_figure(cell: Option<&Data>) -> bool {
     }
 }
 
-/// The time, s, of a cell that holds a date or a time, or the text of one.
+/// Returns the time, s, of a cell with a date or a time, or with such a text.
 ///
-/// With a date since 1970, else since midnight.
+/// With a date the time counts from 1970, else from midnight.
 fn clock_of(cell: &Data) -> Option<f64> {
     match cell {
         Data::DateTime(date) => Some(day_of(date).unwrap_or(0.0) + within_day(date)),
@@ -308,23 +308,23 @@ fn clock_of(cell: &Data) -> Option<f64> {
     }
 }
 
-/// The day of a cell that holds one, s since 1970, whether the workbook counts from 1900 or from 1904.
+/// Returns the day of a cell with a date, s since 1970, for workbooks with the epoch 1900 or 1904.
 fn day_of(date: &ExcelDateTime) -> Option<f64> {
     let (year, month, day, ..) = date.to_ymd_hms_milli();
     let has_day = date.is_datetime() && date.as_f64() >= 1.0;
     has_day.then(|| clock::seconds(&format!("{year:04}-{month:02}-{day:02} 00:00")))?
 }
 
-/// What a cell holds beside its day, s; of a duration or a time of day all.
+/// Returns the time of day of a cell, s, or the whole value of a duration.
 fn within_day(date: &ExcelDateTime) -> f64 {
     let days = date.as_f64();
     clock::DAY * if day_of(date).is_some() { days - days.floor() } else { days }
 }
 
-/// A cell as text; a date as date, a time of day as such.
+/// Formats a cell as text. A date gives a date, a time of day gives a time.
 fn with_its_date(cell: &Data) -> String {
     let Data::DateTime(date) = cell else { return cell.to_string() };
-    // Spreadsheets keep times as shares of a day, which no second is exactly.
+    // Spreadsheets store times as fractions of a day, which cannot represent seconds exactly.
     let time = (within_day(date) * 1e3).round() / 1e3;
     let text = clock::written(day_of(date).unwrap_or(0.0) + time);
     match text.split_once(' ') {
@@ -339,14 +339,14 @@ mod tests {
 
     use super::*;
 
-    /// CRC-32 as zip archives use it.
+    /// Computes the CRC-32 of zip archives.
     fn crc32(data: &[u8]) -> u32 {
         !data.iter().fold(!0_u32, |crc, &byte| {
             (0..8).fold(crc ^ u32::from(byte), |c, _| if c & 1 == 1 { (c >> 1) ^ 0xEDB8_8320 } else { c >> 1 })
         })
     }
 
-    /// An archive of stored (uncompressed) files.
+    /// Makes an archive of stored (uncompressed) files.
     fn zip(files: &[(String, String)]) -> Vec<u8> {
         let (mut out, mut directory) = (Vec::new(), Vec::new());
         for (name, text) in files {
@@ -376,12 +376,12 @@ mod tests {
         out
     }
 
-    /// A workbook; cells that are numbers are written as such, others as text.
+    /// Makes a workbook. Numbers become numeric cells, other texts become text cells.
     fn workbook(sheets: &[(&str, &[&[&str]])]) -> Vec<u8> {
         zip(&parts(sheets))
     }
 
-    /// The files in it.
+    /// Makes the files of a workbook.
     fn parts(sheets: &[(&str, &[&[&str]])]) -> Vec<(String, String)> {
         const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
         const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";

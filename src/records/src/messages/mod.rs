@@ -1,4 +1,4 @@
-//! The messages of this crate: their texts, and how values are put into them.
+//! The messages of this crate: their texts, and the insertion of values.
 
 pub mod newtons;
 pub(crate) mod phrases;

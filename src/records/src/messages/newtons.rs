@@ -1,23 +1,23 @@
-//! Forces in sentences.
+//! Formats forces in messages.
 
-/// Most decimals: a tenth of a millinewton, which no load cell of a damper shows.
+/// Largest number of decimals: a tenth of a millinewton, which no load cell of a damper resolves.
 const MOST: usize = 4;
 
-/// Whether a force is none in so many decimals.
+/// Returns whether a force is zero when rounded to [`MOST`] decimals.
 fn is_nothing(force: f64) -> bool {
     force.abs() < 0.5 * 10f64.powi(-(MOST as i32))
 }
 
-/// So many decimals, or as many as two digits of a force need.
+/// Returns the number of decimals for two digits of a force, at least `decimals`.
 ///
-/// Half a newton is nothing to a car's damper, and all that a small one has.
+/// Half a newton is negligible for a car's damper, but may be the whole force of a small one.
 pub fn places(force: f64, decimals: usize) -> usize {
-    // Two digits once it is rounded: 9.95 becomes 10.
+    // Two digits after rounding: 9.95 becomes 10.
     let needed = (decimals..=MOST).find(|&places| force.abs() * 10f64.powi(places as i32) >= 9.95);
     if is_nothing(force) { decimals } else { needed.unwrap_or(MOST) }
 }
 
-/// A force, N, with so many decimals, or as many as two digits need.
+/// Formats a force, N, with at least `decimals` decimals, and with more if two digits need them.
 pub fn newtons(force: f64, decimals: usize) -> String {
     let places = places(force, decimals);
     let force = if is_nothing(force) { 0.0 } else { force };

@@ -1,4 +1,4 @@
-//! Every text that reading says of records, in English, in one place: a language that lacks one of them is found by a test.
+//! All English texts of the messages about records in one list. A test finds texts without a translation.
 
 crate::phrases! {
     // Lists.
@@ -71,7 +71,7 @@ crate::phrases! {
     INTEGRATED: "displacement integrated from velocity, starting at {start} mm; velocity offset {offset} mm/s removed, which is a drift of {drift} mm over the record ({basis})";
     NOT_PERIODIC_ENDS: "the record is not periodic, so the damper is taken to end where it began";
     CYCLES_RETURN: "from whole cycles, in each of which the damper returns";
-    // What the user knows of the sensors.
+    // The user's corrections of the sensors.
     FORCE_ZERO: "force zero of {force} N taken off, as given";
     GAIN: "force multiplied by {gain}, as given";
     DISPLACEMENT_ZERO: "displacement zero of {displacement} mm taken off, as given";
@@ -96,11 +96,11 @@ crate::phrases! {
     SMALL_FORCE: "the force never changes by more than {force} N: is its unit right?";
     TORN: "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} mm/s of at most {peak} mm/s; if the file broke off, export it again, or leave it out with --exclude";
     TWINS: "{test} holds the same samples as {twin} and counts twice";
-    // A force that comes late.
+    // A delayed force.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
     LATE_NOT_MOVED: "{late}{energy}. Hysteresis counts as delay here: dashpot fit tells them apart and takes the delay out. Nothing was moved; to correct it without a fit give {option}";
     WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all} tests";
-    // The direction that the files count positive.
+    // The positive direction of the files.
     STANDSTILL: "force at standstill is {force} N ± {error} N as counted in the files; gas pushes the rod out, so that {verdict}";
     SPEAKS_FOR_TENSION: "speaks for tension positive (rebound)";
     SPEAKS_FOR_PUSH: "speaks for push positive (compression)";
@@ -133,7 +133,7 @@ crate::phrases! {
     ZERO_OFF: "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer";
     GIVEN: "{direction} positive was given";
     AGAINST_GIVEN: "{direction} positive was given, but the data speak for the opposite: {reasons}";
-    // What a campaign does without.
+    // Parts that a campaign leaves out.
     LEFT_OUT: "left out: {fault}";
     NO_RECORD: "left out, as it is no record: {fault}";
     FIRST_AND_MORE: "{first}; {count} more";
@@ -151,7 +151,7 @@ crate::phrases! {
     TAKEN_FOR: "'{column}' for {channel}";
     FIGURES_ALONE: " It holds {count} columns of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.";
     NO_DATA: "{at}: has a header but no data rows";
-    // What is wrong with what was asked for.
+    // Errors of the request.
     NOT_FOUND: "{file}: there is no such file or folder; check the path";
     CANNOT_READ: "{file}: cannot be read ({cause})";
     IS_PEAK_TABLE: "{file}: is a table of peaks and no record over time; dashpot import peaks {file} -o damper.toml makes a model of it";
@@ -185,20 +185,20 @@ crate::phrases! {
     MISSING_UNITS: "{at}, line {line}: no unit is given for {columns}; say it as the file has it, as in {options}{in_heading}. Understood are: {understood}";
     OR_IN_HEADING: ", or write it in each heading, as in 'Force [N]'";
     UNKNOWN_UNIT: "{at}, line {line}: column '{column}' has the unit '{unit}', which is not understood for {channel}; understood are {understood}. Give --unit {channel}=... if the heading is wrong";
-    // What speaks for swapped headings.
+    // Evidence for exchanged headings.
     TIME_STANDS: "the column read as time steps back or stands in {percent} % of the rows, the one read as {other} never does";
     SPANS: "displacement would span {displacement} mm and force {force} N";
     FORCE_SMOOTHER: "{spans}, and the force would be the smoother of the two";
     DERIVATIVE_OF_FORCE: "velocity is the derivative of the column read as force (correlation {with_force}), not of the one read as displacement ({with_displacement})";
     DISPLACEMENT_ROUGHER: "the column read as displacement is {times} times rougher than the one read as force, and the damper would feed energy; {spans}";
-    // What speaks for another unit.
+    // Evidence for another unit.
     TOO_QUICK: "{record} would move ±{amplitude} mm at {frequency} Hz for {seconds} s";
     TOO_LONG: "the fastest of {count} tests would reach {velocity} mm/s, the longest last {hours} h, with a sample every {step} s";
     TOO_STIFF: "no test would move more than ±{amplitude} mm, and {force} N at {velocity} mm/s would be a damping of {damping} N s/m";
     MIXED_CURRENT: "{record}: the current of the damper's valve would reach {current} A, and {others} A at most in the other tests; that speaks for mA under a heading of A. Correct the heading of this file, or leave it out with --exclude '{test}'; give --unit current=A to insist";
     TOO_MUCH_CURRENT: "the current of the damper's valve would reach {current} A";
     TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m";
-    // What no damper has.
+    // Figures that no damper has.
     ABSURD: "{record}: shows {what}, which no suspension damper has; {advice}";
     AN_AMPLITUDE: "an amplitude of {amplitude} m";
     A_VELOCITY: "a peak velocity of {velocity} mm/s";
@@ -241,7 +241,7 @@ crate::phrases! {
     CELL: "{at}, line {line}, column '{column}': '{text}' is no number{hint}";
     FIELDS: "{at}, line {line}: has {found} fields where the header has {expected}{hint}";
     CONTRADICTION: "{at}: displacement and velocity contradict each other: {cause}";
-    // What moves while a channel is frozen, and what to do.
+    // Motion of the other channels while a channel is frozen, and advice.
     DAMPER_MOVES: "the damper moves";
     VELOCITY_MOVES: "the velocity says it moves";
     FORCE_CHANGES: "the force changes";
@@ -250,14 +250,14 @@ crate::phrases! {
     READ_DISPLACEMENT_ONLY: "cut these rows, or read the displacement only: --ignore velocity";
     READ_VELOCITY_ONLY: "cut these rows, or read the velocity only: --ignore displacement";
     CUT_OR_MEASURE: "cut these rows or measure again";
-    // What to do about a clipped channel.
+    // Advice about a clipped channel.
     NO_OTHER_MOTION: "there is no other motion channel; measure again with a larger range";
     LARGER_RANGE: "measure again with a larger range of the load cell or its amplifier";
-    // Why a cell or a row may be wrong.
+    // Reasons for an invalid cell or row.
     WITHOUT_SEPARATORS: "; write it without thousands separators";
     FORMAT_AS_NUMBERS: "; format the cells as numbers";
     QUOTE_DECIMAL_COMMAS: "; decimal commas need quotes around the cells, or a semicolon or tab between the columns";
-    // How displacement and velocity contradict each other.
+    // Contradictions between displacement and velocity.
     VELOCITY_LATE: "'{column}' comes {lag} ms {side} the derivative of the displacement, as that of a filter does; it was not used, and velocity is taken from the displacement";
     BEHIND: "behind";
     AHEAD: "ahead of";

@@ -1,39 +1,42 @@
-//! Sentences that can be said in any language: an English text with the places of its values, and the values. Scripts and the terminal
-//! get the English; who writes for people looks the text up in another language and puts the same values in. A sentence that was written
-//! to a file in English is taken apart again by the templates that it was made of ([`Reader`]).
+//! Translatable sentences: an English text with placeholders, and the values of the placeholders.
+//!
+//! Scripts and the terminal get the English text. A user interface looks up the text in another language and inserts
+//! the same values. [`Reader`] recovers a sentence from a file in English with the templates from which it was made.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::{BTreeSet, HashSet};
 use std::fmt;
 
-/// A text with `{name}` where a value stands. Only [`phrases!`](super::phrases) makes them, so that its list holds every one.
+/// A text with a `{name}` for each value. Only [`phrases!`](super::phrases) makes templates, so that its list is
+/// complete.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Template(&'static str);
 
 impl Template {
-    /// For [`phrases!`](super::phrases) alone: a template that is in no list is in no test of the translations.
+    /// Makes a template. Only [`phrases!`](super::phrases) may call this function, because a template outside its list
+    /// is in no test of the translations.
     #[doc(hidden)]
     pub const fn listed(english: &'static str) -> Template {
         Template(english)
     }
 
-    /// The English text.
+    /// Returns the English text.
     pub fn english(self) -> &'static str {
         self.0
     }
 }
 
-/// A template taken to pieces once.
+/// A template split at its placeholders.
 #[derive(Debug)]
 struct Pieces {
     template: Template,
-    /// The text up to the first place.
+    /// The text before the first placeholder.
     first: &'static str,
-    /// Every place with the text behind it.
+    /// Each placeholder with the text that follows it.
     places: Vec<(&'static str, &'static str)>,
-    /// Letters that the template itself brings: the more, the surer is a text that fits it of it.
+    /// Number of bytes of the template's own text. The more there are, the more certain is a match.
     own: usize,
-    /// Whether it has a word of its own.
+    /// Whether the template contains a word of its own.
     speaks: bool,
 }
 
@@ -48,14 +51,16 @@ impl Pieces {
         Pieces { template, first, places, own, speaks }
     }
 
-    /// Whether a text begins and ends as this template does.
+    /// Returns whether a text begins and ends like this template.
     fn may_enclose(&self, text: &str) -> bool {
         text.starts_with(self.first) && self.places.last().is_none_or(|(_, behind)| text.ends_with(behind))
     }
 
-    /// What stands at the places in a text of this template. Where the text between two places occurs several times, the first one counts;
-    /// before the last place the last one, so that of `{name} {figure}` the name may hold spaces. Where there is no text between two
-    /// places, the second one begins where another sentence may (`begins`), or is empty.
+    /// Extracts the values of the placeholders from a text of this template.
+    ///
+    /// If the text between two placeholders occurs several times, the first occurrence counts. Before the last
+    /// placeholder the last occurrence counts, so that in `{name} {figure}` the name may contain spaces. Without a text
+    /// between two placeholders, the second one begins at the start of another sentence (`begins`), or is empty.
     fn taken_apart<'t>(&self, text: &'t str, begins: &dyn Fn(&str) -> bool) -> Option<Vec<(&'static str, &'t str)>> {
         let Some((last, between)) = self.places.split_last() else {
             return (text == self.first).then(Vec::new);
@@ -78,33 +83,34 @@ impl Pieces {
     }
 }
 
-/// The templates of a crate: `NAME: "text with {places}";`, each a constant, and `TEMPLATES` with all of them.
+/// Defines the templates of a crate: each `NAME: "text with {places}";` is a constant, and `TEMPLATES` contains all of
+/// them.
 #[macro_export]
 macro_rules! phrases {
     ($($name:ident: $text:literal;)*) => {
         $(pub(crate) const $name: $crate::sentence::Template = $crate::sentence::Template::listed($text);)*
-        /// Every text with places for values.
+        /// Every text with placeholders for values.
         pub(crate) const TEMPLATES: &[$crate::sentence::Template] = &[$($name),*];
     };
 }
 
-/// The English of templates, and words, each once.
+/// Returns the English texts of templates, and words, each once.
 pub fn each_once(templates: &[Template], words: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
     let mut known = BTreeSet::new();
     let all = templates.iter().map(|template| template.english()).chain(words);
     all.filter(|text| known.insert(*text)).collect()
 }
 
-/// A text that nobody can translate.
+/// A text without a translation.
 const AS_IT_IS: Template = Template("{text}");
 
-/// Places where a name stands, and a name may look like a number: a test may be called 2.5.
+/// Placeholders of names. A name may look like a number: a test may be called 2.5.
 const NAMES: &[&str] =
     &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
 
-/// Whether what stands at a place of a sentence is a number, which every language writes in its own way.
+/// Returns whether the value of a placeholder is a number, whose format depends on the language.
 ///
-/// A number alone, with a sign, or with a unit behind it. A name, an option of the command or a version is none.
+/// A number may have a sign and a unit after it. Names, command options and versions are not numbers.
 pub fn is_number(place: &str, text: &str) -> bool {
     let unsigned = text.trim_start_matches(['+', '-', '±', '\u{2212}']);
     let (figures, unit) = unsigned.split_once(char::is_whitespace).unwrap_or((unsigned, ""));
@@ -119,20 +125,20 @@ pub fn is_number(place: &str, text: &str) -> bool {
 /// Longest unit, letters: `N s²/m²` and the like.
 const LONGEST_UNIT: usize = 10;
 
-/// What stands at a place of a sentence.
+/// Value of a placeholder in a sentence.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Value {
-    /// A number ([`is_number`]), or a unit, a name of a test or an effect, which are the same in every language.
+    /// A number ([`is_number`]), a unit, or the name of a test or an effect. The text is equal in all languages.
     AsIs(String),
-    /// A word of this crate, such as a path; the same in every language where it is no word but a name.
+    /// A word of this crate, such as a path. It stays untranslated if it is a name.
     Word(String),
-    /// A sentence in the sentence.
+    /// A sentence within the sentence.
     Said(Sentence),
-    /// Several, with the text between them.
+    /// Several values, with a separator.
     List(Vec<Value>, Template),
 }
 
-/// A sentence. Serialized and shown, it is the English text; read back from that alone, it stays English.
+/// A sentence. Its serialized and displayed form is the English text. A deserialized sentence stays English.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Sentence {
     template: Template,
@@ -145,24 +151,24 @@ impl From<Template> for Sentence {
     }
 }
 
-/// What may be put into a sentence.
+/// Values of a sentence.
 impl Sentence {
-    /// With a number or a name.
+    /// Adds a number or a name.
     pub fn with(self, name: &'static str, value: impl ToString) -> Self {
         self.and(name, Value::AsIs(value.to_string()))
     }
 
-    /// With a word of this crate.
+    /// Adds a word of this crate.
     pub fn with_word(self, name: &'static str, word: &str) -> Self {
         self.and(name, Value::Word(word.to_owned()))
     }
 
-    /// With another sentence.
+    /// Adds another sentence.
     pub fn with_sentence(self, name: &'static str, sentence: impl Into<Sentence>) -> Self {
         self.and(name, Value::Said(sentence.into()))
     }
 
-    /// With another sentence where there is one; its place stays empty otherwise.
+    /// Adds another sentence if there is one. Otherwise the placeholder stays empty.
     pub fn with_any(self, name: &'static str, sentence: Option<Sentence>) -> Self {
         match sentence {
             Some(sentence) => self.with_sentence(name, sentence),
@@ -170,7 +176,7 @@ impl Sentence {
         }
     }
 
-    /// With names.
+    /// Adds a list of names.
     pub fn with_names<T: ToString>(
         self,
         name: &'static str,
@@ -181,22 +187,22 @@ impl Sentence {
         self.and(name, Value::List(list, between))
     }
 
-    /// With several sentences.
+    /// Adds a list of sentences.
     pub fn with_list(self, name: &'static str, list: Vec<Sentence>, between: Template) -> Self {
         self.and(name, Value::List(list.into_iter().map(Value::Said).collect(), between))
     }
 
-    /// Several sentences in one.
+    /// Joins several sentences into one.
     pub fn list(list: Vec<Sentence>, between: Template) -> Self {
         Sentence::from(AS_IT_IS).with_list("text", list, between)
     }
 
-    /// A text that stays as it is in every language.
+    /// Makes a sentence from a text that is equal in all languages.
     pub fn as_it_is(text: impl ToString) -> Self {
         Sentence::from(AS_IT_IS).with("text", text)
     }
 
-    /// The text that it was made of.
+    /// Returns the template of the sentence.
     pub fn template(&self) -> Template {
         self.template
     }
@@ -249,19 +255,20 @@ impl Value {
     }
 }
 
-/// Takes texts apart by the templates and words that they were made of.
+/// Parser of texts into the templates and words from which they were made.
 #[derive(Debug)]
 pub struct Reader {
     templates: Vec<Pieces>,
     words: HashSet<&'static str>,
-    /// What may stand between the values of a list.
+    /// Possible separators between the values of a list.
     between: Vec<Template>,
-    /// How a sentence begins that stands without a text before it: its template has a beginning of its own, which is no word.
+    /// Beginnings of sentences that may follow a value directly. Such a template begins with a separator, not with a
+    /// word.
     beginnings: Vec<&'static str>,
 }
 
 impl Reader {
-    /// One for texts of these.
+    /// Makes a reader for texts of these templates and words.
     pub fn new(templates: impl IntoIterator<Item = Template>, words: impl IntoIterator<Item = &'static str>) -> Reader {
         let templates: Vec<Pieces> = templates.into_iter().map(Pieces::new).collect();
         let between = templates.iter().filter(|t| t.places.is_empty()).map(|t| t.template).collect();
@@ -270,7 +277,8 @@ impl Reader {
         Reader { templates, words: words.into_iter().collect(), between, beginnings }
     }
 
-    /// A text taken apart, where templates and words fit it; what does not stays as it is. Its English is the text in any case.
+    /// Splits a text as far as templates and words match. Other parts stay unchanged. The English text of the result
+    /// always equals the input.
     pub fn read(&self, text: &str) -> Sentence {
         match self.value(text) {
             Value::Said(sentence) => sentence,
@@ -285,18 +293,20 @@ impl Reader {
         self.list(text).or_else(|| self.sentence(text).map(Value::Said)).unwrap_or_else(|| Value::AsIs(text.to_owned()))
     }
 
-    /// Whether a value is a word of the list or holds no letters.
+    /// Returns whether a value is a known word or contains no letters.
     fn is_known(&self, value: &str) -> bool {
         self.words.contains(value) || !value.chars().any(char::is_alphabetic)
     }
 
-    /// Whether a sentence that stands without a text before it may begin here.
+    /// Returns whether a sentence that may follow a value directly begins here.
     fn begins(&self, text: &str) -> bool {
         self.beginnings.iter().any(|beginning| text.starts_with(beginning))
     }
 
-    /// By the template that leaves least to its places. One without a word of its own, such as `{name} {figure}`, fits much: it counts where
-    /// its places hold words of the list, figures or a list of such.
+    /// Matches a text with the template that has the longest text of its own.
+    ///
+    /// A template without a word, such as `{name} {figure}`, matches many texts. It counts only if its values are known
+    /// words, figures or lists of these.
     fn sentence(&self, text: &str) -> Option<Sentence> {
         let mut fitting: Vec<_> = self
             .templates
@@ -311,7 +321,7 @@ impl Reader {
         Some(self.made_of(pieces, values))
     }
 
-    /// Several of one template, whose places hold words and figures.
+    /// Matches a list of sentences of one template whose values are words and figures.
     fn list(&self, text: &str) -> Option<Value> {
         let between = self.between.iter().filter(|between| text.contains(between.0));
         let lists = between.flat_map(|between| self.templates.iter().map(move |of| (between, of)));
@@ -324,7 +334,7 @@ impl Reader {
                         items.push(Value::Said(self.made_of(of, values)));
                         open.clear();
                     }
-                    // A name may hold what stands between names.
+                    // A name may contain the separator.
                     _ => open += between.0,
                 }
             }
@@ -332,7 +342,7 @@ impl Reader {
         })
     }
 
-    /// The sentence of a template with these texts at its places.
+    /// Makes the sentence of a template with these texts as values.
     fn made_of(&self, pieces: &Pieces, values: Vec<(&'static str, &str)>) -> Sentence {
         let values = values.into_iter().map(|(name, value)| (name, self.value(value))).collect();
         Sentence { template: pieces.template, values }
@@ -409,7 +419,7 @@ mod tests {
     #[test]
     fn values_keep_their_places_in_every_language() {
         let sentence = Sentence::from(TWO).with_names("names", ["a", "{place}"], AND).with_word("place", "rig");
-        // A name with braces is no place.
+        // A name with braces is no placeholder.
         assert_eq!(sentence.to_string(), "a and {place} in rig");
         assert_eq!(sentence.to_text(&german, &comma), "in Prüfstand: a und {place}");
         let noted = sentence.with_sentence("note", Sentence::from(NOTE).with("what", 3));

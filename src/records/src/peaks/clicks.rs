@@ -1,4 +1,5 @@
-//! Tables of peaks of an adjustable damper, with a column for every click (`C 10 clk`), or a column of clicks: one curve a click.
+//! Tables of peaks of an adjustable damper, with a column for every click (`C 10 clk`) or a column of clicks. Each
+//! click has one curve.
 
 use crate::columns::table::{HEADER_WITHIN, number};
 use crate::quantities::setting_value::CLICKS;
@@ -6,17 +7,17 @@ use crate::quantities::setting_value::CLICKS;
 /// Rows of a table with their numbers.
 pub(crate) type TableRows = Vec<(usize, Vec<String>)>;
 
-/// Where a table states its clicks.
+/// Positions of the clicks in a table.
 struct Layout {
-    /// Place of the heading among the rows.
+    /// Index of the heading among the rows.
     header: usize,
-    /// The click of every column that has one, and its heading without it.
+    /// For every column with a click: the click and the heading without it.
     columns: Vec<Option<(f64, String)>>,
-    /// The column that holds clicks.
+    /// The column of clicks.
     of_rows: Option<usize>,
 }
 
-/// The clicks of a table, each once, from low to high; nothing of a table without clicks.
+/// Returns the distinct clicks of a table in ascending order, or none for a table without clicks.
 pub(crate) fn clicks(rows: &[(usize, Vec<String>)]) -> Vec<f64> {
     let Some(layout) = layout(rows) else { return Vec::new() };
     let in_rows = rows[layout.header + 1..].iter().filter_map(|(_, cells)| number(cells.get(layout.of_rows?)?, true));
@@ -27,7 +28,7 @@ pub(crate) fn clicks(rows: &[(usize, Vec<String>)]) -> Vec<f64> {
     all
 }
 
-/// The table of one click: the columns of others are emptied, and their rows left out.
+/// Returns the table of one click: clears the columns of the others and removes their rows.
 pub(crate) fn only(mut rows: TableRows, wanted: f64) -> TableRows {
     let Some(layout) = layout(&rows) else { return rows };
     if let Some(of_rows) = layout.of_rows {
@@ -62,18 +63,18 @@ fn layout(rows: &[(usize, Vec<String>)]) -> Option<Layout> {
             let parts = parts(cell);
             parts.iter().any(|part| is_click(part)) && parts.iter().all(|part| number(part, true).is_none())
         });
-        // A heading has other columns too.
+        // A heading has further columns.
         let has_others = cells.len() > 1;
         let found = has_others && (columns.iter().flatten().count() > 0 || of_rows.is_some());
         found.then_some(Layout { header, columns, of_rows })
     })
 }
 
-/// The click that a heading states, and the rest of it: `C 10 clk` is 10 and `C`.
+/// Returns the click in a heading and the rest of the heading: `C 10 clk` gives 10 and `C`.
 fn click_of(cell: &str) -> Option<(f64, String)> {
     let parts = parts(cell);
     let word = parts.iter().position(|part| is_click(part))?;
-    // Before the word, or behind it.
+    // The number precedes or follows the word.
     let place = [word.checked_sub(1), Some(word + 1)].into_iter().flatten();
     let (at, click) = place.filter_map(|k| Some((k, number(parts.get(k)?, true).filter(|c| c.is_finite())?))).next()?;
     let rest = parts.iter().enumerate().filter(|(k, _)| *k != word && *k != at);
@@ -84,7 +85,7 @@ fn is_click(part: &str) -> bool {
     CLICKS.contains(&part.to_lowercase().as_str())
 }
 
-/// Words and numbers of a heading, parted from each other.
+/// Splits a heading into words and numbers.
 fn parts(cell: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     let mut before = ' ';

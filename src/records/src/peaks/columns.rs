@@ -1,5 +1,4 @@
-//! Finds the columns of velocities and forces in a table of peaks, their strokes, and which force belongs to which
-//! velocity.
+//! Finds the columns of velocities and forces in a table of peaks, their strokes, and the pairs of velocity and force.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -10,7 +9,7 @@ use crate::columns::table::{HEADER_WITHIN, is_units_row, number};
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::{Dimension, Unit};
 
-/// A direction of motion.
+/// Direction of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stroke {
     /// Extension.
@@ -20,7 +19,7 @@ pub enum Stroke {
 }
 
 impl Stroke {
-    /// Sign of its velocities and forces inside.
+    /// Returns the sign of its velocities and forces in the internal convention.
     pub fn sign(self) -> f64 {
         match self {
             Stroke::Rebound => 1.0,
@@ -28,7 +27,7 @@ impl Stroke {
         }
     }
 
-    /// Its name.
+    /// Returns the name of the direction.
     pub fn name(self) -> &'static str {
         match self {
             Stroke::Rebound => "rebound",
@@ -37,7 +36,7 @@ impl Stroke {
     }
 }
 
-/// What a column may be: a velocity or a force, of one stroke or of both.
+/// Possible meaning of a column: a velocity or a force, of one stroke or of both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PeakColumn {
     force: bool,
@@ -78,24 +77,24 @@ impl FromStr for PeakColumn {
     }
 }
 
-/// What the user says about a table of peaks; the default leaves everything to the table.
+/// Statements of the user about a table of peaks. By default all information comes from the table.
 #[derive(Debug, Clone, Default)]
 pub struct PeakOptions {
-    /// Which direction a table with signs counts positive; rebound if nothing is said.
+    /// Positive direction of a table with signs, rebound by default.
     pub positive: Option<crate::options::Positive>,
-    /// The click whose curve is read, of a table of an adjustable damper.
+    /// The click of the curve to read, for a table of an adjustable damper.
     pub clicks: Option<f64>,
-    /// Units of velocity and force; they win over the headings.
+    /// Units of velocity and force, which take precedence over the headings.
     pub units: BTreeMap<Channel, Unit>,
     /// Headings, or numbers from 1, of columns.
     pub columns: BTreeMap<PeakColumn, String>,
 }
 
 impl PeakOptions {
-    /// Takes a channel's unit from its text.
+    /// Sets the unit of a channel from its text.
     ///
     /// # Errors
-    /// A channel that no table of peaks has, and a unit that is none of it.
+    /// The channel is not in tables of peaks, or the unit does not measure the channel.
     pub fn unit_of(&mut self, channel: Channel, text: &str) -> Result<(), String> {
         if !matches!(channel, Channel::Velocity | Channel::Force) {
             return Err(format!("a table of peaks has velocity and force, no {channel}"));
@@ -112,35 +111,35 @@ impl PeakOptions {
 /// A column that is read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Taken {
-    /// Its place in the row, from 0.
+    /// Index in the row, from 0.
     pub index: usize,
-    /// Its heading.
+    /// Heading of the column.
     pub heading: String,
-    /// Its unit.
+    /// Unit of the column.
     pub unit: Unit,
 }
 
-/// Forces, and the velocities that they go with.
+/// A column of forces and the column of their velocities.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeakPair {
     /// The velocities.
     pub velocity: Taken,
     /// The forces.
     pub force: Taken,
-    /// The stroke that both are of; none where the signs tell it.
+    /// The stroke of both, or `None` if the signs determine the stroke.
     pub stroke: Option<Stroke>,
 }
 
-/// The columns of a table, and where its rows begin.
+/// The columns of a table, and its first row.
 pub(crate) struct Found {
-    /// Place of the heading among the rows; none where the table begins without one.
+    /// Index of the heading among the rows, or `None` for a table without a heading.
     pub header: Option<usize>,
-    /// Place of the first row below it.
+    /// Index of the first row below the heading.
     pub data: usize,
     pub pairs: Vec<PeakPair>,
 }
 
-/// Why no columns were found: the place of the row among the rows, and a sentence.
+/// Reason for which no columns were found: the index of the row, and a message.
 pub(crate) type Cause = (usize, String);
 
 /// Words for the strokes in headings.
@@ -173,28 +172,28 @@ const COMPRESSION: [&str; 11] = [
     "compressione",
     "compresion",
 ];
-/// Beginnings of words that Chinese and German write together with the quantity: `Zugkraft`, `Druckgeschwindigkeit`, 压缩力. The
-/// pressure that `Druck` means too is in no unit of force.
+/// Prefixes that Chinese and German join to the quantity: `Zugkraft`, `Druckgeschwindigkeit`, 压缩力. `Druck` also means
+/// pressure, which has no unit of force.
 const REBOUND_BEFORE: [&str; 4] = ["zug", "复原", "拉伸", "回弹"];
 const COMPRESSION_BEFORE: [&str; 2] = ["druck", "压缩"];
-/// Letters for rebound and compression, which mean a stroke only where the other one of the pair stands in the same
+/// Letters for rebound and compression. A letter indicates a stroke only if the other letter of the pair is in the same
 /// heading line.
 ///
-/// `V-C, C, V-R, R`. Alone, a `c` is as likely a damping coefficient and an `r` a correlation.
+/// An example is `V-C, C, V-R, R`. A single `c` may also be a damping coefficient, and a single `r` a correlation.
 const LETTERS: [(&str, &str); 6] = [("r", "c"), ("r", "b"), ("r", "j"), ("e", "c"), ("z", "d"), ("d", "c")];
 
-/// A column that may be taken.
+/// A possible column.
 #[derive(Debug, Clone)]
 struct Candidate {
     index: usize,
     what: PeakColumn,
-    /// None where neither heading, the row below nor the user says one.
+    /// `None` if neither the heading, nor the row below, nor the user states one.
     unit: Option<Unit>,
-    /// Whether the heading names the quantity and its stroke and nothing else.
+    /// Whether the heading names only the quantity and its stroke.
     plain: bool,
 }
 
-/// A velocity, the force that goes with it, and the stroke of both.
+/// A velocity, its force, and the stroke of both.
 type Chosen<'a> = (&'a Candidate, &'a Candidate, Option<Stroke>);
 
 /// Finds the heading line and the columns in it.
@@ -206,7 +205,8 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     for (k, (_, cells)) in rows.iter().enumerate().take(HEADER_WITHIN) {
         let below = rows.get(k + 1).map(|row| &*row.1).filter(|row| is_units_row(row));
         let candidates = candidates(cells, below, options);
-        // A line is the heading as well where the user names a column by what stands in it: RO and CO say nothing by themselves.
+        // A line is also the heading if the user names a column by its text, because RO and CO alone are not
+        // recognized.
         let asked = |(what, text): (&PeakColumn, &String), force: bool| {
             what.force == force && text.trim().parse::<f64>().is_err() && cells.iter().any(|cell| is_headed(cell, text))
         };
@@ -233,7 +233,7 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     }))
 }
 
-/// The columns where the user gives every one of them by its number: then the table needs no heading.
+/// Returns the columns if the user gives all of them by number. The table then needs no heading.
 fn numbered(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Result<Option<Found>, Cause> {
     let given: Option<Vec<(PeakColumn, usize)>> = options
         .columns
@@ -264,7 +264,7 @@ fn numbered(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Result<Opti
     Ok(Some(Found { header: data.checked_sub(1), data, pairs }))
 }
 
-/// What the columns of a heading line may be.
+/// Returns the possible columns of a heading line.
 fn candidates(cells: &[String], below: Option<&[String]>, options: &PeakOptions) -> Vec<Candidate> {
     let says: Vec<Vec<String>> = cells.iter().map(|cell| words(cell)).collect();
     let letters = LETTERS.into_iter().find(|(rebound, compression)| {
@@ -280,12 +280,12 @@ fn candidates(cells: &[String], below: Option<&[String]>, options: &PeakOptions)
             Heading::Test | Heading::SampleTime(_) | Heading::SampleRate => true,
             Heading::Unknown => false,
         };
-        // `Extension` is a displacement to records; in a table of peaks, which has none, it is the stroke.
+        // In records `Extension` is a displacement. Tables of peaks have no displacement, so it is the stroke.
         let other = other && !matches!(read, Heading::Channel(Channel::Displacement, _));
         let stroke = stroke(words, cell, letters);
         let unit = unit(cell).or_else(|| below.and_then(|row| row.get(index)).and_then(|c| c.parse().ok()));
         let named = quantity(words);
-        // What is in m/s is a velocity, whatever it is called; what is in N may be a hysteresis.
+        // A column in m/s is a velocity under any heading. A column in N may be a hysteresis.
         let force = match (unit.map(Unit::dimension), named) {
             (Some(Dimension::Speed), _) => false,
             (Some(Dimension::Force), Some(false)) => continue,
@@ -324,12 +324,12 @@ fn candidate(
     Candidate { index, what, unit: given.or(own), plain }
 }
 
-/// Whether a column is headed by what the user calls it, its unit aside.
+/// Returns whether a heading equals the user's name for a column, except for its unit.
 fn is_headed(cell: &str, wanted: &str) -> bool {
     cell.trim().eq_ignore_ascii_case(wanted.trim()) || without_unit(cell) == without_unit(wanted)
 }
 
-/// The candidates with those that the user names in the place of others of their kind.
+/// Replaces candidates by the columns that the user names for the same quantity and stroke.
 fn named(
     mut candidates: Vec<Candidate>,
     cells: &[String],
@@ -355,7 +355,8 @@ fn named(
                 ));
             }
         };
-        // Of its kind no other is taken: one of a stroke takes the place of those of that stroke and of both, one of both that of all.
+        // A named column of one stroke replaces the candidates of that stroke and of both strokes. A named column of
+        // both strokes replaces all candidates of its quantity.
         candidates.retain(|c| {
             let of_kind = c.what.force == what.force
                 && (what.stroke.is_none() || c.what.stroke.is_none() || c.what.stroke == what.stroke);
@@ -368,15 +369,16 @@ fn named(
     Ok(candidates)
 }
 
-/// The forces with their velocities, and the stroke of both.
+/// Pairs the forces with their velocities, and determines the stroke of each pair.
 fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen<'a>>, String> {
     let velocities: Vec<&Candidate> = candidates.iter().filter(|c| !c.what.force).collect();
     let forces: Vec<&Candidate> = candidates.iter().filter(|c| c.what.force).collect();
     let of = |stroke: Option<Stroke>| forces.iter().filter(move |c| c.what.stroke == stroke).count();
-    // Where each stroke has its forces, a force beside them is that of the gas or of friction.
+    // If each stroke has its forces, a force without a stroke is that of gas or friction.
     let both = of(Some(Stroke::Rebound)) > 0 && of(Some(Stroke::Compression)) > 0;
     let forces: Vec<&Candidate> = forces.into_iter().filter(|c| !both || c.what.stroke.is_some()).collect();
-    // One velocity for all, or one before each force: then the place tells which.
+    // There is one velocity for all forces, or one before each force. In the second case the position determines the
+    // pairs.
     let before = |force: &Candidate| velocities.iter().rfind(|v| v.index < force.index).copied();
     let each = velocities.len() == forces.len() && {
         let mut used: Vec<Option<usize>> = forces.iter().map(|f| before(f).map(|v| v.index)).collect();
@@ -414,8 +416,10 @@ fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen
     Ok(chosen)
 }
 
-/// How to say which of several columns is meant. What is of no stroke may be one of each, and is asked for so; a column that is named for both
-/// strokes would take the place of the other one.
+/// Formulates the request to select one of several columns.
+///
+/// Columns without a stroke may be one for each stroke, so the request names both strokes. A column named for both
+/// strokes would replace the other one.
 fn asked(what: PeakColumn, of: &[&Candidate], cells: &[String]) -> String {
     let given = |what: PeakColumn, column: &Candidate| format!("--column {what}={}", by_name(column.index, cells));
     match (what.stroke, of) {
@@ -433,14 +437,14 @@ fn asked(what: PeakColumn, of: &[&Candidate], cells: &[String]) -> String {
     }
 }
 
-/// A column by its heading; by its number where another one has the same, or where there is none.
+/// Refers to a column by its heading, or by its number if the heading is empty or not unique.
 fn by_name(index: usize, cells: &[String]) -> String {
     let name = cells.get(index).map_or("", |cell| cell.trim());
     let alike = cells.iter().filter(|cell| without_unit(cell) == without_unit(name)).count();
     if name.is_empty() || alike > 1 { (index + 1).to_string() } else { format!("\"{name}\"") }
 }
 
-/// The one velocity that a force goes with.
+/// Returns the velocity that belongs to a force.
 fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Result<&'a Candidate, String> {
     let plain: Vec<&Candidate> = velocities.iter().filter(|c| c.plain).copied().collect();
     let force = cells.get(of.index).map_or("", |c| c.trim());
@@ -452,7 +456,7 @@ fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Re
         }
         ([first, ..], _) => {
             let columns = listed(velocities.iter().map(|c| &cells[c.index]));
-            // Of a force of both strokes there is one velocity alone.
+            // A force of both strokes has only one velocity.
             let how = match of.what.stroke {
                 Some(_) => asked(first.what, velocities, cells),
                 None => asked(first.what, &velocities[..1], cells),
@@ -462,7 +466,7 @@ fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Re
     }
 }
 
-/// The columns with their units.
+/// Returns the columns with their units.
 fn taken(chosen: &[Chosen<'_>], cells: &[String]) -> Result<Vec<PeakPair>, String> {
     let heading = |c: &Candidate| cells.get(c.index).map_or("", |c| c.trim()).to_owned();
     let all = || chosen.iter().flat_map(|(velocity, force, _)| [*velocity, *force]);
@@ -495,7 +499,7 @@ fn taken(chosen: &[Chosen<'_>], cells: &[String]) -> Result<Vec<PeakPair>, Strin
 }
 
 fn listed<'a>(headings: impl Iterator<Item = &'a String>) -> String {
-    /// Headings that are told; damaged files have thousands.
+    /// Largest number of headings in a message. Damaged files have thousands.
     const TOLD: usize = 20;
     headings.take(TOLD).map(|h| format!("'{}'", h.trim().escape_debug())).collect::<Vec<_>>().join(", ")
 }
@@ -505,7 +509,7 @@ fn said(what: PeakColumn) -> String {
     format!("{}{stroke}", what.channel())
 }
 
-/// Whether words speak of a force, true, or of a velocity, false.
+/// Returns `true` for words about a force, `false` for words about a velocity.
 fn quantity(words: &[String]) -> Option<bool> {
     let says = |channel: Channel, end: &str| {
         words.iter().any(|word| headings(channel).contains(&word.as_str()) || word.ends_with(end))
@@ -517,7 +521,7 @@ fn quantity(words: &[String]) -> Option<bool> {
     }
 }
 
-/// Whether a letter stands in a heading as a word of its own, and not as a unit such as the `C` of `T [C]`.
+/// Returns whether a letter is a separate word of a heading, and not a unit such as the `C` of `T [C]`.
 fn tells(words: &[String], cell: &str, letter: &str) -> bool {
     words.iter().any(|word| word == letter) && !(foreign_unit(cell, None) && quantity(words).is_none())
 }
@@ -535,18 +539,18 @@ fn stroke(words: &[String], cell: &str, letters: Option<(&str, &str)>) -> Option
     }
 }
 
-/// The parts of a heading that may be a unit, the last first.
+/// Returns the parts of a heading that may be a unit, the last first.
 fn parts(cell: &str) -> impl Iterator<Item = &str> {
     cell.rsplit(['[', ']', '(', ')', '{', '}', ' ', ',', '_', ';', ':']).map(str::trim).filter(|part| !part.is_empty())
 }
 
-/// The unit of a speed or force in a heading.
+/// Returns the unit of a speed or force in a heading.
 fn unit(cell: &str) -> Option<Unit> {
     if let Heading::Channel(_, crate::columns::heading::HeadingUnit::Known(unit)) = heading(cell) {
         return Some(unit);
     }
     let of_peaks = |unit: &Unit| matches!(unit.dimension(), Dimension::Speed | Dimension::Force);
-    // `velocity_mm_s`: the blank or stroke between the parts of the unit is written as an underscore.
+    // `velocity_mm_s`: an underscore replaces the blank or slash between the parts of the unit.
     let joined = cell.trim().rsplit('_').take(2).collect::<Vec<_>>();
     let speed = match joined[..] {
         [time, length] => format!("{}/{time}", length.rsplit(' ').next().unwrap_or_default()).parse().ok(),
@@ -555,7 +559,8 @@ fn unit(cell: &str) -> Option<Unit> {
     speed.filter(of_peaks).or_else(|| parts(cell).filter_map(|part| part.parse().ok()).find(of_peaks))
 }
 
-/// Whether a heading bears in brackets what is neither a unit of speed or force nor a stroke: `c [Ns/m]`, `Oil [C]`.
+/// Returns whether the brackets of a heading contain neither a unit of speed or force nor a stroke: `c [Ns/m]`, `Oil
+/// [C]`.
 fn foreign_unit(cell: &str, letters: Option<(&str, &str)>) -> bool {
     let inside = cell.split(['[', '(', '{']).nth(1).and_then(|rest| rest.split([']', ')', '}']).next());
     let Some(inside) = inside.map(str::trim).filter(|text| !text.is_empty()) else { return false };

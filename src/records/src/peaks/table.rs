@@ -1,6 +1,7 @@
-//! Tables of peak force over peak velocity (PVP, CVP), as rigs and suppliers hand them on.
+//! Tables of peak force over peak velocity (PVP, CVP) from rigs and suppliers.
 //!
-//! Velocity and force, or velocity with a column for rebound and one for compression. Text or a workbook.
+//! A table has columns for velocity and force, or for velocity, rebound and compression. The file is a text or a
+//! workbook.
 
 use std::path::Path;
 
@@ -32,29 +33,29 @@ pub struct PeakPoint {
 /// A table of peaks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Peaks {
-    /// Its points, in the order of their velocity.
+    /// Points of the table, sorted by velocity.
     pub points: Vec<PeakPoint>,
-    /// How rebound was told from compression.
+    /// Source of the distinction between rebound and compression.
     pub source: StrokeSource,
     /// The columns that were read.
     pub pairs: Vec<PeakPair>,
 }
 
-/// How a table tells rebound from compression.
+/// Source of the distinction between rebound and compression in a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StrokeSource {
-    /// Its headings name the strokes.
+    /// The headings name the strokes.
     Headings,
-    /// The user says which direction its signs count positive.
+    /// The user states the positive direction of the signs.
     Stated(Positive),
-    /// Nothing says so; its signs were taken as rebound positive.
+    /// No source states the direction, so the signs count as rebound positive.
     Assumed,
 }
 
 impl Peaks {
-    /// Velocity, m/s, and the force in rebound over that in compression there.
+    /// Returns a velocity, m/s, and the ratio of the force in rebound to that in compression at this velocity.
     ///
-    /// Where both sides have the highest velocity that both reach, along straight lines between the points.
+    /// The velocity is the highest that both sides reach. Forces between the points are interpolated linearly.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
             let mut points: Vec<(f64, f64)> = self
@@ -78,17 +79,17 @@ impl Peaks {
     }
 }
 
-/// The clicks that a table of peaks has a curve for, from low to high; nothing of a table without clicks.
+/// Returns the clicks of the curves in a table of peaks, in ascending order. Returns none for a table without clicks.
 ///
 /// # Errors
-/// [`RecordError`] where the table cannot be read.
+/// [`RecordError`] if the table cannot be read.
 pub fn peak_clicks(file: &Path) -> Result<Vec<f64>, RecordError> {
     Ok(clicks(&cells(file)?))
 }
 
-/// Whether a file that is no record is a table of peaks.
+/// Returns whether a file that is no record is a table of peaks.
 pub(crate) fn is_one(file: &Path) -> bool {
-    /// Rows of a table of peaks: a record has more.
+    /// Largest number of rows of a table of peaks. A record has more.
     const MOST: usize = 200;
     let Ok(rows) = cells(file) else { return false };
     let has_motion =
@@ -96,14 +97,14 @@ pub(crate) fn is_one(file: &Path) -> bool {
     if rows.len() > MOST || rows.iter().take(HEADER_WITHIN).any(|(_, cells)| cells.iter().any(has_motion)) {
         return false;
     }
-    // Units are asked for when the table is read.
+    // Missing units are reported when the table is read.
     let units = [(Channel::Velocity, Unit::MetrePerSecond), (Channel::Force, Unit::Newton)].into();
     let options = PeakOptions { units, ..PeakOptions::default() };
     let first = clicks(&rows).first().copied();
     columns::find(&first.map_or(rows.clone(), |click| only(rows, click)), &options).is_ok()
 }
 
-/// The cells of a table, row by row with its number.
+/// Returns the cells of a table, by row with its number.
 fn cells(file: &Path) -> Result<TableRows, RecordError> {
     let source = Source::read(file)?;
     if ["xlsx", "xlsm"].contains(&extension(file).as_str()) {
@@ -118,7 +119,7 @@ fn cells(file: &Path) -> Result<TableRows, RecordError> {
 /// Reads a table of peaks.
 ///
 /// # Errors
-/// [`RecordError`] with file, line and what to do.
+/// [`RecordError`] with file, line and remedy.
 pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordError> {
     let rows = cells(file)?;
     let at = Place::file(file);
@@ -145,7 +146,7 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
         },
     };
     let found = columns::find(&rows, options);
-    // A record has a time beside what it measures; each of its samples would be taken for a peak.
+    // A record has a time in addition to its channels. Each of its samples would count as a peak.
     let above = found.as_ref().map_or(HEADER_WITHIN, |found| found.header.map_or(0, |k| k + 1));
     let timed = rows.iter().take(above).find_map(|(line, cells)| {
         let is_time = |cell: &&String| matches!(heading(cell), Heading::Channel(Channel::Time, _));
@@ -171,7 +172,7 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 let value = number(text, true).ok_or_else(|| wrong(*line, format!("{text:?} is no number")))?;
                 Ok(column.unit.to_si(value))
             };
-            // A row of units below a repeated heading, and rows without a velocity, are no points.
+            // A row of units below a repeated heading and rows without a velocity are not points.
             if is_units_row(cells) {
                 continue;
             }
@@ -180,15 +181,15 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 of_pair.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
             }
         }
-        // How a column counts a stroke is seen where the damper is strongest; what has the other sign in it pulls the other way, as the
-        // gas does at low speeds.
+        // The sign of the force at the highest velocity shows the sign convention of the column. Forces of the other
+        // sign act against the stroke, as the gas force does at low speeds.
         let strongest = of_pair.iter().max_by(|a, b| a.velocity_m_s.abs().total_cmp(&b.velocity_m_s.abs()));
         let counts = strongest.map_or(1.0, |p| if p.force_n < 0.0 { -1.0 } else { 1.0 });
         for point in &mut of_pair {
             let (velocity, force) = (point.velocity_m_s, point.force_n);
             (point.velocity_m_s, point.force_n) = match pair.stroke {
                 Some(stroke) => (stroke.sign() * velocity.abs(), stroke.sign() * counts * force),
-                // Speeds without a sign: the force tells the stroke.
+                // For velocities without a sign the force determines the stroke.
                 None if velocity > 0.0 && force < 0.0 => (-turn * velocity, turn * force),
                 None => (turn * velocity, turn * force),
             };
@@ -243,7 +244,7 @@ mod tests {
         read_peaks(&file, &options).map_err(|e| e.to_string())
     }
 
-    /// Read with what the user says of columns and units.
+    /// Reads a table with the user's columns and units.
     fn said(text: &str, columns: &[(&str, &str)], units: &[(&str, &str)]) -> Result<Peaks, String> {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("pvp.csv");
@@ -274,7 +275,7 @@ mod tests {
             "Speed mm/s,Force N (rebound),Force N (compression)\n250,700,400\n500,1100,600\n",
             "速度(m/s),复原力(N),压缩力(N)\n0.25,700,400\n0.5,1100,600\n",
             "Velocity [m/s],F (R) [N],F (C) [N]\n0.25,700,400\n0.5,1100,600\n",
-            // What stands beside the forces of both strokes is no force of a stroke.
+            // A force in addition to those of both strokes is no force of a stroke.
             "Velocity [m/s],Rebound [N],Compression [N],Gas Force [N],Hysteresis [N],Oil [C]\n0.25,700,400,9,9,30\n0.5,1100,600,9,9,31\n",
             "Nominal velocity [m/s],Velocity [m/s],Rebound [N],Compression [N]\n0.2,0.25,700,400\n0.4,0.5,1100,600\n",
         ] {
@@ -296,14 +297,14 @@ mod tests {
             "{message}"
         );
         assert_eq!(points(&said(bare, &[], &pounds).unwrap()), wanted);
-        // A unit that is given wins over the heading, as with records.
+        // A given unit has precedence over the heading, as for records.
         assert_eq!(points(&said("v [m/s],R [N],C [N]\n10,200,100\n", &[], &pounds).unwrap()), wanted);
         let many = "Speed,CO,RO,CC,RC\n10,100,200,90,190\n";
         let by_number = [("velocity", "1"), ("rebound_force", "3"), ("compression_force", "2")];
         assert_eq!(points(&said(many, &by_number, &pounds).unwrap()), wanted);
         let by_name = [("velocity", "speed"), ("rebound_force", "ro"), ("compression_force", "CO")];
         assert_eq!(points(&said("Speed,Force,CO,RO\n10,7,100,200\n", &by_name, &pounds).unwrap()), wanted);
-        // A line that names nothing but by what the user calls it is the heading, whatever stands above.
+        // A line whose cells only match the user's column names is the heading, regardless of the lines above.
         assert_eq!(points(&said("Damper 7,front,left\nSpeed,CO,RO\n10,100,200\n", &by_name, &pounds).unwrap()), wanted);
         assert_eq!(
             points(
@@ -330,7 +331,7 @@ mod tests {
 
     #[test]
     fn what_may_be_of_either_stroke_is_asked_for_by_stroke() {
-        // What the sentence says is done, and the table is read.
+        // Following the advice of the message makes the table readable.
         let follow = |text: &str, columns: &[(&str, &str)]| {
             let message = said(text, &[], &[]).unwrap_err();
             for (what, heading) in columns {
@@ -343,13 +344,13 @@ mod tests {
         let wanted = [[-0.5, -600.0], [0.5, 1100.0]];
         let forces = [("rebound_force", "\"Force A [N]\""), ("compression_force", "\"Force B [N]\"")];
         assert_eq!(follow("v [m/s],Force A [N],Force B [N]\n0.5,1100,600\n", &forces), wanted);
-        // Two of one heading are told apart by their numbers.
+        // Columns with equal headings are distinguished by their numbers.
         let numbers = [("rebound_force", "2"), ("compression_force", "3")];
         assert_eq!(follow("v [m/s],Force peak [N],Force peak [N]\n0.5,1100,600\n", &numbers), wanted);
         let velocities = [("rebound_velocity", "\"Speed one [m/s]\""), ("compression_velocity", "\"Speed two [m/s]\"")];
         let text = "Speed one [m/s],Speed two [m/s],Rebound [N],Compression [N]\n0.5,0.5,1100,600\n";
         assert_eq!(follow(text, &velocities), wanted);
-        // One column for both strokes is a way out, too.
+        // One column for both strokes is a solution too.
         let both = said("v [m/s],Force A [N],Force B [N]\n0.5,1100,7\n-0.5,-600,8\n", &[("force", "Force A")], &[]);
         assert_eq!(points(&both.unwrap()), wanted);
         let message = said("Reb Vel [m/s],Reb Force [N],Comp Force [N]\n1,2,3\n", &[], &[]).unwrap_err();
@@ -358,7 +359,7 @@ mod tests {
 
     #[test]
     fn a_force_against_its_stroke_keeps_its_sign() {
-        // Gas pushes the rod out: at a crawl the rebound side pushes still.
+        // Gas pushes the rod out. At low speed it still pushes on the rebound side.
         for text in [
             "v [m/s],Rebound [N],Compression [N]\n0.01,-120,200\n0.5,1100,600\n",
             "v [m/s],Rebound [N],Compression [N]\n0.01,120,-200\n0.5,-1100,-600\n",
@@ -377,7 +378,7 @@ mod tests {
             "Geschwindigkeit;Zugstufe;Druckstufe\nmm/s;kN;kN\n250;0,7;0,4\n500;1,1;0,6\n",
             "velocity_m_s,force_N\n0.25,700\n0.25,-400\n0.5,1100\n0.5,-600\n",
             "Abs Velocity (mm/s),Comp Force (N),Reb Force (N)\n250,400,700\n500,600,1100\n",
-            // A velocity for each side, by its name or before its force.
+            // Each side has its own velocity, identified by its name or by its position before the force.
             "compression velocity [mm/s],compression [N],rebound velocity [mm/s],rebound [N]\n250,400,500,1100\n500,600,250,700\n",
             "rebound velocity [mm/s],compression velocity [mm/s],rebound [N],compression [N]\n250,500,700,600\n500,250,1100,400\n",
             "v [m/s];Zug [N];v [m/s];Druck [N]\n0,25;700;0,5;600\n0,5;1100;0,25;400\n",

@@ -8,7 +8,7 @@ use super::unit::{Dimension, Unit};
 use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 
-/// A quantity that a rig record may hold.
+/// A quantity in a rig record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
@@ -26,7 +26,8 @@ pub enum Channel {
     Temperature,
     /// Current of an adjustable damper's valve.
     Current,
-    /// What else an adjustable damper is set to: voltage, pressure, clicks. No heading is taken for it; the user names its column.
+    /// Other setting of an adjustable damper: voltage, pressure, clicks. Only clicks are recognized by their heading.
+    /// The user names other columns.
     Setting,
 }
 
@@ -43,7 +44,7 @@ impl Channel {
         Channel::Setting,
     ];
 
-    /// The channel's name as the command line and the messages write it.
+    /// Returns the channel's name on the command line and in messages.
     pub fn name(self) -> &'static str {
         match self {
             Channel::Time => "time",
@@ -57,16 +58,16 @@ impl Channel {
         }
     }
 
-    /// How to do without the channel, for messages; nothing where a record needs it.
+    /// Returns the advice to leave out the channel, for messages, or `None` if a record needs the channel.
     pub(crate) fn leave_out_advice(self) -> Option<Sentence> {
         match self {
             Channel::Time | Channel::Force => None,
-            // The option takes the name as it is.
+            // The option takes the untranslated name.
             _ => Some(Sentence::from(phrases::OR_IGNORE).with("channel", self)),
         }
     }
 
-    /// The SI unit that it is kept in.
+    /// Returns the SI unit in which the channel is stored.
     pub(crate) fn si(self) -> &'static str {
         match self {
             Channel::Time => "s",
@@ -75,12 +76,12 @@ impl Channel {
             Channel::Force | Channel::SideForce => "N",
             Channel::Temperature => "°C",
             Channel::Current => "A",
-            // It is kept in the unit of its column.
+            // A setting is stored in the unit of its column.
             Channel::Setting => "",
         }
     }
 
-    /// What the channel measures.
+    /// Returns the quantity that the channel measures.
     pub fn dimension(self) -> Dimension {
         match self {
             Channel::Time => Dimension::Time,
@@ -93,7 +94,7 @@ impl Channel {
         }
     }
 
-    /// A unit that it is often measured in, for examples.
+    /// Returns a common unit of the channel, for examples.
     pub(crate) fn example(self) -> Unit {
         match self {
             Channel::Time => Unit::Second,
@@ -106,7 +107,7 @@ impl Channel {
         }
     }
 
-    /// The units understood for this channel, for messages.
+    /// Returns the supported units of this channel, for messages.
     pub fn units_understood(self) -> String {
         Unit::ALL.iter().filter(|u| u.dimension() == self.dimension()).map(|u| u.name()).collect::<Vec<_>>().join(", ")
     }

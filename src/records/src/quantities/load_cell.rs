@@ -1,10 +1,10 @@
-//! The load cell that a rig has for a damper.
+//! Expected zero offset of the load cell that measures a damper.
 
 use crate::numbers::restrict;
 pub use crate::tuning::load_cell::OF_CARS;
 use crate::tuning::load_cell::OFFSET;
 
-/// Zero offset, N, to be expected of the load cell that a damper with this largest force is measured with.
+/// Returns the expected zero offset, N, of the load cell for a damper with the given largest force, N.
 pub(crate) fn offset(largest: f64) -> f64 {
     let (low, high) = OF_CARS;
     if largest > 0.0 && largest.is_finite() { OFFSET * largest / restrict(largest, low, high) } else { OFFSET }

@@ -1,7 +1,7 @@
-//! The units in which people read a quantity that is kept in SI units.
+//! Practical units for reading quantities that are stored in SI units.
 
-/// Factor from the SI unit, and the unit that is read: lengths and times below one in thousandths, stiffnesses a millimetre. `size` is the
-/// largest value that stands beside it.
+/// Returns the factor from the SI unit and the practical unit. Lengths and times below one get thousandths, and
+/// stiffnesses are per millimeter. `size` is the largest value in the same context.
 pub fn reading_unit(size: f64, si: &str) -> (f64, String) {
     let small = size.abs() < 1.0;
     match si {

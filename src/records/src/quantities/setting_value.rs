@@ -1,5 +1,5 @@
-//! What an adjustable damper was set to in a test: the current of its valve, or the clicks of its adjuster. A channel tells it, or the name
-//! of the test.
+//! The setting of an adjustable damper in a test: the current of its valve, or the clicks of its adjuster. Its source
+//! is a channel or the name of the test.
 
 use std::collections::BTreeMap;
 
@@ -12,30 +12,33 @@ use crate::numbers::{quantile, white_noise};
 /// A setting of an adjustable damper.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
-    /// What is set, such as `current`, `clicks`, `voltage` or `pressure`.
+    /// Name of the setting, such as `current`, `clicks`, `voltage` or `pressure`.
     pub name: String,
-    /// Its unit, such as `A`; empty for clicks.
+    /// Unit of the setting, such as `A`; empty for clicks.
     pub unit: String,
-    /// Its value in that unit.
+    /// Value in that unit.
     pub value: f64,
 }
 
-/// How far a channel may vary within a test and still be one setting.
+/// Largest variation of a channel within a test at one setting.
 ///
-/// As a share of its value, and in A, for noise of the sensor and the ripple of the current supply.
+/// The limits are a fraction of the value, and a current in A for sensor noise and supply ripple.
 const STEADY: (f64, f64) = (0.1, 0.05);
-/// Width that holds white noise but for [`SPIKES`], in standard deviations, and a quarter more. The noise is estimated from few samples.
+/// Width of white noise without [`SPIKES`], in standard deviations, plus a quarter because few samples give an
+/// uncertain estimate.
 const NOISE: f64 = 4.1;
-/// Share of samples on either side that may be spikes or the switching on.
+/// Fraction of samples at either extreme that may be spikes or the switching on.
 const SPIKES: f64 = 0.05;
-/// Values that differ by less than this are one setting, A or clicks: a hundredth, as supplies are set to, but not two.
+/// Largest difference of values that count as one setting, A or clicks. Supplies are set to hundredths: one hundredth
+/// is within the limit, two are not.
 pub(crate) const SAME: f64 = 0.0195;
-/// Values that differ by less than this share of the larger are one setting, whatever their unit. With more, 200 clicks and 201 would be.
+/// Largest relative difference of values that count as one setting, in any unit. With a larger limit 200 and 201 clicks
+/// would be equal.
 const ALIKE: f64 = 0.005;
 
-/// What clicks of an adjuster are called.
+/// Names of the clicks of an adjuster.
 pub(crate) const CLICKS: [&str; 9] = ["clk", "clks", "click", "clicks", "klick", "klicks", "cran", "crans", "档"];
-/// Units in names of tests: how they are written, the setting, its unit, and the factor to that.
+/// Units in names of tests: spellings, name of the setting, its unit, and the factor to this unit.
 const UNITS: [(&[&str], &str, &str, f64); 9] = [
     (&["A", "Amp", "amp", "amps"], "current", "A", 1.0),
     (&["mA"], "current", "A", 1e-3),
@@ -47,25 +50,26 @@ const UNITS: [(&[&str], &str, &str, f64); 9] = [
     (&["kPa"], "pressure", "kPa", 1.0),
     (&["MPa"], "pressure", "MPa", 1.0),
 ];
-/// Units of pressure, in Pa. A pressure stays in the unit that it was given in, so two of them are compared by these.
+/// Units of pressure, Pa, for comparing pressures. A pressure is stored in the unit in which it was given.
 const PRESSURES: [(&str, f64); 4] = [("psi", 6_894.757_293_168), ("bar", 1e5), ("kPa", 1e3), ("MPa", 1e6)];
-/// Names that messages know in every language.
+/// Names of settings with translations in every language.
 pub(crate) const NAMES: [&str; 4] = ["current", "clicks", "voltage", "pressure"];
 
-/// A sentence with the name of a setting at a place.
+/// Inserts the name of a setting into a sentence.
 ///
-/// It is a word of every language, or the user's own, which is the same in all.
+/// The name is translated if it is in [`NAMES`]. A name given by the user is equal in all languages.
 pub(crate) fn with_setting_name(text: Sentence, place: &'static str, name: &str) -> Sentence {
     if NAMES.contains(&name) { text.with_word(place, name) } else { text.with(place, name) }
 }
 
-/// What is set in a unit, the unit that it is kept in, and the factor to that; nothing for an unknown unit.
+/// Returns the name of the setting for a unit, the stored unit, and the factor to it. Returns `None` for an unknown
+/// unit.
 pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static str, f64)> {
     let (_, name, unit, factor) = UNITS.iter().find(|(words, ..)| words.contains(&written))?;
     Some((name, unit, *factor))
 }
 
-/// The clicks that a part of a name states, as in `12clicks`, `out-2clicks` or `click4`: an adjuster has no negative ones.
+/// Returns the clicks in a part of a name, such as `12clicks`, `out-2clicks` or `click4`. Negative clicks do not exist.
 fn clicks_in(part: &str) -> Option<f64> {
     let part = part.to_lowercase();
     let is_of_number = |c: char| c.is_ascii_digit() || c == '.';
@@ -83,16 +87,18 @@ fn clicks_in(part: &str) -> Option<f64> {
     if count.chars().all(is_of_number) { count.parse().ok() } else { None }
 }
 
-/// A measured value as it is set, without the noise of the sensor. Supplies of current are set to hundredths, others to four digits at most.
+/// Rounds a measured value to the value that was set. Supplies of current are set to hundredths, other quantities to
+/// four digits at most.
 pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
     let per_step =
         if unit == "A" || value == 0.0 { 100.0 } else { 10f64.powi(3 - libm::log10(value.abs()).floor() as i32) };
-    // 0 has no sign.
+    // Adding 0.0 removes the sign of −0.
     (value * per_step).round() / per_step + 0.0
 }
 
 impl Setting {
-    /// The setting that a channel shows; the lowest and highest value where it is not steady.
+    /// Returns the setting that a channel shows, or the lowest and highest value as an error if the channel is not
+    /// steady.
     pub(crate) fn of_channel(channel: &[f64], name: &str, unit: &str) -> Result<Option<Setting>, (f64, f64)> {
         let mut values: Vec<f64> = channel.iter().copied().filter(|v| v.is_finite()).collect();
         if values.is_empty() {
@@ -106,8 +112,8 @@ impl Setting {
         Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: as_set(middle, unit) }))
     }
 
-    /// The setting that a part of a test's name states, as in `1.6A`, `800mA`, `12clicks`, `c12`, `150psi`. With it, whether the part cannot
-    /// be a number of the test.
+    /// Returns the setting in a part of a test's name, such as `1.6A`, `800mA`, `12clicks`, `c12`, `150psi`. Also
+    /// returns whether the part is certainly not a running number of the test.
     fn of_part(part: &str) -> Option<(Setting, bool)> {
         let part = part.trim_start_matches(['I', 'i', '=']).replace(',', ".");
         if let Some(count) = part.strip_prefix(['c', 'C']).filter(|count| count.chars().all(|c| c.is_ascii_digit())) {
@@ -121,16 +127,17 @@ impl Setting {
         let (number, unit) = part.split_at(digits);
         let value: f64 = number.parse().ok()?;
         let (name, unit, factor) = setting_in_unit(unit)?;
-        // A letter behind a whole number may number the tests.
+        // A letter after a whole number may number the tests.
         let is_sure = part.len() > digits + 1 || value.fract() != 0.0;
         Some((Setting { name: name.into(), unit: unit.into(), value: value * factor }, is_sure))
     }
 
-    /// The setting in a name, and whether it cannot number the tests; nothing where its parts state several.
+    /// Returns the setting in a name, and whether it is certainly not a running number. Returns `None` if the parts
+    /// state several settings.
     pub(crate) fn of_name(name: &str) -> Option<(Setting, bool)> {
         let parts: Vec<&str> =
             name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}').filter(|part| !part.is_empty()).collect();
-        // A word of clicks may stand apart from its count.
+        // A word for clicks may be separate from its count.
         let is_word = |part: &str| CLICKS.contains(&part.to_lowercase().as_str());
         let whole = |(k, part): (usize, &&str)| match parts.get(k + 1).filter(|next| is_word(next)) {
             Some(word) if part.chars().all(|c| c.is_ascii_digit()) => Setting::of_part(&format!("{part}{word}")),
@@ -138,7 +145,7 @@ impl Setting {
         };
         let mut found = parts.iter().enumerate().filter_map(whole);
         let first = found.next()?;
-        // A folder and the files in it may say the same.
+        // A folder and the files in it may state the same setting.
         found.all(|(other, _)| first.0.is_same(&other)).then_some(first)
     }
 
@@ -147,7 +154,8 @@ impl Setting {
     }
 }
 
-/// The factor from one unit of a setting to another, as from mA to A; `None` where they are not of one kind. Without a unit it is that of the other.
+/// Returns the factor from one unit of a setting to another, as from mA to A. Returns 1 if a unit is empty, and `None`
+/// if the units measure different quantities.
 pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
     if from.is_empty() || to.is_empty() || from == to {
         return Some(1.0);
@@ -160,7 +168,8 @@ pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
     }
 }
 
-/// Restates values of a setting in another unit. Returns whether the units are of one kind; nothing is changed where they are not.
+/// Converts values of a setting to another unit. Returns whether the units measure one quantity. Otherwise the values
+/// stay unchanged.
 pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterator<Item = &'v mut f64>) -> bool {
     let Some(factor) = setting_factor(unit, to) else { return false };
     values.into_iter().for_each(|value| *value *= factor);
@@ -170,14 +179,15 @@ pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterato
     true
 }
 
-/// Whether two values of a setting are one. Supplies are set to hundredths of an ampere, and no setting of any unit to a two-hundredth of itself.
+/// Returns whether two values are the same setting. Supplies are set to hundredths of an ampere. No setting is made
+/// more finely than to a two-hundredth of its value.
 pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME.max(ALIKE * a.abs().max(b.abs()))
 }
 
-/// A value of a setting with its unit, where it has one: `0.8 A`.
+/// Formats a value of a setting with its unit, if it has one: `0.8 A`.
 pub fn setting_in_words(value: f64, unit: &str) -> String {
-    // 0 has no sign.
+    // Adding 0.0 removes the sign of −0.
     format!("{} {unit}", value + 0.0).trim_end().to_owned()
 }
 
@@ -186,20 +196,20 @@ pub fn setting_in_words(value: f64, unit: &str) -> String {
 pub struct SettingRules {
     /// Name of the setting.
     pub name: Option<String>,
-    /// Its unit.
+    /// Unit of the setting.
     pub unit: String,
-    /// Its values by the names of tests; `*` stands for anything.
+    /// Values of the setting by test names. `*` matches any text.
     pub values: BTreeMap<String, f64>,
 }
 
 impl SettingRules {
-    /// These, and those of a profile where these say nothing.
+    /// Returns these rules if they name a setting, else those of the profile.
     pub(crate) fn over(&self, profile: &SettingRules) -> SettingRules {
         if self.name.is_some() { self.clone() } else { profile.clone() }
     }
 
     /// # Errors
-    /// What is wrong, in a sentence.
+    /// A message about the invalid rule.
     pub(crate) fn check(&self) -> Result<(), String> {
         if self.name.is_none() && !self.values.is_empty() {
             return Err("settings are given, but not of what: add setting = \"current\", or another name".to_owned());
@@ -212,7 +222,7 @@ impl SettingRules {
         }
     }
 
-    /// The setting of a test, by the longest pattern that takes its name.
+    /// Returns the setting of a test by the longest pattern that matches its name.
     pub(crate) fn setting_of(&self, name: &str) -> Option<Setting> {
         let taking = self.values.iter().filter(|(pattern, _)| glob::matches(pattern, name));
         let (_, value) = taking.max_by_key(|(pattern, _)| pattern.chars().count())?;
@@ -246,7 +256,7 @@ mod tests {
         }
     }
 
-    /// A quarter of an ampere is not 0.26 A, nor 1245 psi 1250.
+    /// A quarter of an ampere is not rounded to 0.26 A, nor 1245 psi to 1250.
     #[test]
     fn a_measured_setting_is_the_value_that_was_set() {
         for (unit, measured, set) in [
@@ -276,7 +286,8 @@ mod tests {
 
     #[test]
     fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
-        // White noise of 30 mA, three fifths of the range that a setting may have: uniform, of the same deviation as normal noise.
+        // White noise of 30 mA, uniform with the standard deviation of normal noise. That is three fifths of the
+        // largest variation of a setting.
         let mut seed = 1u32;
         let mut white = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

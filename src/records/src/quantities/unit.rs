@@ -1,11 +1,11 @@
-//! Units that records are written in. The only place where units change.
+//! Units of records. Only this module converts units.
 
 use std::fmt;
 use std::str::FromStr;
 
 use serde::Serialize;
 
-/// Kind of quantity that a unit measures.
+/// Quantity that a unit measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
     /// Time.
@@ -20,11 +20,11 @@ pub enum Dimension {
     Temperature,
     /// Electric current.
     Current,
-    /// What a damper is set to, in a unit of its own.
+    /// Setting of a damper, in a unit of its own.
     Setting,
 }
 
-/// A unit that a record may be written in.
+/// A unit of a channel in a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[allow(missing_docs)] // the names are the meaning
 pub enum Unit {
@@ -92,13 +92,13 @@ impl Unit {
         Unit::AsWritten,
     ];
 
-    /// The unit's symbol.
+    /// Returns the unit's symbol.
     pub fn name(self) -> &'static str {
         self.spellings()[0]
     }
 
-    /// Spellings understood; the first is the one written. Compared without regard to case, except where
-    /// case carries meaning (none of these do within one dimension).
+    /// Returns the supported spellings. The first one is the symbol. The comparison ignores case, which distinguishes
+    /// no units within one dimension.
     fn spellings(self) -> &'static [&'static str] {
         match self {
             Unit::Second => &["s", "sec", "second", "seconds", "sek", "sekunde", "sekunden", "秒"],
@@ -130,7 +130,7 @@ impl Unit {
         }
     }
 
-    /// What the unit measures.
+    /// Returns the quantity that the unit measures.
     pub fn dimension(self) -> Dimension {
         match self {
             Unit::Second | Unit::Millisecond | Unit::Microsecond | Unit::Minute => Dimension::Time,
@@ -150,7 +150,7 @@ impl Unit {
         }
     }
 
-    /// A value in this unit as SI (temperature: °C). This is the only place where units change.
+    /// Converts a value in this unit to SI (temperature: °C). Only this function converts units.
     pub fn to_si(self, value: f64) -> f64 {
         match self {
             Unit::Second
@@ -161,7 +161,7 @@ impl Unit {
             | Unit::Ampere
             | Unit::AsWritten => value,
             Unit::Minute => value * 60.0,
-            // Division keeps decimal figures exact to the last digit: 12.5 mm is the double nearest 0.0125 m.
+            // Division keeps decimal figures exact to the last digit: 12.5 mm gives the double nearest to 0.0125 m.
             Unit::Millisecond | Unit::Millimetre | Unit::MillimetrePerSecond | Unit::Milliampere => value / 1e3,
             Unit::Microsecond | Unit::Micrometre => value / 1e6,
             Unit::Centimetre | Unit::CentimetrePerSecond => value / 1e2,
@@ -195,7 +195,7 @@ impl FromStr for Unit {
     }
 }
 
-/// Letters outside ASCII that units and headings use, written plainly; letters lose their accents.
+/// Replaces letters outside ASCII in units and headings by plain ones, and removes accents.
 pub(crate) fn plain(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -206,7 +206,7 @@ pub(crate) fn plain(text: &str) -> String {
             '\u{feff}' => {}
             '⁻' => out.push('-'),
             '¹' => out.push('1'),
-            // The wide forms that Chinese and Japanese keyboards give.
+            // The full-width characters of Chinese and Japanese keyboards.
             '\u{ff01}'..='\u{ff5e}' => out.push(char::from_u32(c as u32 - 0xfee0).unwrap_or(c)),
             '\u{3000}' => out.push(' '),
             'à'..='å' => out.push('a'),

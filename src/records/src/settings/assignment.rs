@@ -1,4 +1,5 @@
-//! Tests of several settings of an adjustable damper. One model holds one setting, so they are not fitted as one damper without a word.
+//! Assigns the tests of a campaign to settings of an adjustable damper. One model describes one setting, so a note
+//! warns about several.
 
 use std::collections::BTreeMap;
 
@@ -10,9 +11,10 @@ use crate::quantities::setting_value::{
     SAME, Setting, SettingRules, as_set, restate_in_unit, setting_in_words, with_setting_name,
 };
 
-/// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
-/// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit
-/// of more than a letter.
+/// Assigns settings from the user's rules, else from names if all tests state one and no channel does.
+///
+/// A letter after a number may number the tests. If each name states another value, the names count only with decimals
+/// or with a unit of more than one letter.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     merge_currents(records);
     merge_scattered(records);
@@ -29,7 +31,8 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     note_settings(records, notes);
 }
 
-/// Restates settings of one name, constant or changing, in one unit, that of most tests: 75 psi and 15 bar are pressures of one damper.
+/// Converts the settings of one name, constant or changing, to the unit of most tests: 75 psi and 15 bar are pressures
+/// of one damper.
 fn unite_units(records: &mut [Record]) {
     let mut units: BTreeMap<(String, String), usize> = BTreeMap::new();
     for setting in records.iter().filter_map(|record| record.setting.as_ref()) {
@@ -53,17 +56,18 @@ fn unite_units(records: &mut [Record]) {
     }
 }
 
-/// How far measured settings of one value may lie apart, as a fraction of the largest: a regulator of pressure, a drifting supply.
+/// Largest relative difference of measured values of one setting, from a pressure regulator or a drifting supply.
 const SCATTER: f64 = 0.02;
 
-/// Gives their mean to tests whose measured settings of any kind but a current scatter about one value. Currents are set to hundredths.
+/// Replaces measured settings that scatter about one value by their mean. Excludes currents, which are set to
+/// hundredths.
 fn merge_scattered(records: &mut [Record]) {
     let mut all: Vec<&mut Setting> =
         records.iter_mut().filter_map(|record| record.setting.as_mut()).filter(|of| of.name != "current").collect();
     all.sort_by(|a, b| (a.name.as_str(), a.unit.as_str()).cmp(&(&b.name, &b.unit)).then(a.value.total_cmp(&b.value)));
     for of_name in all.chunk_by_mut(|a, b| a.name == b.name && a.unit == b.unit) {
         let largest = of_name.iter().map(|of| of.value.abs()).fold(0.0, f64::max);
-        // Clicks are whole.
+        // Clicks are whole numbers.
         let width = if of_name[0].unit.is_empty() { (SCATTER * largest).min(0.5) } else { SCATTER * largest };
         let mut place = 0;
         while place < of_name.len() {
@@ -80,15 +84,16 @@ fn merge_scattered(records: &mut [Record]) {
     }
 }
 
-/// Measured currents nearer than this to the next, A, are one setting, and how far apart the ends of one may lie.
+/// Largest difference between neighboring measured currents of one setting, A, and between its extremes.
 ///
 /// Supplies are set to hundredths, and the zero of a channel drifts by as much.
 const NEXT: f64 = 1.25 * SAME;
 const WIDEST: f64 = 2.5 * SAME;
-/// How far a channel may be off the setting in a name, as a fraction of the larger. Supplies and measured coil currents keep a tenth.
+/// Largest deviation of a channel from the setting in the name, relative to the larger value. Supplies and measured
+/// coil currents keep a tenth.
 const NAMED: f64 = 0.1;
 
-/// The setting that the name of a test states, and the one of its channel, where they differ.
+/// Returns the setting in the name of a test and the one of its channel, if they differ.
 fn contradicted_name(record: &Record) -> Option<(&Record, Setting, &Setting)> {
     let shown = record.setting.as_ref()?;
     let (named, is_sure) = Setting::of_name(&record.name)?;
@@ -98,7 +103,7 @@ fn contradicted_name(record: &Record) -> Option<(&Record, Setting, &Setting)> {
     contradicts.then_some((record, named, shown))
 }
 
-/// A note where names of tests state other settings than their channels.
+/// Makes a note if names of tests state other settings than their channels.
 fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<Note> {
     let mut all = records.filter_map(contradicted_name);
     let (record, named, shown) = all.next()?;
@@ -111,9 +116,9 @@ fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<N
     Some(Note { kind: "setting_name", text: with_setting_name(text, "setting", &shown.name) })
 }
 
-/// Gives their median to tests whose measured currents differ by a rounding.
+/// Replaces measured currents that differ by rounding by their median.
 ///
-/// The zero and the noise of a channel put 0.41 A on either side of it.
+/// Zero and noise of a channel may round 0.41 A to either side.
 fn merge_currents(records: &mut [Record]) {
     let is_current = |of: &&mut Setting| of.name == "current";
     let mut all: Vec<&mut Setting> =
@@ -136,15 +141,16 @@ fn merge_currents(records: &mut [Record]) {
     }
 }
 
-/// Takes the note on several settings back, and makes it of each group that still has several.
+/// Removes the note about several settings, and makes one for each group that still has several.
 pub(crate) fn note_settings_of_groups<'a>(groups: impl Iterator<Item = &'a [Record]>, notes: &mut Vec<Note>) {
     notes.retain(|note| note.text.template() != phrases::SEVERAL_SETTINGS);
     groups.for_each(|records| note_settings(records, notes));
 }
 
-/// Takes settings from names where the user and the channels say none, and every such name does.
+/// Assigns settings from names if neither the user nor the channels state any, and if every such name states one.
 ///
-/// Beside a channel only what it sets counts: a campaign may step the current in some tests and name it in the others.
+/// If some tests have a channel, only names of its quantity count. A campaign may step the current in some tests and
+/// name it in the others.
 fn name_settings(records: &mut [Record]) {
     let of_channel = |record: &Record| {
         let constant = record.setting.as_ref().map(|of| of.name.clone());
@@ -164,7 +170,8 @@ fn name_settings(records: &mut [Record]) {
     }
 }
 
-/// The records that state no setting at all, where names of others state this one: one such name keeps those of all others from counting.
+/// Returns the records without any setting, if names of other records state this setting. A single such record prevents
+/// the use of all other names.
 pub fn records_without_setting<'r>(records: impl Iterator<Item = &'r Record> + Clone, name: &str) -> Vec<&'r Record> {
     let is_named = |record: &&Record| Setting::of_name(&record.name).is_some_and(|(of, _)| of.name == name);
     if !records.clone().any(|record| is_named(&record)) {
@@ -174,7 +181,7 @@ pub fn records_without_setting<'r>(records: impl Iterator<Item = &'r Record> + C
     records.filter(|record| is_without(record) && !is_named(record)).collect()
 }
 
-/// Warns where the tests of a campaign have several settings.
+/// Warns if the tests of a campaign have several settings.
 fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
     let mut settings: Vec<(Setting, Vec<usize>)> = Vec::new();
     for (k, record) in records.iter().enumerate() {
@@ -220,11 +227,11 @@ mod tests {
         let told = notes[0].text.to_string();
         assert!(notes[0].kind == "settings" && told.contains("2 settings of current"), "{told}");
         assert!(told.contains("0 A: all of '*0A' (2)") || told.contains("0 A: all of '*_0A' (2)"), "{told}");
-        // The whole number, which takes no other that ends like it.
+        // The pattern contains the whole number, so that it matches no other number with the same ending.
         let (_, notes) = settled(&["a_0.4A", "b_0.4A", "a_1.6A", "b_1.6A"]);
         let told = notes[0].text.to_string();
         assert!(told.contains("'*0.4A' (2)") || told.contains("'*_0.4A' (2)"), "{told}");
-        // Groups by current have one setting each, and nothing is to be said; groups by damper still have two.
+        // Groups by current have one setting each and need no note. Groups by damper still have two settings.
         let (mut records, mut notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);
         let mut of_dampers = notes.clone();
         note_settings_of_groups([&records[..2], &records[2..]].into_iter(), &mut notes);
@@ -232,7 +239,7 @@ mod tests {
         records.swap(1, 2);
         note_settings_of_groups([&records[..2], &records[2..]].into_iter(), &mut of_dampers);
         assert_eq!(of_dampers.len(), 2);
-        // Beside a channel, names that say the same quantity count, and others do not.
+        // With a channel, names count if they state the same quantity.
         for (name, expected) in [("voltage", Some(1.98)), ("current", None)] {
             let mut records = vec![record("a_1.98V"), record("b_1.98V"), record("steps")];
             records[2].setting_signal = Some(SettingSignal::new(name, "", &[0.0, 1.0]));
@@ -240,7 +247,7 @@ mod tests {
             assert_eq!(records[0].setting.as_ref().map(|s| s.value), expected);
             assert!(records[2].setting.is_none());
         }
-        // Values that a rounding puts on either side of the same one.
+        // Rounding splits one value into two.
         let values = [0.4, 0.42, 0.42, 0.0, 0.02, 0.0, 0.8, 1.2];
         let of = |value: f64| Some(Setting { name: "current".into(), unit: "A".into(), value });
         let mut records: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
@@ -251,7 +258,7 @@ mod tests {
         let mut drifting: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
         assign_settings(&mut drifting, &SettingRules::default(), &mut Vec::new());
         assert!(drifting.iter().all(|record| record.setting == of(0.41)), "{drifting:?}");
-        // A name against a channel of the same quantity.
+        // The name states the quantity of the channel.
         for (name, value, is_noted) in [("a_1.6A", 0.4, true), ("a_1.6A", 1.52, false), ("a_12clicks", 0.4, false)] {
             let setting = Setting { name: "current".into(), unit: "A".into(), value };
             let mut records = vec![Record { setting: Some(setting), ..record(name) }];
@@ -273,7 +280,7 @@ mod tests {
             named.iter().filter_map(|r| r.setting.as_ref()).map(|s| (s.value, s.unit.as_str())).collect();
         assert!(found.iter().all(|(_, unit)| *unit == "bar"), "{found:?}");
         assert!((found[0].0 - 5.171).abs() < 1e-3 && found[1].0 == 15.0, "{found:?}");
-        // Beside constant pressures in bar, steps of it in psi.
+        // Some tests have constant pressures in bar, and one has steps in psi.
         let mut stepped = vec![record("a_15bar"), record("b_5bar"), record("steps")];
         stepped[2].setting_signal = Some(SettingSignal::new("pressure", "psi", &[75.0, 75.0, 150.0]));
         assign_settings(&mut stepped, &SettingRules::default(), &mut Vec::new());
@@ -288,7 +295,7 @@ mod tests {
             records.iter().filter_map(|r| r.setting.as_ref()).map(|s| s.value).collect::<Vec<f64>>()
         };
         assert_eq!(measured(&[4.9, 35.1, 5.1, 34.9, 20.0], "pressure", "bar"), [5.0, 35.0, 5.0, 35.0, 20.0]);
-        // Settings beside each other stay two.
+        // Settings that are close together stay separate.
         assert_eq!(measured(&[0.0, 1.0, 60.0], "clicks", ""), [0.0, 1.0, 60.0]);
         assert_eq!(measured(&[0.5, 0.54, 3.0], "current", "A"), [0.5, 0.54, 3.0]);
     }

@@ -1,9 +1,10 @@
-//! Tests of one motion with another force.
+//! Detects tests with equal motion but different force.
 //!
-//! Several dampers in one folder, or one damper at several settings (clicks of an adjuster, current of a valve). One
-//! model cannot hold them, and of a fit to all of them nothing is true of any. Which of them belong together is told
-//! by their forces: in every motion the settings stand in the same order, and a test of a motion of its own belongs
-//! to the setting whose forces it has at the velocities that both reach.
+//! The cause is several dampers in one folder, or one damper at several settings (clicks of an adjuster, current of a
+//! valve). One model cannot describe them, and a fit to all of them describes none.
+//!
+//! The forces determine the groups. In every motion the settings have the same order of force. A test with another
+//! motion belongs to the setting with the most similar forces at common velocities.
 
 use crate::checks::force_levels::{Levels, levels};
 use crate::data::record::{Note, Record};
@@ -12,27 +13,30 @@ use crate::messages::phrases;
 use crate::messages::sentence::Sentence;
 use crate::numbers::median;
 
-/// Share by which stroke and peak velocity of the same motion may differ, and by which part of its stroke its middle.
+/// Largest relative difference of stroke and peak velocity for equal motions, and of the mean position relative to the
+/// amplitude.
 ///
-/// Drives keep them better.
+/// Drives keep these values better.
 const SAME: f64 = 0.1;
-/// How many times the one's force against the motion must be the other's. Warm oil, a break-in and the rig's own scatter make a quarter.
+/// Ratio of the forces against the motion above which two tests differ. Warm oil, a break-in and the scatter of the rig
+/// cause a quarter.
 const TIMES: f64 = 1.5;
-/// Steps of force at which settings are parted, as ratios, the finest first: clicks of an adjuster are closer than [`TIMES`]. A fine step is
-/// taken only where it finds as many settings in every motion, which what warms up or wears does not make.
+/// Ratios of force at which settings are separated, the finest first. Clicks of an adjuster are closer than [`TIMES`].
+/// A fine ratio counts only if it gives the same number of settings in every motion. Warming and wear do not.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
-/// Ratio of the distances in force to the next and the nearest setting from which a test of another motion belongs to
-/// the nearest.
+/// Smallest ratio of the force distances to the second nearest and the nearest setting at which a test of another
+/// motion belongs to the nearest.
 const NEARER: f64 = 2.0;
-/// Difference of side force, N, and of temperature, K, from which two tests of one damper may differ so much.
+/// Difference of side force, N, and of temperature, K, above which the forces of one damper may differ for that reason.
 const SIDE_FORCE: f64 = 20.0;
 const WARMER: f64 = 40.0;
-/// Names that a sentence holds of each side.
+/// Largest number of names of each setting in a message.
 const NAMES: usize = 6;
 
-/// Notes tests that are the same motion as others and have another force; `seen` are their levels in the middle of the strokes.
+/// Adds notes about tests with equal motion but different force. `seen` contains their levels in the middle of the
+/// strokes.
 pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
-    // Said already, by name.
+    // A note has already named the settings.
     if notes.iter().any(|note| ["settings", "changing_setting"].contains(&note.kind)) {
         return;
     }
@@ -64,7 +68,7 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     notes.push(Note { kind: "settings", text });
 }
 
-/// The names of tests, a few of many.
+/// Formats the names of tests. Names only the first few of many.
 fn listed(names: &[&str], tests: &[usize]) -> Sentence {
     let quoted = |i: &usize| Sentence::from(phrases::QUOTED).with("test", names[*i]);
     let named = Sentence::list(tests.iter().take(NAMES).map(quoted).collect(), phrases::COMMA);
@@ -74,7 +78,7 @@ fn listed(names: &[&str], tests: &[usize]) -> Sentence {
     }
 }
 
-/// The tests of a setting: by a pattern where one takes them and no others, as `--exclude` does, else by their names.
+/// Describes the tests of a setting by a pattern that matches only them, as for `--exclude`, else by their names.
 pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
     match pattern(names, tests) {
         Some(pattern) => Sentence::from(phrases::SETTING_ALL).with("name", pattern).with("count", tests.len()),
@@ -82,13 +86,14 @@ pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
     }
 }
 
-/// The shortest pattern of a part of a name that takes these names and no others.
+/// Returns the shortest pattern from a part of a name that matches only these names.
 fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     let first: Vec<char> = names[*tests.get(1).and(tests.first())?].chars().collect();
     let is_it =
         |pattern: &String| names.iter().enumerate().all(|(k, name)| glob::matches(pattern, name) == tests.contains(&k));
     let parts = |from: usize, to: usize| first[from..to].iter().collect::<String>();
-    // Whole words and numbers of the name, with what stands before or behind them, so that c1 does not take c10, and 4A not 0.4A.
+    // Use whole words and numbers of the name with their neighbors, so that c1 does not match c10, and 4A does not
+    // match 0.4A.
     let is_digit = |k: Option<usize>| k.and_then(|k| first.get(k)).is_some_and(char::is_ascii_digit);
     let is_point = |k: usize| ".,".contains(first[k]) && is_digit(k.checked_sub(1)) && is_digit(Some(k + 1));
     let edges: Vec<usize> = (0..=first.len())
@@ -104,7 +109,7 @@ fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
         for &to in &edges[a + 1..] {
             let (before, behind) = (if from == 0 { "" } else { "*" }, if to == first.len() { "" } else { "*" });
             let part = parts(from, to);
-            // A star in a name would take anything.
+            // A star in a name would match any text.
             if !part.contains('*') && part.chars().any(char::is_alphanumeric) {
                 found.push(format!("{before}{part}{behind}"));
             }
@@ -114,17 +119,17 @@ fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     found.into_iter().find(is_it)
 }
 
-/// Which tests belong together.
+/// Groups of tests with one setting each.
 struct Settings {
-    /// The tests of each, from soft to hard.
+    /// The tests of each setting, from soft to hard.
     settings: Vec<Vec<usize>>,
-    /// Tests whose forces do not tell it.
+    /// Tests whose forces do not determine their setting.
     open: Vec<usize>,
 }
 
 impl Settings {
     fn of(records: &[Record], motions: &[Motion], seen: &[Levels]) -> Settings {
-        // Tests of one motion, each with the logarithm of its force over that of the first one.
+        // Tests of one motion, each with the logarithm of the ratio of its force to that of the first test.
         let mut alike: Vec<Vec<(f64, usize)>> = Vec::new();
         for (i, motion) in motions.iter().enumerate() {
             let group = alike.iter_mut().find_map(|group| {
@@ -148,8 +153,8 @@ impl Settings {
             alike.iter().map(part).collect()
         };
         let most = |parts: &[Vec<Vec<usize>>]| parts.iter().map(Vec::len).max().unwrap_or(0);
-        // The finest step at which every motion that was measured so often shows as many settings, and most were. With one motion alone
-        // the finest tells no more than what scatters.
+        // Take the finest step for which all motions with enough tests show the same number of settings, as do most
+        // motions. With a single motion the finest step would only show scatter.
         let several = alike.iter().filter(|group| group.len() > 1).count();
         let agrees = |parts: &Vec<Vec<Vec<usize>>>| {
             let most = most(parts);
@@ -160,7 +165,7 @@ impl Settings {
         };
         let finest = usize::from(several < 2);
         let agreed = STEPS[finest..].iter().map(|step| parted(*step)).find(agrees);
-        // Where none does, the coarsest that parts any.
+        // If no step fits, take the coarsest that separates any tests.
         let coarsest = || STEPS.iter().rev().map(|step| parted(*step)).find(|parts| most(parts) > 1);
         let Some(parts) = agreed.or_else(coarsest) else {
             return Settings { settings: Vec::new(), open: (0..records.len()).collect() };
@@ -175,8 +180,8 @@ impl Settings {
                 open.extend(group.into_iter().flatten());
             }
         }
-        // Those of other motions, by what is settled; what they settle may tell of others. Over the whole stroke, for the middles of two
-        // motions may share no velocity.
+        // Assign tests of other motions to the known settings. Each assignment may determine others. Use the whole
+        // stroke, because the middles of two motions may have no common velocity.
         open.sort_unstable();
         let whole: Vec<Levels> = records.iter().map(|record| levels(record, |_| true)).collect();
         while let Some((place, setting)) =
@@ -189,7 +194,7 @@ impl Settings {
     }
 }
 
-/// The setting that a test belongs to by its forces at the velocities that it shares with them.
+/// Returns the setting of a test by its forces at common velocities.
 fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usize> {
     let mut off: Vec<(f64, usize)> = settings
         .iter()
@@ -205,7 +210,7 @@ fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usiz
     (off.len() == settings.len() && next > NEARER * own && next > libm::log(STEPS[0])).then_some(k)
 }
 
-/// How a test moves, where, under which load and how warm: in the mean.
+/// Mean motion of a test: amplitude, velocity, position, side force and temperature.
 struct Motion {
     amplitude: f64,
     peak_velocity: f64,
@@ -228,7 +233,7 @@ impl Motion {
         }
     }
 
-    /// Whether another test moves alike, at the same place, under the same load and about as warm.
+    /// Returns whether another test has a similar motion, position, side force and temperature.
     fn is_like(&self, other: &Motion) -> bool {
         let alike = |a: f64, b: f64| a > 0.0 && b > 0.0 && (a - b).abs() <= SAME * a.max(b);
         let near = |a: Option<f64>, b: Option<f64>, within: f64| match (a, b) {
@@ -245,7 +250,7 @@ impl Motion {
     }
 }
 
-/// How many times the one's force against the motion is the other's at their velocities; nothing where they share none.
+/// Returns the median ratio of the forces against the motion at common velocities. Returns `None` if there are none.
 fn times(a: &Levels, b: &Levels) -> Option<f64> {
     let both = a.iter().filter_map(|(level, a)| Some((a.against, b.get(level)?.against)));
     let mut ratios: Vec<f64> = both.filter(|(a, b)| *a > 0.0 && *b > 0.0).map(|(a, b)| a / b).collect();
@@ -258,7 +263,7 @@ mod tests {
     use crate::checks::force_levels::in_the_middle;
     use crate::fixtures::sine_record;
 
-    /// Sines with a damper of each of these strengths.
+    /// Makes sines for one damper of each strength.
     fn campaign(strengths: &[f64]) -> Vec<Record> {
         let plan = [(0.02, 0.05), (0.02, 0.2), (0.005, 0.2), (0.02, 0.5)];
         let all = strengths.iter().flat_map(|strength| plan.map(|(amplitude, speed)| (*strength, amplitude, speed)));
@@ -278,18 +283,18 @@ mod tests {
     fn two_settings_in_one_folder_are_told_with_their_tests() {
         let text = said(&campaign(&[1.0, 4.0]));
         assert!(text.starts_with("[settings] ") && text.contains("times"), "{text}");
-        // The hard ones and the soft ones.
+        // The note names the hard and the soft tests.
         for k in 0..8 {
             assert!(text.contains(&format!("t{k}")), "{k}: {text}");
         }
         assert!(text.contains("1) 't0', 't1', 't2', 't3'; 2) 't4', 't5', 't6', 't7'"), "{text}");
-        // One odd test among many.
+        // One deviating test among many.
         let mut odd = campaign(&[1.0, 1.05, 0.95]);
         odd.push(campaign(&[1.0, 3.0]).pop().unwrap());
         assert!(said(&odd).contains("t7"), "{}", said(&odd));
     }
 
-    /// A campaign whose names contain the click, in an order that mixes them.
+    /// Makes a campaign whose names contain the click, in mixed order.
     fn clicks(strengths: &[f64]) -> Vec<Record> {
         let mut records = campaign(strengths);
         for (k, record) in records.iter_mut().enumerate() {
@@ -306,7 +311,7 @@ mod tests {
             assert!(text.contains(&format!("{k}) all of '*c{click}' (4)")), "{k} {click}: {text}");
         }
         assert!(!text.contains("does not tell"), "{text}");
-        // Warm oil in one motion alone makes no setting of its own.
+        // Warm oil in a single motion makes no separate setting.
         let mut warm = clicks(&[1.0, 3.0]);
         let odd = warm.iter().position(|r| r.name == "s1_c9").unwrap();
         let mut again = warm[odd].clone();

@@ -1,4 +1,4 @@
-//! Holds displacement and velocity against each other where both were recorded.
+//! Compares displacement and velocity if both were recorded.
 
 use nalgebra::{Matrix4, Vector4};
 
@@ -7,20 +7,21 @@ use crate::messages::phrases;
 use crate::messages::sentence::{Sentence, Template};
 use crate::tuning::consistency::{LAG_OF_PHASE, LAG_OF_SAMPLE, SAME_MOTION};
 
-/// How velocity and displacement agree.
+/// Agreement of velocity and displacement.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Agreement {
-    /// Velocity channel over derivative of displacement; 1 where they agree.
+    /// Ratio of the velocity channel to the derivative of the displacement, 1 if they agree.
     pub gain: f64,
     /// Time by which the velocity channel lags behind the displacement, s.
     pub lag: f64,
-    /// Share of the displacement's variance that the integrated velocity explains, 0..1.
+    /// Fraction of the displacement's variance that the integrated velocity explains, 0..1.
     pub explained: f64,
 }
 
-/// Fits x = a·∫v + b·v + c + d·t: gain is 1/a, lag is b/a, and the line takes up offset and integration drift.
+/// Fits x = a·∫v + b·v + c + d·t. The gain is 1/a, the lag is b/a. The straight line absorbs offset and integration
+/// drift.
 ///
-/// Integrating the velocity rather than differentiating the displacement leaves noise out.
+/// Integrating the velocity is less sensitive to noise than differentiating the displacement.
 pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> Option<Agreement> {
     let n = time.len();
     if n < 8 {
@@ -50,21 +51,22 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
         plain += x * t;
     }
     let solution = normal.lu().solve(&right)?;
-    // What a straight line alone explains is no agreement.
+    // Subtract the variance that a straight line alone explains.
     let line = plain * plain / n as f64;
     let explained = (solution.dot(&right) - line) / (total - line);
     let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);
     Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
 }
 
-/// Whether a velocity is that of the displacement at another time, as that of a filter is. `period` is that of the cycles, where there are any.
+/// Returns whether the velocity is that of the displacement with a time shift, as a filter causes. `period` is that of
+/// the cycles, if there are any.
 pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
     let Agreement { gain, lag, explained } = *agreement;
     let phase = period.map_or(f64::INFINITY, |period| std::f64::consts::TAU * lag.abs() / period);
     explained > SAME_MOTION && (0.75..1.33).contains(&gain) && lag.abs() > LAG_OF_SAMPLE * step && phase > LAG_OF_PHASE
 }
 
-/// The likely cause where the two contradict each other grossly.
+/// Returns the likely cause of a large contradiction between the two channels.
 pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     let Agreement { gain, explained, .. } = *agreement;
     let by = |cause: Template, figure: &'static str, value: String| {
@@ -113,7 +115,7 @@ mod tests {
         assert!((agreement.gain - 1.0).abs() < 1e-3 && agreement.lag.abs() < 1e-5, "{agreement:?}");
         assert!(contradiction(&agreement).is_none());
         assert!(!is_late(&agreement, 0.002, Some(1.0)));
-        // Velocity 3 % too large, with offset, four samples (8 ms) late.
+        // The velocity is 3 % too large, has an offset and lags by four samples (8 ms).
         let late: Vec<f64> = (0..v.len()).map(|i| 1.03 * v[i.saturating_sub(4)] + 0.002).collect();
         let agreement = compare(&time, &x, &late).unwrap();
         assert!((agreement.gain - 1.03).abs() < 3e-3 && (agreement.lag - 0.008).abs() < 2e-4, "{agreement:?}");
@@ -141,7 +143,7 @@ mod tests {
     #[test]
     fn a_lag_within_conversion_or_noise_is_none() {
         let is_late = |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0 }, step, Some(1.0));
-        // Fractions of a sample; phases, rad.
+        // Lags as fractions of a sample, and as phases in rad.
         assert!(!is_late(0.2 * 0.1, 0.1) && is_late(0.3 * 0.1, 0.1));
         let tau = std::f64::consts::TAU;
         assert!(!is_late(0.015 / tau, 1e-4) && is_late(0.025 / tau, 1e-4));

@@ -1,8 +1,9 @@
-//! How late the force channel comes: the delay under which one curve over velocity explains the force of all tests best.
+//! Estimates the delay of the force channel: the delay for which one curve over velocity best explains the force of all
+//! tests.
 //!
-//! A charge amplifier, a filter or a second converter delays the force against the motion; the thing shows as a loop that
-//! grows with frequency and, beyond a quarter of a cycle, as a damper that feeds energy. The delay is only estimated and
-//! told here; nothing is moved unless the user says so.
+//! A charge amplifier, a filter or a second converter delays the force relative to the motion. The delay appears as a
+//! loop that grows with frequency. Beyond a quarter of a cycle the damper seems to feed energy. This module only
+//! estimates the delay. The records are shifted only if the user requests it.
 
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -10,32 +11,32 @@ use serde::{Deserialize, Serialize};
 use crate::data::complete_motion::Motion;
 use crate::tuning::delay::{BETTER, CLEARLY, LONGEST, NODES, SAMPLES, SHORTEST_REPORTED, STEP, TELLING, UNCLEAR};
 
-/// A delay of the force channel, as the records show it.
+/// The delay of the force channel that the records show.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Delay {
-    /// How much later the force comes than the motion, s, beside the delay that was given.
+    /// Delay of the force relative to the motion, s, in addition to the given delay.
     pub seconds: f64,
-    /// Share of the force's variance that no curve over velocity explains, with the records as they are.
+    /// Fraction of the force's variance that no curve over velocity explains, for the records without a shift.
     pub unexplained_as_recorded: f64,
-    /// Unexplained part with the delay corrected.
+    /// Unexplained fraction with the delay corrected.
     pub unexplained: f64,
 }
 
-/// One test thinned out, its force scaled to unit variance.
+/// One test after decimation, its force scaled to unit variance.
 struct Thinned<'a> {
-    /// Its place among the tests of the campaign.
+    /// Index of the test in the campaign.
     index: usize,
     motion: &'a Motion,
-    /// Time and force of the samples looked at.
+    /// Time and force of the selected samples.
     samples: Vec<(f64, f64)>,
     /// Scale of the force of this test, N.
     scale: f64,
 }
 
-/// What the tests look like when the force is taken to come some time late.
+/// Evaluation of the tests for one assumed delay of the force.
 struct Look {
     unexplained: f64,
-    /// Normalised power of every test.
+    /// Normalized power of every test.
     power: Vec<f64>,
 }
 
@@ -45,27 +46,27 @@ impl Look {
     }
 }
 
-/// The answer to tests that feed energy.
+/// Cause of tests that feed energy.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Cause {
-    /// A delay explains it, and better than a turned sign.
+    /// A delay is a clearly better explanation than a reversed sign.
     Delay(Delay),
-    /// A delay would explain it, a turned sign as well.
+    /// A delay and a reversed sign are both possible explanations.
     Either(Delay),
-    /// No delay explains it.
+    /// Only a reversed sign is an explanation.
     Sign,
 }
 
-/// The delay that stands out where nothing else is wrong.
+/// Returns the delay if it is significant, for tests without another fault.
 pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
     let delay = best(&thin(motions), &[])?;
     (delay.seconds >= SHORTEST_REPORTED && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
 }
 
-/// Why these tests (`feeding`, by index) feed energy.
+/// Determines why the tests `feeding` (indices) feed energy.
 pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     let tests = thin(motions);
-    // One that leaves as much as no curve at all is no explanation: then something else is wrong with these tests.
+    // A delay that explains no variance is no cause. These tests then have another fault.
     let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
     match best(&tests, feeding) {
         Some(turned) if delay.unexplained >= CLEARLY * turned.unexplained => {
@@ -75,7 +76,8 @@ pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     }
 }
 
-/// The delay that leaves least unexplained among those under which no test feeds energy, the signs of some tests turned.
+/// Returns the delay with the smallest unexplained variance among those for which no test feeds energy. Reverses the
+/// signs of the tests `turned`.
 fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
     if tests.is_empty() {
         return None;
@@ -111,7 +113,7 @@ fn thin(motions: &[Motion]) -> Vec<Thinned<'_>> {
         .filter(|(_, motion)| telling(motion))
         .map(|(index, motion)| {
             let span = motion.steady();
-            // Every delay is judged on the same samples.
+            // Every delay is evaluated on the same samples.
             let begin = span.start.max(motion.time.partition_point(|t| *t < motion.time[0] + LONGEST));
             let every = ((span.end.max(begin) - begin) / SAMPLES).max(1);
             let samples: Vec<(f64, f64)> =
@@ -127,7 +129,7 @@ fn thin(motions: &[Motion]) -> Vec<Thinned<'_>> {
 
 fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
     let fastest = tests.iter().flat_map(|t| &t.motion.velocity).fold(0.0_f64, |m, v| m.max(v.abs()));
-    // Curve over velocity (an even number of nodes and the one at zero), and a spring.
+    // Coefficients of the curve over velocity (an even number of nodes and the one at zero), and of a spring.
     let size = 2 * NODES.len() + 2;
     let mut normal = DMatrix::<f64>::zeros(size, size);
     let mut right = DVector::<f64>::zeros(size);
@@ -155,7 +157,8 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
             springs[1] += x * (force - mean);
             points.push((x, v, sign * force));
         }
-        // As the signs are judged: over whole cycles springs give back what they take, elsewhere a line takes them out.
+        // Use the rule of the sign check: over whole cycles springs return their energy. Otherwise a linear fit removes
+        // the spring force.
         let stiffness = if test.motion.cycles.is_empty() && springs[0] > 0.0 { springs[1] / springs[0] } else { 0.0 };
         for &(x, v, force) in &points {
             let f = force - sign * (mean + stiffness * x);
@@ -176,14 +179,15 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
         power.push(if sums[1] > 0.0 && sums[2] > 0.0 { sums[0] / (sums[1] * sums[2]).sqrt() } else { 0.0 });
     }
     for i in 0..size {
-        // Nodes that no sample reaches stay at zero.
+        // Nodes without samples stay at zero.
         normal[(i, i)] += 1e-9 * (1.0 + normal[(i, i)]);
     }
     let explained = normal.cholesky().map_or(0.0, |c| c.solve(&right).dot(&right));
     Look { unexplained: ((total - explained) / count).max(0.0), power }
 }
 
-/// The node below a velocity (as a share of the highest) and how far it is to the next, 0..1.
+/// Returns the index of the node below a relative velocity, and the fractional position between that node and the next,
+/// 0..1. The velocity is relative to the highest.
 fn place(share: f64) -> (usize, f64) {
     let side = NODES.len();
     let size = share.abs().min(1.0);
@@ -200,7 +204,7 @@ mod tests {
     use crate::fixtures::SineTest;
     use crate::options::Options;
 
-    /// Tests at these frequencies whose force is late by some seconds and multiplied.
+    /// Makes tests at these frequencies whose force has the delay `late`, s, and is multiplied by `factor`.
     fn tests(frequencies: &[f64], late: f64, factor: f64) -> Vec<Motion> {
         frequencies
             .iter()
@@ -253,7 +257,7 @@ mod tests {
         let mut one = tests(&frequencies, 0.0, 1.0);
         one[2].force.iter_mut().for_each(|f| *f = -*f);
         assert_eq!(cause(&one, &[2]), Cause::Sign);
-        // Half a cycle late and turned are the same at one frequency, once the run-up is cut off.
+        // At one frequency a delay of half a cycle and a reversed sign are indistinguishable without the run-up.
         let test = SineTest { frequency: 10.0, amplitude: 0.002, cycles: 12, ..SineTest::default() };
         let mut samples = test.samples();
         samples.force.rotate_right(test.per_cycle / 2);

@@ -1,17 +1,17 @@
-//! The motion of a moment ago at every sample of the force, for a force channel that comes late.
+//! The motion `delay` seconds before every force sample, for a delayed force channel.
 
 use std::ops::Range;
 
-/// Values `delay` seconds before each sample that has such a moment in its record.
+/// Channel values `delay` seconds before each sample, for the samples with such a time in their record.
 pub(crate) struct DelayedMotion<'a> {
     time: &'a [f64],
     delay: f64,
-    /// The samples that have it; the rest has no partner.
+    /// The samples with such a time. The others have no motion.
     pub range: Range<usize>,
 }
 
 impl<'a> DelayedMotion<'a> {
-    /// For samples at these times.
+    /// Makes the shift for samples at these times.
     pub fn new(time: &'a [f64], delay: f64) -> DelayedMotion<'a> {
         let (first, last) = (time.first().copied().unwrap_or(0.0), time.last().copied().unwrap_or(0.0));
         let from = time.partition_point(|t| t - delay < first);
@@ -19,8 +19,8 @@ impl<'a> DelayedMotion<'a> {
         DelayedMotion { time, delay, range: from..to }
     }
 
-    /// A channel of the motion there. It is interpolated, since motion is smooth; the force, whose noise interpolation would colour,
-    /// is never moved.
+    /// Returns the shifted values of a smooth channel by interpolation. The force is never shifted, because
+    /// interpolation would color its noise.
     pub fn values(&self, of: &[f64]) -> Vec<f64> {
         let mut at = 0;
         let value = |t: &f64| {
@@ -33,23 +33,23 @@ impl<'a> DelayedMotion<'a> {
         self.time[self.range.clone()].iter().map(value).collect()
     }
 
-    /// A channel that jumps there: its value at the sample before.
+    /// Returns the shifted values of a channel with jumps: those of the previous sample.
     pub fn previous_values(&self, of: &[f64]) -> Vec<f64> {
         let value = |t: &f64| {
-            // Rounding of a delay of whole samples must not move the channel by one.
+            // The rounding error of a delay of whole samples must not shift the channel by a further sample.
             let after = self.time.partition_point(|time| *time <= t - self.delay + 1e-9);
             of[after.max(1) - 1]
         };
         self.time[self.range.clone()].iter().map(value).collect()
     }
 
-    /// A channel that stays where it is, without the samples that have no partner.
+    /// Returns the values of an unshifted channel, without the samples that have no motion.
     pub fn kept(&self, of: &[f64]) -> Vec<f64> {
         of[self.range.clone()].to_vec()
     }
 }
 
-/// The value at a time after sample `at`: of the cubic through four samples, where there are as many on both sides.
+/// Interpolates at a time after sample `at`, with the cubic through four samples, two on either side if possible.
 fn between(time: &[f64], values: &[f64], at: usize, t: f64) -> f64 {
     let n = time.len();
     let from = at.saturating_sub(1).min(n.saturating_sub(4));

@@ -6,28 +6,28 @@ use super::smoothing::channel_noise;
 use crate::numbers::{quantum, sample_time};
 use crate::tuning::derivative::{LONGER, REACH, SAME};
 
-/// The filter that a derivative was taken with.
+/// The filter of a derivative.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Filter {
-    /// Samples per window, at most.
+    /// Largest number of samples per window.
     pub points: usize,
-    /// Length of that window, s.
+    /// Length of the largest window, s.
     pub window: f64,
-    /// Frequency at which its derivative has lost 3 dB, Hz; half the sampling rate where it loses less.
+    /// Frequency at which the derivative with that window has lost 3 dB, Hz. Half the sampling rate if it loses less.
     pub bandwidth: f64,
-    /// Share of the samples with a shorter window, because the motion turns within that.
+    /// Fraction of the samples with a shorter window, because the motion turns within the longest one.
     pub shorter: f64,
 }
 
-/// Velocity by local cubics (Savitzky and Golay 1964).
+/// Computes the velocity with local cubics (Savitzky and Golay 1964).
 ///
-/// At every sample a cubic is fitted by least squares to the window centred there, and its slope taken. Symmetric, so
-/// it shifts no phase; fitted at the true times, so uneven sampling does no harm.
+/// At every sample a cubic is fitted by least squares to the window centered there, and its slope is the velocity. A
+/// symmetric window causes no phase shift. The fit uses the true times, so uneven sampling causes no error.
 ///
-/// `window` is the longest, s; at least five samples are used. At the ends the window is one-sided. Where the motion turns within the
-/// window, as a triangle does at its corners, a cubic over all of it would round the turn and swing beside it: there the
-/// longest window is taken whose slope agrees with those of all shorter ones within their noise (the intersection of confidence
-/// intervals of Goldenshluger and Nemirovski, Math. Methods Stat. 6, 1997).
+/// `window` is the longest window, s. At least five samples are used. At the ends the window is one-sided. If the
+/// motion turns within the window, as at the corners of a triangle, a cubic would round the turn and overshoot. The
+/// sample then gets the longest window whose slope agrees with those of all shorter ones within their noise. This is
+/// the intersection of confidence intervals of Goldenshluger and Nemirovski (Math. Methods Stat. 6, 1997).
 pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> (Vec<f64>, Filter) {
     let n = time.len();
     let step = sample_time(time);
@@ -61,18 +61,19 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
     }
 }
 
-/// White noise of the channel, m; no less than its last digit makes.
+/// Returns the white noise of the channel, m, at least its quantization noise.
 fn displacement_noise(displacement: &[f64]) -> f64 {
-    // Rounding to a step is off by a twelfth of its square in the mean.
+    // The quantization error has a variance of a twelfth of the squared step.
     channel_noise(displacement).max(quantum(displacement) / 12f64.sqrt())
 }
 
-/// Slopes of the cubics over so many samples on either side.
+/// Slopes of the cubics over the same number of samples on either side.
 struct Slopes {
     slopes: Vec<f64>,
-    /// Deviation of each over that of the noise, 1/s: larger at the ends, where windows are one-sided.
+    /// Standard deviation of each slope relative to that of the noise, 1/s. It is larger at the ends, with one-sided
+    /// windows.
     gains: Vec<f64>,
-    /// Weights of a window between the ends.
+    /// Weights of a window away from the ends.
     weights: Vec<f64>,
 }
 
@@ -88,7 +89,7 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
         let centred = to - from == 2 * reach;
         let even = centred && {
             let start = time[i] - reach as f64 * step;
-            // Time stamps are rounded in files; a tenth of a step hardly tilts a cubic.
+            // Files round the time stamps. Deviations below 0.02 steps hardly tilt a cubic.
             (from..=to).all(|k| (time[k] - start - (k - from) as f64 * step).abs() < 0.02 * step)
         };
         velocity[i] = if even {
@@ -102,9 +103,10 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
     Slopes { slopes: velocity, gains, weights }
 }
 
-/// Weights of the derivative, at the sample `at`, of the least-squares cubic through values at these times.
+/// Computes the weights of the derivative, at the sample `at`, of the least-squares cubic through values at these
+/// times.
 ///
-/// It is a parabola or line if there are too few values.
+/// With too few values the polynomial is a parabola or a line.
 fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     let scale = (time[time.len() - 1] - time[0]) / 2.0;
     let order = (time.len() - 1).min(3);
@@ -131,7 +133,7 @@ fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     }
 }
 
-/// Frequency at which a symmetric differentiator has lost 3 dB against the true derivative, Hz.
+/// Returns the frequency at which a symmetric differentiator has lost 3 dB relative to the true derivative, Hz.
 fn bandwidth(weights: &[f64], step: f64) -> f64 {
     let reach = weights.len() / 2;
     let nyquist = 0.5 / step;
@@ -197,7 +199,7 @@ mod tests {
             for i in filter.points..time.len() - filter.points {
                 assert!((derived[i] - v[i]).abs() < 2e-4 * peak, "{frequency} Hz at {i}: {} {}", derived[i], v[i]);
             }
-            // Even at the ends, with one-sided windows.
+            // The accuracy also holds at the ends, with one-sided windows.
             assert!(derived.iter().zip(&v).all(|(a, b)| (a - b).abs() < 1e-2 * peak));
             assert!(filter.bandwidth > 5.0 * frequency, "{filter:?}");
         }
@@ -214,7 +216,7 @@ mod tests {
         assert!((gain - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.02, "{gain}");
     }
 
-    /// The usual friction test: constant velocity to and fro.
+    /// The common friction test: constant velocity in both directions.
     #[test]
     fn a_triangle_keeps_its_velocity_up_to_its_corners() {
         let (rate, frequency, speed) = (1000.0, 0.31, 0.05);
@@ -235,7 +237,7 @@ mod tests {
         let x: Vec<f64> = time.iter().map(|t| triangle(*t) + 2e-6 * white()).collect();
         let (v, filter) = differentiate(&time, &x, 1.0 / (12.0 * frequency));
         let truth = |t: f64| if phase(t) < 0.5 { speed } else { -speed };
-        // Further from a corner than the shortest windows reach.
+        // Samples farther from a corner than the shortest windows reach.
         let off = |from: f64| {
             let near = |t: f64| (phase(t) - 0.5).abs().min(phase(t)).min(1.0 - phase(t)) / frequency < from;
             time.iter().zip(&v).filter(|(t, _)| !near(**t)).map(|(t, v)| (v - truth(*t)).abs()).fold(0.0, f64::max)

@@ -7,13 +7,13 @@ use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 
 impl MeasurementError {
-    /// What the user gave of records: the same for all that are read together.
+    /// Returns the error that the user stated. It is equal for all records that are read together.
     pub fn stated(records: &[&Record]) -> MeasurementError {
         records.first().map_or(MeasurementError::NONE, |record| record.stated_error)
     }
 }
 
-/// The record without it; samples whose motion was not recorded, at an end, are left out.
+/// Removes the measurement error `off` from a record. Leaves out samples at an end whose motion was not recorded.
 pub fn correct_record(record: &Record, off: &MeasurementError) -> Record {
     if *off == MeasurementError::NONE {
         return record.clone();
@@ -30,7 +30,7 @@ pub fn correct_record(record: &Record, off: &MeasurementError) -> Record {
     right
 }
 
-/// Takes the force out that speeds up a mass of the rig with the end that moves.
+/// Subtracts the inertia force of a rig mass that moves with the damper's end.
 pub(crate) fn correct_inertia(record: &mut Record, mass: f64) {
     if mass != 0.0 && !record.time.is_empty() {
         let acceleration = smooth(record).acceleration;
@@ -38,7 +38,7 @@ pub(crate) fn correct_inertia(record: &mut Record, mass: f64) {
     }
 }
 
-/// Every force with the motion of `delay` before.
+/// Pairs every force with the motion `delay` seconds earlier.
 fn earlier(record: &Record, delay: f64) -> Record {
     let earlier = DelayedMotion::new(&record.time, delay);
     let (from, to) = (earlier.range.start, earlier.range.end);
@@ -51,7 +51,7 @@ fn earlier(record: &Record, delay: f64) -> Record {
         side_force: record.side_force.as_deref().map(kept),
         temperature: record.temperature.as_deref().map(kept),
         setting_signal: record.setting_signal.as_ref().map(|of| of.with_values(earlier.previous_values(&of.values))),
-        // The force is where it was; a cycle of it begins where it began.
+        // The force samples are not shifted, so neither are the cycles.
         cycles: record
             .cycles
             .iter()

@@ -1,4 +1,4 @@
-//! The noise floor of the force: what no model can explain.
+//! Noise floor of the force: the part that no model can explain.
 
 use crate::data::cycle::Cycle;
 use crate::data::record::{Noise, NoiseSource};
@@ -7,11 +7,14 @@ use crate::tuning::noise::FEWEST;
 
 /// Estimates the force noise of one sample.
 ///
-/// With two or more cycles: every sample against the cycles before and after at equal phase. Comparing neighbours
-/// leaves a slow trend out (heating). The neighbours are interpolated between samples, which narrows their noise;
-/// that, and the neighbours' own noise, is taken out exactly for noise whose autocorrelation falls off
-/// geometrically. Deviations beyond 3.5 times the robust spread are left out: they come from steep places (a
-/// reversal of friction), where a small difference of phase is a large difference of force, not from noise.
+/// With two or more cycles every sample is compared with the previous and the next cycle at equal phase. Comparing
+/// neighboring cycles cancels a slow trend (heating).
+///
+/// The neighbors are interpolated between samples, which reduces their noise. This effect and the neighbors' own noise
+/// are corrected exactly, for noise with a geometrically decreasing autocorrelation.
+///
+/// Deviations beyond 3.5 times the robust spread are left out. They are not noise but come from steep flanks (a
+/// reversal of friction), where a small difference of phase is a large difference of force.
 pub(crate) fn floor(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Noise {
     if let Some(noise) = cycle_repeat(time, force, cycles) {
         return noise;
@@ -22,31 +25,31 @@ pub(crate) fn floor(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Noise {
     Noise { force_rms: difference_noise(force), lag1: 0.0, from: NoiseSource::SampleDifferences }
 }
 
-/// Standard deviation of white noise on a smooth signal, from third differences of neighboring samples.
+/// Estimates the standard deviation of white noise on a smooth signal, from third differences of neighboring samples.
 ///
 /// A parabola has no third difference. The median makes edges harmless.
 pub(crate) fn difference_noise(values: &[f64]) -> f64 {
     let mut third: Vec<f64> = values.windows(4).map(|w| (w[0] - 3.0 * w[1] + 3.0 * w[2] - w[3]).abs()).collect();
-    // Variance of a third difference: 1 + 9 + 9 + 1; median of |normal| is 0.6745 standard deviations.
+    // The third difference has the variance 1 + 9 + 9 + 1. The median of |normal| is 0.6745 standard deviations.
     median(&mut third) / (0.6745 * 20.0_f64.sqrt())
 }
 
-/// A value of a neighbouring cycle at equal phase, and how it was interpolated.
+/// A value of a neighboring cycle at equal phase, and its interpolation weight.
 struct Partner {
     value: f64,
     weight: f64,
 }
 
-/// Deviation of a sample from its partners, whose mean force is `partner`; with their interpolation weights.
+/// Deviation of a sample from its partners, whose mean force is `partner`, and their interpolation weights.
 struct Deviation {
     value: f64,
     partner: f64,
     weights: [f64; 2],
 }
 
-/// Takes out what a small shift in time of the whole cycle makes.
+/// Removes the effect of a small time shift of the whole cycle.
 ///
-/// Free-running drives do not repeat a cycle to the sample, and on a steep flank that would pass for noise.
+/// Drives without speed control do not repeat a cycle to the sample. On a steep flank the shift would look like noise.
 fn remove_shift(run: &mut [Deviation]) {
     let reach = (run.len() / 200).max(2);
     if run.len() < 8 * reach {
@@ -69,14 +72,14 @@ fn remove_shift(run: &mut [Deviation]) {
 fn partner(time: &[f64], force: &[f64], from: &Cycle, to: &Cycle, t: f64) -> Option<Partner> {
     let phase = (t - from.start_time) / from.period();
     let at = to.start_time + phase * to.period();
-    // Look one sample beyond the cycle's ends where the record goes on.
+    // Include one sample beyond each end of the cycle, if the record continues.
     let span = to.start.saturating_sub(1)..(to.end + 1).min(time.len());
     let after = span.start + time[span.clone()].partition_point(|&t| t <= at);
     if after <= span.start || after >= span.end {
         return None;
     }
     let (a, b) = (time[after - 1], time[after]);
-    // Not across a hole.
+    // Do not interpolate across a gap.
     if b - a > 0.05 * to.period() && to.end - to.start > 40 {
         return None;
     }
@@ -88,7 +91,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if cycles.len() < 2 {
         return None;
     }
-    // Runs of deviations, cut where a partner is missing; with each the interpolation weights of its partners.
+    // Runs of deviations with the interpolation weights of their partners. A missing partner ends a run.
     let mut runs: Vec<Vec<Deviation>> = Vec::new();
     let one_sided = cycles.len() == 2;
     let judged = if one_sided { 1..2 } else { 1..cycles.len() - 1 };
@@ -124,7 +127,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     let spread = median(&mut all.iter().map(|d| (d - centre).abs()).collect::<Vec<_>>()) / 0.6745;
     let near = |d: f64| (d - centre).abs() <= 3.5 * spread;
 
-    // Second moments of the deviations at distance 0 and 1, and the mean interpolation factors.
+    // Second moments of the deviations at lags 0 and 1, and the mean interpolation factors.
     let share = if one_sided { 1.0 } else { 0.25 };
     let (mut d0, mut n0, mut d1, mut n1) = (0.0, 0.0, 0.0, 0.0);
     // Sums over the partners of (1−w)² + w² and of w(1−w).
@@ -153,9 +156,9 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if d0 == 0.0 {
         return Some(Noise { force_rms: 0.0, lag1: 0.0, from: NoiseSource::CycleRepeat });
     }
-    // With r the autocorrelation of the noise from sample to sample (r² from sample to next but one):
+    // With r the autocorrelation of the noise at lag 1 (r² at lag 2):
     //   D0 = c0 (1 + same + 2 cross r),   D1 = c0 (r + same r + cross (1 + r²)).
-    // D1/D0 rises with r, so bisection finds it.
+    // D1/D0 increases with r, so bisection finds r.
     let ratio = d1 / d0;
     let of = |r: f64| (r + same * r + cross * (1.0 + r * r)) / (1.0 + same + 2.0 * cross * r);
     let (mut low, mut high) = (-0.99, 0.99);
@@ -172,7 +175,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     Some(Noise { force_rms: variance.sqrt(), lag1, from: NoiseSource::CycleRepeat })
 }
 
-/// Root mean square deviation of each cycle's force from the other cycles' median at equal phase, N.
+/// Returns the root mean square deviation of each cycle's force from the other cycles' median at equal phase, N.
 pub(crate) fn cycle_deviations(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Vec<f64> {
     cycles
         .iter()
@@ -181,7 +184,7 @@ pub(crate) fn cycle_deviations(time: &[f64], force: &[f64], cycles: &[Cycle]) ->
             let others: Vec<&Cycle> =
                 cycles.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, c)| c).take(8).collect();
             let (mut sum, mut count) = (0.0, 0);
-            // A few hundred phases tell enough.
+            // A few hundred phases suffice.
             for i in (this.start..this.end).step_by(((this.end - this.start) / 400).max(1)) {
                 let mut values: Vec<f64> =
                     others.iter().filter_map(|c| partner(time, force, this, c, time[i])).map(|p| p.value).collect();

@@ -1,9 +1,9 @@
-//! The measured motion, freed of measurement noise before it drives a model.
+//! Removes measurement noise from the measured motion before the motion drives a model.
 //!
-//! A stiff series spring turns micrometres of displacement noise into newtons, so a model must not be driven with raw
-//! channels. Displacement and velocity are two noisy views of one smooth motion; the estimate here is the
-//! Rauch–Tung–Striebel smoother for a constant-acceleration model with white jerk (AIAA J. 3, 1965). How far it
-//! smooths follows from the noise that the channels show: clean channels come back as they were.
+//! A stiff series spring converts micrometers of displacement noise into newtons, so raw channels must not drive a
+//! model. Displacement and velocity are two noisy measurements of one smooth motion. The estimator is the
+//! Rauch–Tung–Striebel smoother for a constant-acceleration model with white jerk (AIAA J. 3, 1965). The noise of the
+//! channels determines the amount of smoothing. Noise-free channels stay unchanged.
 
 use crate::Record;
 use nalgebra::{Matrix2, Matrix2x3, Matrix3, Vector2, Vector3};
@@ -24,8 +24,8 @@ pub struct Motion {
     pub velocity_noise: f64,
 }
 
-/// White noise of a smoothly varying channel: the typical size of its fourth differences, in which a motion sampled
-/// forty times per cycle nearly vanishes.
+/// Estimates the white noise of a smoothly varying channel from the typical size of its fourth differences. For a
+/// motion sampled forty times per cycle these nearly vanish.
 pub(crate) fn channel_noise(y: &[f64]) -> f64 {
     let mut d: Vec<f64> = y.windows(5).map(|w| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).abs()).collect();
     if d.is_empty() {
@@ -33,7 +33,7 @@ pub(crate) fn channel_noise(y: &[f64]) -> f64 {
     }
     let middle = d.len() / 2;
     let (_, median, _) = d.select_nth_unstable_by(middle, f64::total_cmp);
-    // √70 is the gain of the fourth difference for white noise, 0.6745 the median of |N(0, 1)|.
+    // √70 is the gain of the fourth difference for white noise. 0.6745 is the median of |N(0, 1)|.
     *median / (0.6745 * 70f64.sqrt())
 }
 
@@ -45,11 +45,11 @@ pub fn smooth(record: &Record) -> Motion {
     let w = if record.frequency > 0.0 {
         TAU * record.frequency
     } else {
-        // A road-like record: the frequency at which its amplitude would give its peak velocity.
+        // Without cycles, use the frequency at which the amplitude gives the peak velocity.
         (record.peak_velocity / record.amplitude.max(1e-9)).max(1.0)
     };
     let peak = record.peak_velocity.max(1e-9);
-    // Smallest noise that keeps the covariances regular; far below any sensor.
+    // Smallest noise that keeps the covariances regular. It is far below that of any sensor.
     let rx = (sx.max(1e-9 * peak / w)).powi(2);
     let rv = (sv.max(1e-9 * peak)).powi(2);
     // Jerk of a sine of this speed, correlated over about 1/ω.
@@ -73,7 +73,7 @@ pub fn smooth(record: &Record) -> Motion {
             let gain = cov * h.transpose() * inverse;
             mean += gain * innovation;
             let keep = Matrix3::identity() - gain * h;
-            // Joseph's form stays symmetric and positive whatever the rounding.
+            // Joseph's form keeps the covariance symmetric and positive despite rounding.
             cov = keep * cov * keep.transpose() + gain * r * gain.transpose();
         }
         filtered.push((mean, cov));
@@ -96,7 +96,7 @@ pub fn smooth(record: &Record) -> Motion {
     Motion { displacement, velocity, acceleration, displacement_noise: sx, velocity_noise: sv }
 }
 
-/// Transition over `dt` and the noise it collects from white jerk of density `q`.
+/// Returns the transition matrix over `dt` and the covariance of white jerk with density `q`.
 fn transition(dt: f64, q: f64) -> (Matrix3<f64>, Matrix3<f64>) {
     let (d2, d3) = (dt * dt, dt * dt * dt);
     let a = Matrix3::new(1.0, dt, 0.5 * d2, 0.0, 1.0, dt, 0.0, 0.0, 1.0);
@@ -124,7 +124,7 @@ mod tests {
         let time: Vec<f64> = (0..800).map(|i| i as f64 * 1e-3).collect();
         let x: Vec<f64> = time.iter().map(|t| a * libm::sin(w * t)).collect();
         let v: Vec<f64> = time.iter().map(|t| a * w * libm::cos(w * t)).collect();
-        // A fixed pseudo-random sequence, so that the test cannot depend on luck.
+        // A fixed pseudo-random sequence makes the test deterministic.
         let mut seed = 1u64;
         let mut random = || {
             seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -160,7 +160,7 @@ mod tests {
         let m = smooth(&record);
         let before = rms(&record.displacement, &x);
         assert!((m.displacement_noise / before - 1.0).abs() < 0.2);
-        // The velocity channel tells the displacement more than the reverse.
+        // The velocity channel improves the displacement more than the displacement improves the velocity.
         assert!(rms(&m.displacement, &x) < 0.3 * before);
         assert!(rms(&m.velocity, &v) < 0.95 * rms(&record.velocity, &v));
     }

@@ -1,4 +1,4 @@
-//! Finds the line with the column headings of a text, and with it the delimiter.
+//! Finds the line with the column headings of a text and the delimiter.
 
 use super::lines::{is_comment, is_figure, uncommented};
 use crate::columns::delimiter::{self, split};
@@ -7,17 +7,17 @@ use crate::columns::table::{HEADER_WITHIN, column_number, is_header, is_units_ro
 use crate::dates::clock;
 use crate::options::Options;
 
-/// Where the table of a text begins.
+/// Start of the table in a text.
 pub(super) struct Start {
-    /// Line of the header, or of the first row where there is none; from 0.
+    /// Line of the header, or of the first row without a header; from 0.
     pub index: usize,
-    /// Where that line begins in the text.
+    /// Byte offset of that line in the text.
     pub offset: usize,
     pub delimiter: u8,
     pub header: Vec<String>,
     /// Whether that line is the header.
     pub headed: bool,
-    /// Whether it stands behind a comment mark, as numerical programs write it.
+    /// Whether the header is a comment line, as numerical programs write it.
     pub commented: bool,
 }
 
@@ -27,8 +27,8 @@ impl Start {
     }
 }
 
-/// Finds the header, and with it the delimiter: the one under which it is a header. Where the user names columns by number
-/// it may be missing: then the first row of numbers begins the table.
+/// Finds the header and its delimiter. If the user names columns by number, the header may be missing. The table then
+/// begins with the first row of numbers.
 pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     let mut offset = 0;
     let mut first_line = None;
@@ -42,7 +42,7 @@ pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<Str
             let trimmed = line.trim_end();
             for delimiter in delimiter::ALL {
                 let header = split(trimmed, delimiter);
-                // A row of numbers is no header, even where a column that the user names by its number has a number's name there.
+                // A row of numbers is no header, even if the cell of a column named by number contains that number.
                 let row = header.len() > 1
                     && header.iter().any(|c| !c.trim().is_empty())
                     && header.iter().all(|c| number(c, delimiter != b',').is_some() || clock::seconds(c).is_some());
@@ -57,7 +57,7 @@ pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<Str
             }
             above = split(trimmed, delimiter::detect(trimmed));
         } else {
-            // The last comment that names the columns: above it may stand what an earlier table had.
+            // Use the last comment that names the columns, because earlier comments may describe an earlier table.
             let found = delimiter::ALL.into_iter().find_map(|delimiter| {
                 let header = split(uncommented(line), delimiter);
                 let found = Start { commented: true, ..Start::headed(index, offset, delimiter, header) };
@@ -70,7 +70,8 @@ pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<Str
     (numbers.or(commented), first_line)
 }
 
-/// Replaces blanks between columns by tabs: two and more, or any. Figures stand closer than names.
+/// Replaces blanks between columns by tabs: two or more blanks, or any number. Figures are separated by fewer blanks
+/// than names.
 pub(super) fn with_tabs(text: &str, any: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
@@ -94,11 +95,11 @@ pub(super) fn with_tabs(text: &str, any: bool) -> String {
     out
 }
 
-/// Parts names that a single blank separates, as in the plain files of MTS stations.
+/// Splits names that a single blank separates, as in the plain files of MTS stations.
 ///
-/// There are as many as units below them, and so that most of them are known.
+/// The number of names equals the number of units below. The split maximizes the number of known names.
 pub(super) fn part_names(found: &mut Start, text: &str) {
-    /// Columns of such a file.
+    /// Largest number of columns of such a file.
     const MOST: usize = 32;
     let below = text[found.offset..].lines().skip(1).find(|line| !is_comment(line)).unwrap_or_default();
     let units: Vec<&str> = below.split_whitespace().collect();
@@ -107,7 +108,7 @@ pub(super) fn part_names(found: &mut Start, text: &str) {
     if !is_units_row(&units) || columns == found.header.len() || columns > MOST || words.len() > 4 * MOST {
         return;
     }
-    // The best way to part the first words into so many names: how many are known, and where the last name begins.
+    // Best split of the first words into a number of names: the number of known names, and the start of the last name.
     let mut best: Vec<Vec<Option<(usize, usize)>>> = vec![vec![None; words.len() + 1]; columns + 1];
     best[0][0] = Some((0, 0));
     for column in 1..=columns {

@@ -4,14 +4,14 @@ use super::lines::is_comment;
 use crate::columns::table::number;
 use crate::dates::clock;
 
-/// Headers that an acquisition writes again before every block of rows, as MTS stations do.
+/// Headers that an acquisition repeats before every block of rows, as MTS stations do.
 pub(super) struct Blocks {
-    /// Lines, from 0 and in order, of the text between a block of rows and the next.
+    /// Ranges of lines between one block of rows and the next, ascending, counted from 0.
     ///
-    /// From the first line that is no row to the last line before the next row.
+    /// A range extends from the first line that is no row to the last line before the next row.
     headers: Vec<std::ops::Range<usize>>,
     next: usize,
-    /// Whether the row to come is the first below a header.
+    /// Whether the next row is the first below a header.
     fresh: bool,
     last_time: Option<f64>,
 }
@@ -26,7 +26,7 @@ impl Blocks {
         let mut headers: Vec<std::ops::Range<usize>> = Vec::new();
         let header_again = || text.lines().filter(|line| line.trim_end() == header).nth(1).is_some();
         if !header.trim().is_empty() && header_again() {
-            // From every repetition of the header up to the row before and down to the row after.
+            // Extend each repetition of the header to the row before and to the row after.
             let is_row = |line: &str| {
                 let cells = split_plain(line, delimiter);
                 cells.clone().next().is_some_and(|c| !c.trim().is_empty())
@@ -38,7 +38,7 @@ impl Blocks {
             let mut seen = false;
             let mut between: Option<usize> = None;
             let mut repeated = false;
-            // The reader counts empty lines to the record behind them.
+            // The reader attributes empty lines to the record that follows them.
             let mut empty: Option<usize> = None;
             for (index, line) in text.lines().enumerate() {
                 let is_header = line.trim_end() == header;
@@ -88,7 +88,7 @@ impl Blocks {
     }
 }
 
-/// Cells of a line without regard to quotes: enough to tell rows from text.
+/// Splits a line without regard to quotes, which suffices to distinguish rows from text.
 fn split_plain(line: &str, delimiter: u8) -> std::str::Split<'_, char> {
     line.split(delimiter as char)
 }

@@ -1,4 +1,4 @@
-//! The rows below a header.
+//! Reads the rows below a header.
 
 use csv::{ByteRecord, ReaderBuilder};
 
@@ -39,7 +39,7 @@ pub(super) fn table(
     let mut lines = lines.peekable();
     let mut units = None;
     if commented {
-        // Units of such a heading stand in a comment too.
+        // The units of a commented heading are in a comment too.
         let below = lines.peek().filter(|line| is_comment(line)).map(|line| split(uncommented(line), delimiter));
         units = below.filter(|cells| is_units_row(cells));
     }
@@ -53,7 +53,7 @@ pub(super) fn table(
     if let Some(units) = &mut units {
         units.resize(header.len(), String::new());
     }
-    // Sensors and rates may stand between the heading and the first figures.
+    // Names of sensors and rates may lie between the heading and the first figures.
     for _ in 0..LABELS {
         if first_row.iter().any(|cell| !cell.trim().is_empty() && is_figure(cell, decimal_comma)) {
             break;
@@ -72,8 +72,8 @@ pub(super) fn table(
     if let Some(crank) = &crank {
         rows.note("crank", Sentence::from(phrases::CRANK).with("rpm", crank.rpm));
     }
-    // When each test began, as the lines above its figures say; up to where these lines are read.
-    // A decimal comma, or what stands between columns where there is one, is of those who write the day first.
+    // Start of each test, from the lines above its figures, and the position up to which these lines are read.
+    // Programs that write a decimal comma, or a semicolon as delimiter, write the day first.
     let is_comma = |cell: &String| delimiter != b',' && cell.contains(',') && number(cell, true).is_some();
     let usual = (delimiter == b';' || first_row.iter().any(is_comma)).then_some(DateOrder::DayFirst);
     let began_by = |lines: &str| {
@@ -97,7 +97,7 @@ pub(super) fn table(
     let mut tests = Vec::new();
     let mut beside = Beside::default();
     while reader.read_byte_record(&mut record).unwrap_or(false) {
-        // The reader counts empty lines to the record behind them.
+        // The reader attributes empty lines to the record that follows them.
         let (begins, empty) = record.position().map_or((0, 0), |p| {
             let before = text.as_bytes().get(offset + p.byte() as usize..).unwrap_or_default();
             let ends = before.iter().take_while(|b| matches!(b, b'\r' | b'\n'));
@@ -120,12 +120,12 @@ pub(super) fn table(
             Block::Data => {}
             Block::Header => continue,
         }
-        // The text was valid UTF-8 and fields are cut at ASCII bytes, so the fields are valid too.
+        // The text is valid UTF-8 and is split at ASCII bytes, so the fields are valid too.
         let cell = |index: usize| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?");
-        // A row has its time in figures; where there is no time, everything that is read.
+        // A row has a figure as its time. Without a time column every channel must be a figure.
         let columns = &rows.layout().columns;
         let text_of = |c: &Column| !is_figure(cell(c.index), decimal_comma);
-        // What an acquisition writes between its rows may bear a time, but nothing else in figures.
+        // A message of the acquisition between rows may have a time, but no other figure.
         let figures =
             columns.iter().any(|c| c.channel != Channel::Time && !cell(c.index).trim().is_empty() && !text_of(c));
         let is_row = match columns.iter().find(|c| c.channel == Channel::Time) {
@@ -146,7 +146,7 @@ pub(super) fn table(
         let surplus = || record.iter().skip(header.len()).map(String::from_utf8_lossy).filter(|f| !f.trim().is_empty());
         if surplus().next().is_some() {
             let (found, expected) = (record.len(), header.len());
-            // Decimal commas part every number in two, and leave no point in any.
+            // Decimal commas split every number in two, and no part contains a point.
             let commas = delimiter == b',' && found <= 2 * expected && record.iter().all(is_whole);
             let hint = commas.then_some(phrases::QUOTE_DECIMAL_COMMAS);
             let fault = RecordError::Fields { at: at.clone(), line, found, expected, hint };
@@ -171,7 +171,7 @@ pub(super) fn table(
                 *value = crank.time(*value);
             }
         }
-        // Time that begins anew below a repeated header is another test.
+        // Below a repeated header, a time that restarts begins another test.
         let time = rows.layout().columns.iter().position(|c| c.channel == Channel::Time).map(|i| values[i]);
         if blocks.begins_anew(time) {
             let layout = rows.layout().clone();
@@ -208,12 +208,12 @@ fn no_number(at: &Place, line: usize, heading: &str, cell: &str) -> RecordError 
     }
 }
 
-/// The time from sample to sample that the lines above a table state: `Sample Rate: 1000 Hz`, `dt [ms];0,5`.
+/// Reads the time between samples from the lines above a table: `Sample Rate: 1000 Hz`, `dt [ms];0,5`.
 fn sample_time<'a>(above: impl Iterator<Item = &'a str>) -> Option<f64> {
     let mut found = None;
     for line in above.take(HEADER_WITHIN) {
         let line = uncommented(line);
-        // A comma may be a decimal one where something else stands behind the name.
+        // If another separator follows the name, a comma may be a decimal comma.
         let separator = line.chars().find(|c| "\t;:=".contains(*c)).unwrap_or(',');
         let mut cells = line.split(separator).map(|c| c.trim().trim_matches('"'));
         let what = heading(cells.next().unwrap_or_default());

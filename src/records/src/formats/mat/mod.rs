@@ -1,5 +1,5 @@
-//! Reads MAT files: numeric vectors whose names are read like column headings. Up to version 7 here, version 7.3 in
-//! [`version73`].
+//! Reads MAT files: numeric vectors whose names are read like column headings. This file reads versions up to 7, and
+//! [`version73`] reads version 7.3.
 
 mod version73;
 
@@ -16,10 +16,10 @@ use crate::quantities::channel::Channel;
 use crate::quantities::unit::{Dimension, Unit};
 use crate::source::{Budget, Source};
 
-/// Signature of an HDF5 file, which is what version 7.3 writes after a header block of 512 bytes.
+/// Signature of an HDF5 file. Version 7.3 writes HDF5 after a header block of 512 bytes.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
-/// Work of understanding the name of a variable, in steps of the budget.
+/// Work of interpreting the name of a variable, in steps of the budget.
 const NAMING: u64 = 10_000;
 
 /// A vector or a single number of a file.
@@ -55,7 +55,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         return Err(no_header(&at, &all));
     }
     let layout = Layout::new(&at, 1, &header, None, options, sample_time.is_some())?;
-    // Vectors of one length belong together; another length would be another recording.
+    // Vectors of one length belong together. Another length would be another recording.
     let length = layout.columns.iter().map(|c| vectors[c.index].1.len()).max().unwrap_or(0);
     for column in &layout.columns {
         let found = vectors[column.index].1.len();
@@ -69,7 +69,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let sample_time = match sample_time {
         None => None,
         Some((name, unit, value)) => {
-            // A bare `Ts` is in seconds by the custom of the tool that writes these files.
+            // A `Ts` without a unit is in seconds by the convention of the program that writes these files.
             let given = options.units.get(&Channel::Time).copied().filter(|u| u.dimension() == Dimension::Time);
             let unit = match unit {
                 HeadingUnit::Known(unit) => unit,
@@ -92,7 +92,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     rows.finish(sample_time)
 }
 
-/// Vectors and single numbers of a file up to version 7.
+/// Reads the vectors and single numbers of a file up to version 7.
 fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     let bytes = unpack(bytes)?;
     // Small numbers become numbers of eight bytes.
@@ -103,7 +103,7 @@ fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     let mat = MatFile::parse(bytes.as_slice()).map_err(|cause| cause.to_string())?;
     let is_number = |a: &Array| a.size().iter().all(|&n| n == 1);
     let of = |a: &Array| Variable { name: a.name().to_owned(), is_vector: is_vector(a), values: values(a.data()) };
-    // Every name is compared with those of the channels of a rig.
+    // Each name is compared with the headings of all channels.
     budget.work(NAMING * mat.arrays().len() as u64)?;
     let numbers: usize = mat.arrays().iter().map(|a| a.size().iter().product::<usize>()).sum();
     budget.numbers(2 * numbers as u64)?;
@@ -112,7 +112,7 @@ fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     Ok(found)
 }
 
-/// The channels of a matrix such as [time, signals], in columns or rows, by names that the user can give.
+/// Splits a matrix such as [time, signals] into its columns or rows, under names to which the user can refer.
 fn columns(array: &Array) -> Vec<Variable> {
     /// A matrix with more channels is no record.
     const MOST: usize = 32;
@@ -122,7 +122,7 @@ fn columns(array: &Array) -> Vec<Variable> {
     if !(2..=MOST).contains(&channels) || rows == columns || values.len() != rows * columns {
         return Vec::new();
     }
-    // The numbers stand column by column.
+    // The numbers are stored column by column.
     let (what, to_channel, to_next) = if columns < rows { ("column", rows, 1) } else { ("row", 1, rows) };
     let named = |k: usize| Variable {
         name: format!("{} {what} {}", array.name(), k + 1),
@@ -132,14 +132,14 @@ fn columns(array: &Array) -> Vec<Variable> {
     (0..channels).map(named).collect()
 }
 
-/// Kind of an element that is compressed.
+/// Type of a compressed element.
 const COMPRESSED: u32 = 15;
-/// Bytes that a file may unpack to, whatever its size: each may become a value of eight bytes in several copies.
+/// Unpacked size that is always allowed, bytes. Each byte may become a value of eight bytes in several copies.
 const UNPACKED: usize = 32 << 20;
-/// Larger files may unpack to this many times their size.
+/// A file may unpack to this multiple of its size where that exceeds [`UNPACKED`].
 const RATIO: usize = 3;
 
-/// The file with its compressed variables unpacked, within bounds.
+/// Returns the file with its compressed variables unpacked, within the size limit.
 fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     let little = bytes.get(126..128) == Some(b"IM");
     let word = |at: usize| {
@@ -147,7 +147,7 @@ fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
         Some(if little { u32::from_le_bytes(word) } else { u32::from_be_bytes(word) })
     };
     if bytes.len() < 128 || word(128) != Some(COMPRESSED) {
-        // Files are compressed as a whole or not at all, but for small variables.
+        // Files are compressed as a whole or not at all, except for small variables.
         let mut at = 128;
         let mut compressed = false;
         while let (Some(kind), Some(size)) = (word(at), word(at + 4)) {
@@ -185,9 +185,9 @@ fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     Ok(out)
 }
 
-/// Damage that the parser would pass over in silence or stumble over.
+/// Detects damage that the parser would ignore or that would make it fail.
 ///
-/// A last variable that runs past the end of the file, or dimensions that no file could fill.
+/// Such damage is a last variable beyond the end of the file, or dimensions that no file could fill.
 fn damage(bytes: &[u8]) -> Option<&'static str> {
     const MATRIX: u32 = 14;
     let little = bytes.get(126..128) == Some(b"IM");
@@ -198,7 +198,7 @@ fn damage(bytes: &[u8]) -> Option<&'static str> {
     let mut at = 128;
     while let (Some(kind), Some(size)) = (word(at), word(at + 4)) {
         if kind == MATRIX {
-            // Tag and array flags take 8 + 16 bytes; then come the tag of the dimensions and the dimensions.
+            // Tag and array flags take 8 + 16 bytes. The tag of the dimensions and the dimensions follow.
             let count = word(at + 28).unwrap_or(0) as usize / 4;
             let mut elements = 1_u64;
             for k in 0..count.min(64) {
@@ -217,7 +217,7 @@ fn is_vector(array: &Array) -> bool {
     array.size().iter().filter(|&&n| n != 1).count() == 1
 }
 
-/// Real values of an array as doubles; infinite ones as missing.
+/// Converts the real values of an array to doubles. Infinite values become missing ones.
 fn values(data: &NumericData) -> Vec<f64> {
     fn convert<T: Copy>(real: &[T], f: impl Fn(T) -> f64) -> Vec<f64> {
         real.iter().map(|&v| f(v)).collect()
@@ -305,7 +305,7 @@ mod tests {
             ([3, 4], [0.0, 5.0, 10.0, 1.0, 6.0, 20.0, 2.0, 7.0, 30.0, 3.0, 8.0, 40.0], "row"),
         ] {
             let mut bytes = mat(&[("log", &values)]);
-            // The size lies behind the tags of the matrix, of its flags and its own.
+            // The size follows the tags of the matrix, of its flags and of the size itself.
             bytes[128 + 32..128 + 40].copy_from_slice(&size.map(u32::to_le_bytes).concat());
             let mut options = Options::default();
             for (k, channel, unit) in [
@@ -364,7 +364,7 @@ mod tests {
             at += size;
         }
         assert_eq!(read_bytes(&packed, &Options::default()).unwrap()[0].force, [5.0, 6.0]);
-        // Bombs: of zeros, and of a size that the archive cannot have.
+        // Two decompression bombs: one of zeros, and one with a size that the archive cannot contain.
         let zeros = mat(&[("time_s", &vec![0.0; 6 << 20])]);
         let bomb = [&plain[..128], &compress(&zeros[128..])].concat();
         assert!(bomb.len() < 100_000);

@@ -1,11 +1,12 @@
-//! Variables of a MAT file of version 7.3, which is an HDF5 file behind 512 bytes of MATLAB's own.
+//! Variables of a MAT file of version 7.3, which is an HDF5 file after a MATLAB header of 512 bytes.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
-//! | [`hdf5`] | blocks, objects and data sets of an HDF5 file, as far as MATLAB and h5py write them |
-//! | this file | which data sets are variables |
+//! | [`hdf5`] | blocks, objects and data sets of an HDF5 file, in the forms that MATLAB and h5py write |
+//! | this file | the selection of the data sets that are variables |
 //!
-//! A reader of our own: a general one follows links and unpacks chunks without a bound, and a small file then costs gigabytes.
+//! A general HDF5 reader follows links and unpacks chunks without a limit, so a small file could cost gigabytes. This
+//! reader limits both.
 
 mod hdf5;
 
@@ -13,10 +14,10 @@ use super::Variable;
 use crate::source::Budget;
 use hdf5::File;
 
-/// Variables that a file may have.
+/// Largest number of variables of a file.
 const MOST: usize = 4096;
 
-/// Vectors and single numbers at the top of the file; structures, texts and matrices are skipped.
+/// Returns vectors and single numbers at the top level of the file. Skips structures, texts and matrices.
 pub(super) fn variables(bytes: &[u8], budget: &Budget) -> Result<Vec<Variable>, String> {
     let file = File::open(bytes, budget)?;
     let objects = file.objects()?;

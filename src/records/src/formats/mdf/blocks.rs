@@ -1,19 +1,19 @@
-//! Blocks of an MDF file: an identification, a length, links to other blocks, data. Nothing is believed that the file cannot
-//! hold.
+//! Blocks of an MDF file: an identification, a length, links to other blocks, data. Sizes and links that exceed the
+//! file are rejected.
 
 use crate::source::Budget;
 
-/// Blocks that are followed in one chain: more is a circle or no measurement.
+/// Largest number of blocks in one chain. A longer chain is a circle or no measurement.
 const CHAIN: usize = 1 << 16;
 
 /// Work of visiting a block, in steps of the budget.
 const VISIT: u64 = 100;
-/// Letters of a text that are read.
+/// Largest number of characters of a text.
 const LETTERS: usize = 200;
-/// Bytes of a comment in XML in which its text is looked for.
+/// Largest number of bytes of an XML comment in the search for its text.
 const COMMENT: usize = 1 << 16;
 
-/// A whole file.
+/// An MDF file.
 pub(super) struct Mdf<'a> {
     bytes: &'a [u8],
     pub budget: &'a Budget,
@@ -21,15 +21,15 @@ pub(super) struct Mdf<'a> {
 
 /// One block.
 pub(super) struct Block<'a> {
-    /// Its two letters.
+    /// Identification of two letters.
     pub id: &'a [u8],
     links: &'a [u8],
-    /// What follows the links.
+    /// The bytes after the links.
     pub data: &'a [u8],
 }
 
 impl<'a> Mdf<'a> {
-    /// Looks at the identification.
+    /// Checks the identification of the file.
     pub fn new(bytes: &'a [u8], budget: &'a Budget) -> Result<Self, String> {
         let begins = |text: &[u8]| bytes.starts_with(text);
         if begins(b"UnFinMF ") {
@@ -50,7 +50,7 @@ impl<'a> Mdf<'a> {
         self.bytes.len()
     }
 
-    /// Counts a step along a chain of blocks.
+    /// Counts a step along a chain of blocks, and rejects a chain that is too long.
     pub fn count(&self, steps: &mut usize) -> Result<(), String> {
         *steps += 1;
         if *steps > CHAIN.min(self.bytes.len() / 24 + 1) {
@@ -59,13 +59,13 @@ impl<'a> Mdf<'a> {
         Ok(())
     }
 
-    /// The block at a place, which must be of one kind.
+    /// Returns the block at a position, which must be of the given type.
     pub fn block(&self, at: u64, id: &str) -> Result<Block<'a>, String> {
         let block = self.any(at)?;
         if block.id == id.as_bytes() { Ok(block) } else { Err(format!("at byte {at} there is no {id} block")) }
     }
 
-    /// The block at a place.
+    /// Returns the block at a position.
     pub fn any(&self, at: u64) -> Result<Block<'a>, String> {
         let outside = || format!("a block at byte {at} lies outside the file");
         self.budget.work(VISIT)?;
@@ -83,10 +83,10 @@ impl<'a> Mdf<'a> {
         Ok(Block { id: &head[2..4], links, data })
     }
 
-    /// A text, plain or as the first text of a comment in XML; empty where there is none.
+    /// Returns a text, plain or as the first text of an XML comment. Returns an empty text if there is none.
     pub fn text(&self, at: u64) -> String {
         let Ok(block) = self.any(at) else { return String::new() };
-        // Many channels may point at one long text.
+        // Many channels may link to one long text.
         let data = &block.data[..block.data.len().min(COMMENT)];
         let end = data.iter().position(|b| *b == 0).unwrap_or(data.len());
         if self.budget.work(end as u64).is_err() {
@@ -103,12 +103,12 @@ impl<'a> Mdf<'a> {
 }
 
 impl Block<'_> {
-    /// Number of links.
+    /// Returns the number of links.
     pub fn links(&self) -> usize {
         self.links.len() / 8
     }
 
-    /// Where a link leads; 0 is nowhere.
+    /// Returns the target of a link, 0 for none.
     pub fn link(&self, index: usize) -> u64 {
         let at = 8 * index;
         self.links.get(at..at + 8).map_or(0, |b| u64::from_le_bytes(b.try_into().unwrap_or_default()))

@@ -1,8 +1,8 @@
-//! From stored numbers to physical ones, by the rules that numbers have (texts have others).
+//! Conversion of stored numbers to physical values by the numeric rules. Rules for texts are not supported.
 
 use super::blocks::Mdf;
 
-/// A conversion with the unit that it brings.
+/// A conversion and the unit of its result.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Conversion {
     rule: Rule,
@@ -14,11 +14,12 @@ pub(super) struct Conversion {
 enum Rule {
     #[default]
     Same,
-    /// Offset and factor.
+    /// Offset and factor, for y = offset + factor · x.
     Linear([f64; 2]),
     /// (a x² + b x + c) / (d x² + e x + f).
     Rational([f64; 6]),
-    /// Pairs of stored and physical value; between them straight, or the nearest.
+    /// Pairs of stored and physical value. Between them the value is interpolated (`straight`) or that of the nearest
+    /// pair.
     Table { pairs: Vec<[f64; 2]>, straight: bool },
 }
 
@@ -61,34 +62,34 @@ impl Conversion {
         Ok(Self { rule, unit: mdf.text(block.link(1)) })
     }
 
-    /// The stored number is the physical one.
+    /// Makes the identity, for which the stored number is the physical value.
     pub fn same(unit: String) -> Self {
         Self { rule: Rule::Same, unit }
     }
 
-    /// Offset and factor.
+    /// Makes a linear conversion from offset and factor.
     pub fn linear(numbers: &[f64], unit: String) -> Self {
         Self { rule: Rule::Linear([numbers[0], numbers[1]]), unit }
     }
 
-    /// Three numbers above the line, three below it, the squares first.
+    /// Makes a rational conversion from three numbers of the numerator and three of the denominator, the squares first.
     pub fn rational(numbers: &[f64], unit: String) -> Self {
         let mut six = [0.0; 6];
         six.copy_from_slice(&numbers[..6]);
         Self { rule: Rule::Rational(six), unit }
     }
 
-    /// Pairs of stored and physical value.
+    /// Makes a table from pairs of stored and physical value.
     pub fn table(pairs: Vec<[f64; 2]>, straight: bool, unit: String) -> Self {
         Self { rule: Rule::Table { pairs, straight }, unit }
     }
 
-    /// No number at all.
+    /// Makes a conversion without any numeric value.
     pub fn none(unit: String) -> Self {
         Self::table(Vec::new(), false, unit)
     }
 
-    /// The physical value; not a number where the rule gives none.
+    /// Returns the physical value, NaN if the rule gives none.
     pub fn physical(&self, raw: f64) -> f64 {
         let value = match &self.rule {
             Rule::Same => raw,

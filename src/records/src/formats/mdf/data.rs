@@ -1,4 +1,4 @@
-//! The records of a data group: one block, a list of blocks, each plain or compressed.
+//! The records of a data group in one block or in a list of blocks, plain or compressed.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -7,31 +7,32 @@ use std::io::Read as _;
 use super::blocks::{Block, Mdf};
 use crate::source::Budget;
 
-/// Bytes that the data of a file may unpack to, whatever its size.
+/// Unpacked size of the data that is always allowed, bytes.
 const UNPACKED: usize = 48 << 20;
-/// Larger files may unpack to this many times their size: slowly moving channels, transposed, pack well.
+/// A file may unpack to this multiple of its size where that exceeds [`UNPACKED`]. Slowly varying channels compress
+/// well when transposed.
 const RATIO: usize = 4;
 
 /// Work per byte that is unpacked or copied, in steps of the budget.
 const UNPACKING: u64 = 6;
 
-/// Records that a file may hold: two hours at 2 kHz. More places than this would not fit beside their values.
+/// Largest number of records of a file: two hours at 2 kHz. More positions would not fit into memory with their values.
 const RECORDS: usize = 16 << 20;
 
-/// How the records of a channel group look.
+/// Layout of the records of a channel group.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Record {
-    /// Number in front of each, where a data group has several channel groups.
+    /// Number before each record, if a data group has several channel groups.
     pub id: u64,
-    /// Whether each has a length of its own.
+    /// Whether each record has its own length.
     pub variable: bool,
-    /// Bytes of each, validity bits included.
+    /// Bytes of a record, including validity bits.
     pub bytes: usize,
-    /// How many the file announces.
+    /// Number of records that the file announces.
     pub count: u64,
 }
 
-/// All bytes of a data group. What is not borrowed is charged to the budget.
+/// Returns all bytes of a data group. Charges them to the budget, unless they are borrowed from the file.
 pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String> {
     let limit = UNPACKED.max(RATIO * mdf.len()).min(mdf.budget.bytes_remaining() as usize);
     let first = mdf.any(at)?;
@@ -49,7 +50,7 @@ pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String>
     Ok(Cow::Owned(out))
 }
 
-/// The blocks of a list one after the other.
+/// Appends the blocks of a list.
 fn list(mdf: &Mdf<'_>, first: u64, limit: usize, out: &mut Vec<u8>) -> Result<(), String> {
     let (mut next, mut steps) = (first, 0);
     while next != 0 {
@@ -108,7 +109,7 @@ fn append(block: &Block<'_>, limit: usize, out: &mut Vec<u8>) -> Result<(), Stri
     Ok(())
 }
 
-/// Undoes the transposition of whole rows of `columns` bytes; what is left at the end was not transposed.
+/// Reverses the transposition of whole rows of `columns` bytes. Trailing bytes were not transposed.
 fn turn_back(bytes: &mut [u8], columns: usize) {
     if columns == 0 {
         return;
@@ -122,7 +123,7 @@ fn turn_back(bytes: &mut [u8], columns: usize) {
     }
 }
 
-/// Where the records of every channel group begin.
+/// Returns the positions of the records of every channel group.
 pub(super) fn places(
     bytes: &[u8],
     id_size: usize,
@@ -154,7 +155,7 @@ pub(super) fn places(
         raw[..id_size].copy_from_slice(&bytes[at..at + id_size]);
         let id = u64::from_le_bytes(raw);
         at += id_size;
-        // The place, and finding it.
+        // Charge the position and the search for its group.
         budget.numbers(1)?;
         budget.work(50)?;
         let Some(&k) = by_id.get(&id) else {

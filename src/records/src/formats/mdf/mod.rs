@@ -1,15 +1,16 @@
 //! Reads measurement files of MDF 4 (ASAM MDF 4.x): sorted and unsorted, plain and compressed; and of MDF 2 and 3.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
 //! | [`blocks`] | blocks and links, each checked against the file |
 //! | [`data`] | the records of a data group, from plain, listed and compressed blocks |
-//! | [`conversion`] | from stored numbers to physical ones |
-//! | [`version3`] | the same of MDF 2 and 3, whose blocks are of another form |
-//! | this file | groups and channels, and which of them make a test |
+//! | [`conversion`] | conversion of stored numbers to physical values |
+//! | [`version3`] | reader of MDF 2 and 3, whose blocks have another form |
+//! | this file | groups and channels, and the selection of tests |
 //!
-//! A group of channels with one time axis is a test; groups whose time axes are equal belong together, as loggers write one
-//! group a channel. A slow channel of another time axis, such as a temperature, is put onto the times of the test.
+//! A group of channels with one time axis is a test. Groups with equal time axes belong together, because loggers may
+//! write one group per channel. A slow channel with another time axis, such as a temperature, is interpolated at the
+//! times of the test.
 
 mod blocks;
 mod conversion;
@@ -31,17 +32,17 @@ use crate::tuning::mdf::TOGETHER;
 use blocks::{Block, Mdf};
 use conversion::Conversion;
 
-/// What a message calls these files.
+/// Name of these files in messages.
 const KIND: &str = "an MDF file";
-/// Groups and channels of a group that a file may have: a rig has tens.
+/// Largest number of groups in a file, and of channels in a group. A rig has tens.
 const MOST: usize = 4096;
-/// Memory of a channel without its values, bytes; comparing its name with those of the channels of a rig costs more than that in work.
+/// Memory of a channel without its values, bytes.
 const CHANNEL: u64 = 1024;
 const NAMING: u64 = 20_000;
-/// Work of making a physical value of a stored one.
+/// Work of converting a stored value to a physical value.
 const CONVERTING: u64 = 10;
 
-/// Whether a file begins as these do, whatever its name.
+/// Returns whether a file begins like an MDF file, regardless of its name.
 pub(crate) fn is_one(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MDF     ")
 }
@@ -109,24 +110,24 @@ struct Channel {
     values: Vec<f64>,
 }
 
-/// Channels of one time axis.
+/// Channels with a common time axis.
 struct Group {
     rows: usize,
     channels: Vec<Channel>,
 }
 
-/// Where a channel's number stands in a record.
+/// Position and format of a channel's number in a record.
 struct Stored {
     name: String,
     unit: String,
     is_time: bool,
-    /// Virtual: the number of the record itself.
+    /// Whether the channel is virtual: its value is the number of the record itself.
     counted: bool,
     format: Format,
     conversion: Conversion,
 }
 
-/// How a number is stored.
+/// Storage format of a number.
 struct Format {
     kind: u8,
     byte: usize,
@@ -135,16 +136,17 @@ struct Format {
     big_endian: bool,
 }
 
-/// When time was nought, s since 1970 by the rig's own clock; nothing where the file says none.
+/// Returns the date and time of the time zero, s since 1970 by the rig's own clock. Returns `None` if the file states
+/// none.
 fn begins(mdf: &Mdf<'_>) -> Result<Option<f64>, String> {
     let header = mdf.block(64, "HD")?;
-    // Nanoseconds, and minutes from universal to local time where a flag says that they hold.
+    // The header contains nanoseconds and, if a flag marks them as valid, the minutes from universal to local time.
     let seconds = header.u64(0)? as f64 * 1e-9;
     let to_local = if header.u8(12)? & 2 == 0 { 0.0 } else { f64::from(header.i16(8)?) + f64::from(header.i16(10)?) };
     Ok((seconds > 0.0).then_some(seconds + 60.0 * to_local))
 }
 
-/// All groups of the file, channels read.
+/// Reads all groups of the file with their channels.
 fn groups(mdf: &Mdf<'_>) -> Result<Vec<Group>, String> {
     let mut found = Vec::new();
     let header = mdf.block(64, "HD")?;
@@ -220,7 +222,7 @@ fn read_data_group(mdf: &Mdf<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> 
     Ok(())
 }
 
-/// The numeric channels of a group.
+/// Returns the numeric channels of a group.
 fn channels(mdf: &Mdf<'_>, first: u64) -> Result<Vec<Stored>, String> {
     const FIXED: u8 = 0;
     const MASTER: u8 = 2;
@@ -248,7 +250,7 @@ fn channels(mdf: &Mdf<'_>, first: u64) -> Result<Vec<Stored>, String> {
             unit = conversion.unit.clone();
         }
         if is_time && unit.is_empty() {
-            // The format measures master channels of time in seconds.
+            // The unit of time master channels is the second by definition of the format.
             unit = "s".into();
         }
         let name = if is_time { "time".to_owned() } else { mdf.text(block.link(2)) };
@@ -264,7 +266,7 @@ fn channels(mdf: &Mdf<'_>, first: u64) -> Result<Vec<Stored>, String> {
 }
 
 impl Format {
-    /// Bytes that the number takes.
+    /// Returns the number of bytes of the number.
     fn width(&self) -> usize {
         (self.bit as usize + self.bits as usize).div_ceil(8)
     }
@@ -277,7 +279,7 @@ impl Format {
         whole && self.byte.checked_add(self.width()).is_some_and(|end| end <= record)
     }
 
-    /// The number in a record that it [`Self::fits`].
+    /// Returns the number in a record for which [`Self::fits`] is true.
     fn number(&self, record: &[u8]) -> f64 {
         let stored = &record[self.byte..self.byte + self.width()];
         let mut raw = [0_u8; 8];
@@ -304,10 +306,10 @@ impl Format {
     }
 }
 
-/// Channels that may be slower than the motion, for they change slowly or are for a look beside it.
+/// Channels that may be slower than the motion, because they vary slowly or only serve for comparison.
 const SLOW: [Kind; 2] = [Kind::Temperature, Kind::SideForce];
 
-/// Takes out the groups that hold none of force and motion but a slow channel.
+/// Removes and returns the groups with a slow channel but without force and motion.
 fn take_slow(groups: &mut Vec<Group>, options: &Options) -> Vec<Group> {
     let holds = |group: &Group, kinds: &[Kind]| {
         group.channels.iter().any(|c| channel_of(&c.name, options).is_some_and(|kind| kinds.contains(&kind)))
@@ -325,7 +327,7 @@ fn take_slow(groups: &mut Vec<Group>, options: &Options) -> Vec<Group> {
     slow
 }
 
-/// Puts the slow channels that a test lacks onto its times, by straight lines; their names.
+/// Interpolates the slow channels that a test lacks at the times of the test. Returns their names.
 fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budget) -> Result<Vec<String>, Exhausted> {
     let Some(time) = test.channels.iter().find(|c| c.is_time).map(|c| c.values.clone()) else { return Ok(Vec::new()) };
     let mut names = Vec::new();
@@ -337,7 +339,7 @@ fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budge
         else {
             continue;
         };
-        // Of another test of the file.
+        // The group belongs to another test of the file.
         if from > end || to < begin {
             continue;
         }
@@ -360,7 +362,7 @@ fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budge
     Ok(names)
 }
 
-/// The value at a time between two samples; before the first and after the last, that of these.
+/// Interpolates between two samples. Before the first and after the last sample the value is that of this sample.
 fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
     let next = times.partition_point(|t| *t < time);
     match (next.checked_sub(1), values.get(next)) {
@@ -373,13 +375,13 @@ fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
     }
 }
 
-/// Times that two groups were joined at, and the names of the channels that were put onto them.
+/// Times of two joined groups, and the names of the channels that were interpolated at these times.
 type JoinedAt = (Vec<f64>, Vec<String>);
 
-/// Joins groups that hold the force alone with those that hold the motion alone over the same time.
+/// Joins groups that contain only the force with groups that contain only the motion over the same time.
 ///
-/// Loggers write channels of different rates into groups of their own. The slower one's times are kept, for between
-/// its samples nothing is known.
+/// Loggers write channels of different rates into separate groups. The times of the slower group are kept, because its
+/// values between the samples are unknown.
 fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Result<Vec<JoinedAt>, Exhausted> {
     let holds = |group: &Group, kinds: &[Kind]| {
         group.channels.iter().any(|c| channel_of(&c.name, options).is_some_and(|kind| kinds.contains(&kind)))
@@ -413,7 +415,7 @@ fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Re
         let (Some(from), Some(time)) = (clock(fast), clock(slow)) else { continue };
         let other = std::mem::replace(&mut groups[fast], Group { rows: 0, channels: Vec::new() });
         (taken[fast], taken[slow]) = (true, true);
-        // Where the faster one has begun, and not ended yet.
+        // Keep the times within the range of the faster group.
         let inside =
             |t: f64| from.first().is_some_and(|first| t >= *first) && from.last().is_some_and(|last| t <= *last);
         let kept: Vec<usize> = (0..time.len()).filter(|i| inside(time[*i])).collect();
@@ -435,10 +437,10 @@ fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Re
     Ok(told)
 }
 
-/// Groups whose time axes are the same as one group; those without a time axis stay alone.
+/// Joins groups with equal time axes. Groups without a time axis stay separate.
 fn joined(groups: Vec<Group>) -> Vec<Group> {
     let mut joined: Vec<Group> = Vec::new();
-    // Bits, not values: a missing time is no time axis of another. Thousands of groups are compared by a map, not one by one.
+    // The key consists of bits, so that NaN equals NaN. A map compares thousands of groups quickly.
     let mut by_time: HashMap<Vec<u64>, usize> = HashMap::new();
     for group in groups {
         let time = group.channels.iter().find(|c| c.is_time);
@@ -501,7 +503,7 @@ mod tests {
         assert_eq!((taken.len(), groups.len()), (1, 1));
         assert_eq!(with_slow(&mut groups[0], &taken, &options, &budget).unwrap(), ["Rohr"]);
         assert_eq!(groups[0].channels[3].values, [20.0, 20.0, 22.0, 24.0, 24.0]);
-        // One that nobody asks for stays where it is, as does one of another time.
+        // A slow group without a requested channel stays in the list. A group of another time is not joined.
         assert!(take_slow(&mut vec![slow(), test()], &Options::default()).is_empty());
         let later = group(&[("time", "s", &[8.0, 9.0]), ("Rohr", "degC", &[20.0, 24.0])]);
         assert!(with_slow(&mut test(), &[later], &options, &budget).unwrap().is_empty());

@@ -1,7 +1,7 @@
-//! MDF 2 and 3.
+//! Reads MDF 2 and 3.
 //!
-//! Blocks of two letters and a length of 16 bits, links of 32 bits at fixed places, numbers in the byte order that
-//! the file states. What is found goes the same way as of MDF 4.
+//! Blocks begin with two letters and a length of 16 bits. Links have 32 bits at fixed positions. The file states the
+//! byte order of its numbers. The results have the same form as those of MDF 4.
 
 use super::conversion::Conversion;
 use super::data::{self, Record};
@@ -9,30 +9,30 @@ use super::{CHANNEL, Channel, Format, Group, MOST, NAMING, Stored};
 use crate::dates::clock;
 use crate::source::Budget;
 
-/// A whole file.
+/// An MDF 2 or 3 file.
 struct File<'a> {
     bytes: &'a [u8],
     big_endian: bool,
     budget: &'a Budget,
 }
 
-/// One block, its numbers addressed from its first byte as the standard does.
+/// A block whose numbers are addressed from its first byte, as in the standard.
 struct Block<'a> {
     file: &'a File<'a>,
     bytes: &'a [u8],
 }
 
-/// Blocks that are followed in one chain: more is a circle or no measurement.
+/// Largest number of blocks in one chain. A longer chain is a circle or no measurement.
 const CHAIN: usize = 1 << 16;
-/// Bytes at which the block of the header begins.
+/// Position of the header block, bytes.
 const HEADER: u32 = 64;
 
-/// Whether a file says that it is of one of these versions.
+/// Returns whether a file states one of these versions.
 pub(super) fn is_one(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MDF     ") && bytes.get(8).is_some_and(|version| [b'2', b'3'].contains(version))
 }
 
-/// All groups of the file, channels read, and when time was nought, s since 1970.
+/// Reads all groups of the file with their channels, and the date and time of the time zero, s since 1970.
 pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Option<f64>), String> {
     let order = bytes.get(24..26).ok_or("it ends in its identification")?;
     let file = File { bytes, big_endian: order != [0, 0], budget };
@@ -41,7 +41,7 @@ pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Optio
     for group in file.chain(header.u32(4)?, "DG")? {
         data_group(&file, &group, &mut found)?;
     }
-    // `25:11:2026` and `10:03:22`; a writer that knows no time puts the first instant of 1980.
+    // `25:11:2026` and `10:03:22`. A writer without a clock states the first instant of 1980.
     let text = header.bytes.get(18..36).map(latin).unwrap_or_default();
     let (date, time) = text.split_at_checked(10).unwrap_or_default();
     let begins = clock::seconds(&format!("{} {time}", date.replace(':', ".")));
@@ -49,7 +49,7 @@ pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Optio
 }
 
 fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Result<(), String> {
-    // Two record numbers: one stands behind the record as well.
+    // With two record numbers the second one follows the record.
     let ids = usize::from(group.u16(22)?);
     if ids > 2 {
         return Err(format!("it has {ids} record numbers a record; none, one or two are possible"));
@@ -59,7 +59,7 @@ fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Res
         let record = Record {
             id: u64::from(block.u16(16)?),
             variable: false,
-            // The number behind the record belongs to it here.
+            // The number after the record is part of the record here.
             bytes: usize::from(block.u16(20)?) + usize::from(ids == 2),
             count: u64::from(block.u32(22)?),
         };
@@ -72,7 +72,7 @@ fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Res
     if from == 0 || channel_groups.iter().all(|(_, channels)| channels.is_empty()) {
         return Ok(());
     }
-    // The data have no length of their own: they end where the announced records do.
+    // The data have no stated length. They end after the announced number of records.
     let announced = channel_groups.iter().try_fold(0_usize, |sum, (record, _)| {
         let bytes = record.bytes + usize::from(ids > 0);
         usize::try_from(record.count).ok()?.checked_mul(bytes)?.checked_add(sum)
@@ -101,14 +101,15 @@ fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Res
     Ok(())
 }
 
-/// The numeric channels of a group.
+/// Returns the numeric channels of a group.
 fn channels(file: &File<'_>, first: u32) -> Result<Vec<Stored>, String> {
     let mut found = Vec::new();
     for block in file.chain(first, "CN")? {
         file.budget.hold(CHANNEL)?;
         file.budget.work(NAMING)?;
         let is_time = block.u16(24)? == 1;
-        // Unsigned, signed, two widths of floating point; then the same in a byte order of their own; the rest are texts.
+        // Types: unsigned, signed, two widths of floating point; then the same types with an explicit byte order. The
+        // rest are texts.
         let (kind, big_endian) = match block.u16(190)? {
             kind @ 0..=3 => (kind, file.big_endian),
             kind @ 9..=12 => (kind - 9, true),
@@ -116,9 +117,9 @@ fn channels(file: &File<'_>, first: u32) -> Result<Vec<Stored>, String> {
             _ => continue,
         };
         let (start, bits) = (usize::from(block.u16(186)?), u32::from(block.u16(188)?));
-        // Newer versions count bytes beyond what 16 bits of bits reach.
+        // Newer versions have an additional byte offset beyond the range of the 16-bit bit offset.
         let more = if block.bytes.len() >= 228 { usize::from(block.u16(226)?) } else { 0 };
-        // As MDF 4 numbers the kinds of numbers: unsigned, signed, floating.
+        // Numeric types as in MDF 4: unsigned, signed, floating.
         let format =
             Format { kind: kind.min(2) as u8, byte: start / 8 + more, bit: (start % 8) as u32, bits, big_endian };
         let conversion = conversion(file, block.u32(8)?)?;
@@ -140,7 +141,7 @@ fn channels(file: &File<'_>, first: u32) -> Result<Vec<Stored>, String> {
     Ok(found)
 }
 
-/// The conversion that a channel links to.
+/// Reads the conversion that a channel links to.
 fn conversion(file: &File<'_>, at: u32) -> Result<Conversion, String> {
     if at == 0 {
         return Ok(Conversion::default());
@@ -169,7 +170,7 @@ fn conversion(file: &File<'_>, at: u32) -> Result<Conversion, String> {
     })
 }
 
-/// Text of one byte a letter, up to its first zero; tools write UTF-8 there too.
+/// Decodes text of one byte per letter, up to its first zero. Some tools write UTF-8 there.
 fn latin(bytes: &[u8]) -> String {
     let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
     let text = match std::str::from_utf8(&bytes[..end]) {
@@ -180,7 +181,7 @@ fn latin(bytes: &[u8]) -> String {
 }
 
 impl<'a> File<'a> {
-    /// The block at a place, which must be of one kind.
+    /// Returns the block at a position, which must be of the given type.
     fn block(&'a self, at: u32, id: &str) -> Result<Block<'a>, String> {
         let outside = || format!("a block at byte {at} lies outside the file");
         let from = at as usize;
@@ -193,7 +194,7 @@ impl<'a> File<'a> {
         Ok(Block { file: self, bytes })
     }
 
-    /// A block and all that it leads to, each by the link at its fourth byte.
+    /// Returns a block and all blocks of its chain. The link to the next block is at the fourth byte.
     fn chain(&'a self, first: u32, id: &str) -> Result<Vec<Block<'a>>, String> {
         let (mut next, mut blocks) = (first, Vec::new());
         while next != 0 {
@@ -209,7 +210,7 @@ impl<'a> File<'a> {
         Ok(blocks)
     }
 
-    /// The text that a link leads to, where it does.
+    /// Returns the text that a link points to, if there is one.
     fn text(&'a self, at: u32) -> Option<String> {
         let block = if at == 0 { None } else { self.block(at, "TX").ok() }?;
         self.budget.hold(block.bytes.len() as u64).ok()?;

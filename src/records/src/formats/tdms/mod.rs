@@ -1,6 +1,6 @@
 //! Reads TDMS files (National Instruments, TDMS file format internal structure): segments of properties and raw data.
 //!
-//! A group of channels is a test. The step of a waveform stands in for a time channel; scalings of the linear kind are applied.
+//! A group of channels is a test. The step of a waveform replaces a time channel. Linear scalings are applied.
 
 mod segments;
 mod value;
@@ -17,7 +17,7 @@ use crate::options::Options;
 use crate::source::Source;
 use segments::{Channel, channels};
 
-/// What a message calls these files.
+/// Name of these files in messages.
 const KIND: &str = "a TDMS file";
 
 /// Reads the tests of one file.
@@ -51,7 +51,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         let layout = Layout::new(&at, 1, &header, Some(&units), options, step.is_some())?;
         // Channels of one length belong together.
         let lengths = || layout.columns.iter().map(|c| members[c.index].values.len());
-        // Where the file broke off, one channel may have more than another.
+        // In a truncated file one channel may have more values than another.
         let length = if cut { lengths().min() } else { lengths().max() }.unwrap_or(0);
         if let Some(column) = layout.columns.iter().find(|c| members[c.index].values.len() != length && !cut) {
             let found = members[column.index].values.len();

@@ -1,13 +1,13 @@
-//! Segments of a TDMS file: each adds properties to objects, and raw data of the objects that have any.
+//! Segments of a TDMS file. Each adds properties to objects, and raw data to some objects.
 
 use std::collections::HashMap;
 
 use super::value::{Cursor, Number, Property};
 use crate::source::Budget;
 
-/// Objects that a file may have: a rig has tens of channels, some files a group for each test.
+/// Largest number of objects of a file. A rig has tens of channels, and some files have a group for each test.
 const MOST: usize = 1 << 14;
-/// Memory of an object or a property beside its name, bytes, and the work of finding it.
+/// Memory of an object or a property in addition to its name, bytes, and the work of finding it.
 const OBJECT: u64 = 256;
 /// Flags of a segment.
 const META: u32 = 1 << 1;
@@ -16,7 +16,7 @@ const RAW: u32 = 1 << 3;
 const INTERLEAVED: u32 = 1 << 5;
 const BIG_ENDIAN: u32 = 1 << 6;
 const DAQMX: u32 = 1 << 7;
-/// Length of what stands before every segment.
+/// Length of the lead-in before every segment, bytes.
 const LEAD_IN: usize = 28;
 
 /// A channel with its physical values.
@@ -28,31 +28,31 @@ pub(super) struct Channel {
     pub unit: String,
     /// Step of its waveform, s.
     pub step: Option<f64>,
-    /// When its first value was taken, s since 1970, where it is known.
+    /// Time of its first value, s since 1970, if known.
     pub begins: Option<f64>,
     pub values: Vec<f64>,
 }
 
-/// An object as segments tell of it.
+/// An object with its properties and data.
 #[derive(Debug, Default)]
 struct Object {
     path: String,
     properties: HashMap<String, Property>,
-    /// How its data stand in a segment: kind of number and how many in a chunk.
+    /// Layout of its data in a segment: type of number, and number of values in a chunk.
     index: Option<(Number, usize)>,
-    /// Whether it has data in the segment.
+    /// Whether the object has data in the segment.
     is_active: bool,
     values: Vec<f64>,
 }
 
-/// All channels of a file, and whether it broke off while it was written.
+/// Reads all channels of a file. Also returns whether the file is truncated.
 pub(super) fn channels(bytes: &[u8], budget: &Budget) -> Result<(Vec<Channel>, bool), String> {
     if !bytes.starts_with(b"TDSm") {
         return Err("it does not begin with TDSm".into());
     }
     let mut objects: Vec<Object> = Vec::new();
     let mut by_path: HashMap<String, usize> = HashMap::new();
-    // Objects with data in the segment, in the order of their data; the next may leave it as it is.
+    // Objects with data in the segment, in the order of their data. The next segment may reuse the list.
     let mut active: Vec<usize> = Vec::new();
     let (mut at, mut cut) = (0, false);
     while at + LEAD_IN <= bytes.len() {
@@ -65,13 +65,13 @@ pub(super) fn channels(bytes: &[u8], budget: &Budget) -> Result<(Vec<Channel>, b
         let _version = rest.u32()?;
         let (next, raw) = (rest.u64()?, rest.u64()?);
         let from = at + LEAD_IN;
-        // A recording that was cut off says that its last segment has no end.
+        // The last segment of an interrupted recording states no end.
         let end = if next == u64::MAX {
             Some(bytes.len())
         } else {
             usize::try_from(next).ok().and_then(|n| from.checked_add(n))
         };
-        // Data that the file lost are left out; properties that it lost are not.
+        // Missing data of a truncated file are left out, but missing properties are an error.
         let stated = end.ok_or("a segment ends outside the file")?;
         cut |= next == u64::MAX || stated > bytes.len();
         let end = stated.min(bytes.len());
@@ -92,13 +92,13 @@ pub(super) fn channels(bytes: &[u8], budget: &Budget) -> Result<(Vec<Channel>, b
         }
         at = end;
     }
-    // The beginning of a segment that was not written to its end.
+    // The file ends within the lead-in of a segment.
     cut |= at < bytes.len();
     let channels = objects.into_iter().filter_map(|object| channel(object).transpose()).collect::<Result<_, _>>()?;
     Ok((channels, cut))
 }
 
-/// The objects that a segment tells of.
+/// Reads the objects in the metadata of a segment.
 fn meta(
     cursor: &mut Cursor<'_>,
     objects: &mut Vec<Object>,
@@ -156,9 +156,10 @@ fn meta(
     Ok(())
 }
 
-/// The data of a segment; whether its last chunk is not whole. Chunks, each with the values of every object one after the other, or value by value in turn.
+/// Reads the data of a segment. Returns whether its last chunk is incomplete. A chunk contains the values of every
+/// object in sequence, or interleaved value by value.
 fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize], budget: &Budget) -> Result<bool, String> {
-    // A segment may leave the list as it is, and then costs as much as a longer one.
+    // A segment may reuse the list, and then costs as much as a longer segment.
     budget.work(10 * active.len() as u64)?;
     let shapes: Vec<(usize, Number, usize)> = active
         .iter()
@@ -198,7 +199,7 @@ fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize], budg
     Ok(!bytes.len().is_multiple_of(chunk))
 }
 
-/// The channel that an object is; `None` for the file itself and its groups.
+/// Converts an object to a channel. Returns `None` for the file itself and its groups.
 fn channel(object: Object) -> Result<Option<Channel>, String> {
     let parts = parts(&object.path);
     let [group, name] = &parts[..] else { return Ok(None) };
@@ -230,7 +231,7 @@ fn channel(object: Object) -> Result<Option<Channel>, String> {
     values.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = f64::NAN);
     let unit = text("unit_string").or_else(|| text("NI_UnitDescription")).unwrap_or_default();
     let step = number("wf_increment").filter(|s| s.is_finite() && *s > 0.0);
-    // Nought is what a waveform without a time has.
+    // Waveforms without a time have a start of 0.
     let begins = match object.properties.get("wf_start_time") {
         Some(Property::Time(seconds)) => Some(*seconds).filter(|seconds| *seconds > 0.0),
         _ => None,
@@ -238,7 +239,7 @@ fn channel(object: Object) -> Result<Option<Channel>, String> {
     Ok(Some(Channel { group: group.clone(), name: name.clone(), unit, step, begins, values }))
 }
 
-/// The names in a path such as `/'group'/'channel'`, in which a quote is written twice.
+/// Splits a path such as `/'group'/'channel'` into its names. A quote within a name is doubled.
 fn parts(path: &str) -> Vec<String> {
     let mut parts = Vec::new();
     let mut letters = path.chars().peekable();

@@ -1,8 +1,8 @@
-//! Numbers and texts of a TDMS file, read one after the other, never beyond its end.
+//! Numbers and texts of a TDMS file, read in sequence and never beyond the end of the file.
 
 use crate::dates::clock::DAY;
 
-/// Kinds of number that raw data may have.
+/// Types of numbers in raw data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Number {
     I8,
@@ -18,7 +18,7 @@ pub(super) enum Number {
 }
 
 impl Number {
-    /// By the number that the format gives it.
+    /// Returns the type for its code in the format.
     pub fn from_code(code: u32) -> Option<Self> {
         Some(match code {
             1 => Self::I8,
@@ -35,7 +35,7 @@ impl Number {
         })
     }
 
-    /// Bytes that it takes.
+    /// Returns the number of bytes of the type.
     pub fn width(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -45,7 +45,7 @@ impl Number {
         }
     }
 
-    /// The value of its bytes.
+    /// Converts stored bytes to a value.
     pub fn value(self, stored: &[u8], big_endian: bool) -> f64 {
         let mut raw = [0_u8; 8];
         let width = self.width().min(stored.len());
@@ -66,7 +66,7 @@ impl Number {
     }
 }
 
-/// A place in the bytes of a file.
+/// A position in the bytes of a file.
 #[derive(Debug, Clone)]
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
@@ -101,7 +101,7 @@ impl<'a> Cursor<'a> {
         Ok(String::from_utf8_lossy(self.take(length)?).into_owned())
     }
 
-    /// The value of a property: a number, a text, or nothing that matters here.
+    /// Reads the value of a property: a number, a text, a time, or another type that is ignored.
     pub fn property(&mut self) -> Result<Property, String> {
         let code = self.u32()?;
         if let Some(number) = Number::from_code(code) {
@@ -111,7 +111,7 @@ impl<'a> Cursor<'a> {
             0x20 => Ok(Property::Text(self.text()?)),
             0x21 => self.take(1).map(|_| Property::Other),
             0x44 => {
-                // 2^-64 s and whole seconds since 1904; in a file of big-endian numbers the seconds stand first.
+                // Fractions of 2^-64 s, and whole seconds since 1904. In a big-endian file the seconds come first.
                 let (first, second) = (self.u64()?, self.u64()?);
                 let (fraction, seconds) = if self.big_endian { (second, first) } else { (first, second) };
                 Ok(Property::Time(seconds as i64 as f64 - FROM_1904_TO_1970 + fraction as f64 / 2f64.powi(64)))
@@ -123,11 +123,11 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Seconds from the first instant of 1904, from which these files count, to that of 1970.
+/// Seconds from the first instant of 1904, the epoch of these files, to that of 1970.
 const FROM_1904_TO_1970: f64 = 24_107.0 * DAY;
 
 impl Property {
-    /// Memory beside the value itself, bytes.
+    /// Returns the memory in addition to the value itself, bytes.
     pub fn size(&self) -> u64 {
         match self {
             Property::Text(text) => text.len() as u64,

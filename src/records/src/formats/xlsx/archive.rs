@@ -1,27 +1,28 @@
-//! The archive that a workbook is: how far its parts unpack, and what each reading of them costs.
+//! Limits the unpacked size of a workbook's zip archive, and charges each reading of its parts.
 
 use std::io::{Cursor, Error, Read, Result, Seek, SeekFrom};
 
 use crate::source::{Budget, Exhausted};
 
-/// Largest part of a workbook when unpacked, bytes, whatever the size of the file.
+/// Unpacked size of all parts of a workbook together that is always allowed, bytes.
 ///
-/// The strings need several times their size in memory, so they get less.
+/// The strings need several times their size in memory, so their limit is lower.
 const LARGEST_PART: u64 = 256 << 20;
 const LARGEST_STRINGS: u64 = 48 << 20;
-/// Larger workbooks may unpack to this many times their size; sheets of numbers do to less than twelve.
+/// A workbook may unpack to this multiple of its size where that exceeds [`LARGEST_PART`]. For sheets of numbers the
+/// ratio is below twelve.
 const UNPACKED: u64 = 20;
-/// Longest tag with the text behind it, bytes: a cell holds at most 32,767 letters.
+/// Longest tag with the text after it, bytes. A cell contains at most 32,767 letters.
 const LONGEST: u64 = 1 << 20;
-/// Memory of a style beside its texts, bytes: each names a font, a fill and borders.
+/// Memory of a style in addition to its texts, bytes. Each style names a font, a fill and borders.
 const STYLE: u64 = 512;
-/// Work per unpacked byte of XML and per tag, in steps of the budget. Empty rows are all tags: without a charge of their own
-/// they took three times the work that they were charged (tests/costly.rs).
+/// Work per unpacked byte of XML and per tag, in steps of the budget. Empty rows consist of tags only. Without the
+/// charge per tag they took three times the charged work (tests/costly.rs).
 const PARSED: u64 = 6;
 const TAG: u64 = 40;
 
-/// Unpacks every part once, into nothing, and refuses what would not fit into memory. Sizes that the archive states are not
-/// believed. The reader that comes back charges every later reading.
+/// Unpacks every part once without storing it, and rejects a workbook that would not fit into memory. Sizes that the
+/// archive states are not trusted. The returned reader charges every later reading.
 pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result<Metered<'a>, String> {
     let size = bytes.len() as u64;
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
@@ -34,7 +35,7 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
         let strings = name.ends_with("sharedstrings.xml");
         let mut scan = Scan::default();
         if strings {
-            // A count that the text cannot hold would be reserved in memory at once.
+            // The parser would reserve memory for any announced count, so reject a count that the text cannot contain.
             let mut start = Vec::new();
             (&mut part).take(4096).read_to_end(&mut start).map_err(|e| e.to_string())?;
             scan.take(&start);
@@ -71,7 +72,7 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
             budget.hold(scan.tags * 12 + scan.bytes)?;
         }
         if name.ends_with("styles.xml") {
-            // Every style copies what it names.
+            // Every style copies the items that it names.
             budget.hold(scan.tags.saturating_mul(scan.longest + STYLE))?;
         }
     }
@@ -83,7 +84,7 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
     Ok(Metered { bytes: Cursor::new(bytes), parts, budget: budget.clone() })
 }
 
-/// What a part looks like: its size, its tags, and the longest tag with the text behind it, all in bytes.
+/// Size of a part, its number of tags, and the longest tag with the text after it. Sizes are in bytes.
 #[derive(Default)]
 struct Scan {
     bytes: u64,
@@ -93,7 +94,7 @@ struct Scan {
 }
 
 impl Scan {
-    /// Work of parsing the part once.
+    /// Returns the work of parsing the part once.
     fn work(&self) -> u64 {
         PARSED * self.bytes + TAG * self.tags
     }
@@ -112,17 +113,17 @@ impl Scan {
     }
 }
 
-/// A part of the archive: where its bytes begin and end, and the work that each of them makes.
+/// A part of the archive: start and end of its bytes, and the work per byte.
 struct Part {
     start: u64,
     end: u64,
     work: u64,
 }
 
-/// The bytes of an archive, each reading charged by the work of what it unpacks to: many sheets may be one part.
+/// Reader of an archive that charges each reading by the unpacked work, because many sheets may share one part.
 pub(crate) struct Metered<'a> {
     bytes: Cursor<&'a [u8]>,
-    /// In the order of their places.
+    /// Sorted by position.
     parts: Vec<Part>,
     budget: Budget,
 }

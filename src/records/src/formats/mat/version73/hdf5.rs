@@ -1,8 +1,9 @@
 //! HDF5 files as MATLAB and h5py write them (The HDF Group, HDF5 File Format Specification, version 3.0).
 //!
-//! Groups of both forms, data sets of numbers that are compact, contiguous or in chunks, deflated and shuffled.
+//! The reader supports both forms of groups, and numeric data sets that are compact, contiguous or chunked, deflated
+//! and shuffled.
 //!
-//! Every block that is visited, every chunk and every number is charged to the budget, and no node of a tree is visited twice.
+//! Every visited block, every chunk and every number is charged to the budget. No node of a tree is visited twice.
 
 use std::collections::HashSet;
 use std::io::Read as _;
@@ -13,17 +14,17 @@ use crate::source::Budget;
 const SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
 /// Work of visiting a block, in steps of the budget.
 const VISIT: u64 = 200;
-/// Memory of a link beside its name, bytes.
+/// Memory of a link in addition to its name, bytes.
 const LINK: u64 = 64;
-/// Dimensions of a data set; MATLAB's matrices have two.
+/// Largest number of dimensions of a data set. MATLAB's matrices have two.
 const MOST_DIMENSIONS: usize = 8;
 
-/// A whole file.
+/// An HDF5 file.
 pub(super) struct File<'a> {
-    /// From the superblock on, which addresses count from.
+    /// The bytes from the superblock on, to which addresses are relative.
     bytes: &'a [u8],
     budget: &'a Budget,
-    /// Bytes of an address and of a length.
+    /// Number of bytes of an address and of a length.
     offset: usize,
     length: usize,
     root: u64,
@@ -38,7 +39,7 @@ pub(super) struct DataSet {
     filters: Vec<Filter>,
 }
 
-/// How a number is stored.
+/// Storage format of a number.
 #[derive(Clone, Copy)]
 struct Number {
     size: usize,
@@ -54,13 +55,13 @@ enum Kind {
 }
 
 enum Layout {
-    /// Data in the header itself: place and length.
+    /// Data in the header itself: position and length.
     Compact { at: usize, size: usize },
-    /// One block; nothing where it was never written.
+    /// One block, or `None` if it was never written.
     Contiguous { at: Option<u64>, size: u64 },
-    /// Pieces of the same shape, found by a tree.
+    /// Chunks of equal shape, indexed by a tree.
     Chunked { tree: Option<u64>, chunk: Vec<u64> },
-    /// One piece for all, of its stored size where it passes filters.
+    /// A single chunk for all data. `stored` is its stored size if filters apply.
     OneChunk { at: Option<u64>, stored: Option<u64>, chunk: Vec<u64> },
 }
 
@@ -68,11 +69,11 @@ enum Layout {
 enum Filter {
     Deflate,
     Shuffle,
-    /// A checksum of four bytes behind the data.
+    /// A checksum of four bytes after the data.
     Fletcher,
 }
 
-/// A message of an object header: its kind, and where its data begin.
+/// A message of an object header: its type, and the position of its data.
 struct Message {
     kind: u16,
     at: usize,
@@ -83,14 +84,14 @@ fn too_short() -> String {
 }
 
 impl<'a> File<'a> {
-    /// Finds the superblock: at the beginning, or behind a block of the user's of 512 bytes or a power of two times that.
+    /// Finds the superblock at the beginning, or after a user block of 512 bytes times a power of two.
     pub fn open(bytes: &'a [u8], budget: &'a Budget) -> Result<File<'a>, String> {
         let starts = std::iter::once(0).chain((0..24).map(|k| 512_usize << k)).take_while(|at| *at < bytes.len());
         let at = starts.into_iter().find(|at| bytes[*at..].starts_with(SIGNATURE));
         let bytes = &bytes[at.ok_or("it is no HDF5 file")?..];
         let mut file = File { bytes, budget, offset: 8, length: 8, root: 0 };
         let version = file.uint(8, 1)?;
-        // Sizes of addresses and lengths, and where the addresses begin.
+        // Positions of the sizes of addresses and lengths, and of the first address.
         let (sizes, addresses) = match version {
             0 => (13, 24),
             1 => (13, 28),
@@ -101,13 +102,14 @@ impl<'a> File<'a> {
         if ![2, 4, 8].contains(&file.offset) || ![2, 4, 8].contains(&file.length) {
             return Err("its addresses have a size that no file has".into());
         }
-        // Base, extension or free space, end; then the root, in the old form behind the driver's block and the offset of a name.
+        // Base, extension or free space, and end precede the root. The old form also has the address of the driver
+        // block and a name offset.
         let before = if version < 2 { 5 } else { 3 };
         file.root = file.uint(addresses + before * file.offset, file.offset)?;
         Ok(file)
     }
 
-    /// Objects at the top of the file, by name and address, in the order of their names.
+    /// Returns the objects at the top level of the file, by name and address, sorted by name.
     pub fn objects(&self) -> Result<Vec<(String, u64)>, String> {
         let mut found = Vec::new();
         for message in self.messages(self.root)? {
@@ -132,7 +134,7 @@ impl<'a> File<'a> {
         Ok(found)
     }
 
-    /// The data set at an address; nothing of a group, and of what holds no plain numbers.
+    /// Returns the data set at an address, or `None` for a group and for data that are not plain numbers.
     pub fn data_set(&self, at: u64) -> Result<Option<DataSet>, String> {
         let (mut shape, mut number, mut layout, mut filters) = (None, None, None, Vec::new());
         for message in self.messages(at)? {
@@ -148,7 +150,7 @@ impl<'a> File<'a> {
         Ok(Some(DataSet { shape, number, layout, filters }))
     }
 
-    /// All numbers of a data set, in the order of the file; those that were never written are missing.
+    /// Returns all numbers of a data set, in file order. Numbers that were never written are missing values.
     pub fn values(&self, data: &DataSet) -> Result<Vec<f64>, String> {
         let count = product(&data.shape);
         self.budget.numbers(count)?;
@@ -182,7 +184,7 @@ impl<'a> File<'a> {
         Ok(values)
     }
 
-    /// Puts the chunks below a node into their places. `above` is the level of the node above, which is one higher.
+    /// Copies the chunks below a node into `values`. `above` is the level of the parent node, which is one higher.
     fn chunks(
         &self,
         at: u64,
@@ -212,9 +214,9 @@ impl<'a> File<'a> {
         Ok(())
     }
 
-    /// Undoes the filters of a chunk, the last one first. A bit of the mask says that a filter was left out.
+    /// Reverses the filters of a chunk, the last one first. A bit of the mask marks a filter that was not applied.
     fn unpacked(&self, data: &DataSet, stored: &[u8], whole: u64, mask: u64) -> Result<Vec<u8>, String> {
-        // As stored, unpacked, and shuffled back.
+        // Charge the stored, the unpacked and the unshuffled bytes.
         self.budget.hold(whole.saturating_mul(2).saturating_add(stored.len() as u64))?;
         let mut bytes = stored.to_vec();
         for (k, filter) in data.filters.iter().enumerate().rev() {
@@ -243,7 +245,7 @@ impl<'a> File<'a> {
         Ok(bytes)
     }
 
-    /// Copies a chunk to its place; what reaches beyond the data is padding.
+    /// Copies a chunk to its position. Elements outside the data set are padding.
     fn place(&self, data: &DataSet, chunk: &[u64], begins: &[u64], bytes: &[u8], values: &mut [f64]) {
         let size = data.number.size;
         for (k, stored) in bytes.chunks_exact(size).take(product(chunk) as usize).enumerate() {
@@ -262,7 +264,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// A node of a tree of the first form: its level, the number of its entries and where they begin.
+    /// Reads a node of a version-1 tree: its level, the number of its entries and the position of the first.
     fn node(
         &self,
         at: u64,
@@ -282,7 +284,7 @@ impl<'a> File<'a> {
         Ok((level, used, from + 8 + 2 * self.offset))
     }
 
-    /// Names and addresses of a group of the first form.
+    /// Collects names and addresses of an old-style group.
     fn old_group(&self, tree: u64, heap: u64, found: &mut Vec<(String, u64)>) -> Result<(), String> {
         let heap = self.place_of(heap, b"HEAP")?;
         let size = self.uint(heap + 8, self.length)?;
@@ -323,7 +325,7 @@ impl<'a> File<'a> {
         Ok(())
     }
 
-    /// A link of the second form; nothing of one to another place than an object of this file.
+    /// Reads a new-style link. Returns `None` if the link does not point to an object of this file.
     fn link(&self, message: &Message) -> Result<Option<(String, u64)>, String> {
         let flags = self.uint(message.at + 1, 1)?;
         let mut at = message.at + 2;
@@ -346,13 +348,13 @@ impl<'a> File<'a> {
         Ok(if kind == 0 { Some((name, self.uint(end, self.offset)?)) } else { None })
     }
 
-    /// The messages of an object, those in its continuations too.
+    /// Returns the messages of an object, including those in its continuation blocks.
     fn messages(&self, at: u64) -> Result<Vec<Message>, String> {
         let from = self.place_of(at, b"")?;
         let new = self.bytes[from..].starts_with(b"OHDR");
         let mut found = Vec::new();
         let mut seen = HashSet::new();
-        // Blocks of messages: where they begin, and their length.
+        // Blocks of messages: position and length.
         let mut blocks = Vec::new();
         let mut head = 8;
         if new {
@@ -385,7 +387,7 @@ impl<'a> File<'a> {
                 };
                 let data = at + head;
                 if data + size > end {
-                    // What is left behind the last message of the second form is a gap.
+                    // The remaining bytes after the last message of a new-style header are a gap.
                     break;
                 }
                 if kind == 0x10 {
@@ -403,7 +405,7 @@ impl<'a> File<'a> {
         Ok(found)
     }
 
-    /// The numbers of elements; nothing of a data set without any.
+    /// Reads the number of elements along every dimension. Returns `None` for a data set without elements.
     fn shape(&self, message: &Message) -> Result<Option<Vec<u64>>, String> {
         let (version, rank) = (self.uint(message.at, 1)?, self.uint(message.at + 1, 1)? as usize);
         if version == 2 && self.uint(message.at + 3, 1)? == 2 {
@@ -416,7 +418,7 @@ impl<'a> File<'a> {
         (0..rank).map(|d| self.uint(from + d * self.length, self.length)).collect::<Result<_, _>>().map(Some)
     }
 
-    /// The kind of number; nothing of texts, structures and references.
+    /// Reads the type of number. Returns `None` for texts, structures and references.
     fn number(&self, message: &Message) -> Result<Option<Number>, String> {
         let class = self.uint(message.at, 1)? & 15;
         let (bits, size) = (self.uint(message.at + 1, 1)?, self.uint(message.at + 4, 4)? as usize);
@@ -490,7 +492,7 @@ impl<'a> File<'a> {
         Ok(found)
     }
 
-    /// Where an address leads, and that this stands there.
+    /// Returns the position of an address, and checks the signature there.
     fn place_of(&self, at: u64, signature: &[u8]) -> Result<usize, String> {
         let from = usize::try_from(at).ok().filter(|from| *from < self.bytes.len());
         let from = from.ok_or_else(|| format!("a block at byte {at} lies outside the file"))?;
@@ -507,7 +509,7 @@ impl<'a> File<'a> {
         self.bytes.get(from..end).ok_or_else(too_short)
     }
 
-    /// An address; nothing where all its bits are set.
+    /// Reads an address. Returns `None` if all its bits are set.
     fn address(&self, at: usize) -> Result<Option<u64>, String> {
         let address = self.uint(at, self.offset)?;
         Ok((address != u64::MAX >> (64 - 8 * self.offset)).then_some(address))
@@ -545,7 +547,8 @@ fn product(shape: &[u64]) -> u64 {
     shape.iter().fold(1, |n, k| n.saturating_mul(*k))
 }
 
-/// Undoes the filter that stores the first bytes of all elements, then the second ones; what is left at the end was not shuffled.
+/// Reverses the shuffle filter, which stores the first bytes of all elements, then the second bytes, and so on.
+/// Trailing bytes were not shuffled.
 fn unshuffled(bytes: &[u8], size: usize) -> Vec<u8> {
     let count = bytes.len() / size;
     let mut out = Vec::with_capacity(bytes.len());
