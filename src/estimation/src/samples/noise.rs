@@ -4,8 +4,8 @@ use dashpot_records::restrict;
 
 /// Fewest cycles whose differences give the noise of their mean.
 const REPEATS: usize = 3;
-/// Fraction of the largest deviations, which steep parts of the force cause instead of noise; and the ratio of the variance of normal noise
-/// after and before such deviations are clamped.
+/// Fraction of the deviations that is clamped as outliers: steep parts of the force cause them, not noise. The second value is the fraction
+/// of the variance of normal noise that remains after clamping.
 const STEEP: f64 = 0.02;
 const KEPT: f64 = 0.964;
 
