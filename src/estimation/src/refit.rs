@@ -1,7 +1,7 @@
 //! Refits one hypothesis to the tests, with little more than one run of the model for each step.
 //!
-//! For a comparison, the Jacobian is computed once and then updated ([`Derivatives::Kept`]): the hypotheses that a diagnosis compares
-//! differ by two or three parameters from one with a known Jacobian. The likely ones are then refitted with a new Jacobian in every step.
+//! For a comparison, the Jacobian is computed once and then updated ([`Derivatives::Kept`]). The compared hypotheses differ by two or three
+//! parameters from one with a known Jacobian. The likely ones are then refitted with a new Jacobian in every step.
 
 use super::hypothesis::{Hypothesis, Number, Residual};
 use super::samples::Test;

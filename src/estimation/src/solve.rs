@@ -5,11 +5,11 @@
 //! - A step may follow the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum & Sethna, arXiv:1201.5885,
 //!   2012). Narrow curved valleys, common for friction with a steep curve, then need tens of steps instead of thousands.
 //! - If a Jacobian costs many runs and only a ranking is needed, Broyden's rank-one update (Math. Comp. 19, 1965) replaces its computation.
-//! - The rows of each block are reduced to a triangular factor (see [`reduce`]) and stacked in their order, so a result does not depend on
+//! - The rows of each block are reduced to a triangular factor (see [`reduce`]) and stacked in their order. So a result does not depend on
 //!   the number of threads.
 //! - Bounds by projection: a parameter at a bound whose descent direction points outward is fixed for that step.
 //! - Huber's loss by reweighting (Ann. Math. Stat. 35, 1964); Gaussian priors as further rows.
-//! - A fit has converged when a full linear step would reduce the cost by less than the tolerance (the relative offset of Bates & Watts,
+//! - A fit has converged when a full linear step would reduce the cost by less than a relative tolerance (Bates & Watts,
 //!   Technometrics 23, 1981). A short damped step is no criterion.
 
 mod differences;
@@ -325,7 +325,7 @@ impl Search<'_> {
         Linear { factor, right }
     }
 
-    /// Computes the gradient of half the residuals' second derivative along a step, from one further evaluation; `None` if the probe is
+    /// Computes the gradient of half the residuals' second derivative along a step, from one further evaluation. `None` if the probe is
     /// outside the bounds or not a valid model.
     fn bend(&self, x: &[f64], rows: &[Rows], step: &DVector<f64>) -> Option<DVector<f64>> {
         let probe: Vec<f64> = x.iter().zip(step.iter()).map(|(x, s)| x + PROBE * s).collect();

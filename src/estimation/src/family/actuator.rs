@@ -1,8 +1,9 @@
 //! Estimation problem of the actuator of an adjustable damper, from forces under a setting that changes within the test.
 //!
-//! The damper at constant settings is given. Free parameters are those of the actuator, and the relative error of the force at each setting
-//! of the grid and midway between two settings, in each direction. The errors prevent that a deviation of the family becomes a part of the
-//! response. The [instant](super::command_time) within a sample at which the command changes is unknown, and widens the intervals.
+//! The damper at constant settings is given. Free parameters are those of the actuator, and relative errors of the family's force. The
+//! errors apply at each setting of the grid and midway between two settings, in each direction. Without them, an error of the family would
+//! become a part of the response. The [instant](super::command_time) within a sample at which the command changes is unknown, and widens
+//! the intervals.
 
 use super::command_time::{STEP, shifted};
 use super::response::run_commanded;
@@ -65,7 +66,7 @@ pub struct ActuatorNumber {
 }
 
 /// Response time of a proportional damper valve, s. Published ones rise in 5 to 30 ms (Savaresi et al., Semi-Active Suspension Control
-/// Design for Vehicles, 2010, chapter 2); the spread includes a magneto-rheological coil and a slow pilot stage.
+/// Design for Vehicles, 2010, chapter 2). The spread includes a magneto-rheological coil and a slow pilot stage.
 const TIME: f64 = 0.01;
 const TIME_SPREAD: f64 = 1.0;
 /// Dead time of driver and pilot stage, s: a few milliseconds, seldom ten.
@@ -314,7 +315,7 @@ impl<'a> ActuatorProblem<'a> {
     }
 
     /// Refits the parameters with the forces of the family fixed, then with all parameters free. From a distant start, free force errors
-    /// absorb a part of the response: with one step of the command, 30 ms came out as 61 ms.
+    /// absorb a part of the response. With one step of the command, 30 ms came out as 61 ms.
     pub fn refit_from_far(
         &self,
         form: ActuatorForm,

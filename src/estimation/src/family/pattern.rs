@@ -12,7 +12,7 @@ const CURVE: f64 = 2.0;
 const DISSIPATED: f64 = -1.5;
 /// Prior log odds for a parameter that stores energy: gas, springs and oil are outside the valve.
 const STORED: f64 = -3.0;
-/// Number of parameters that the FV curve of a further setting counts: curves of one valve differ by little more than a factor on each
+/// Number of parameters that the FV curve counts at a further setting. Curves of one valve differ by little more than a factor on each
 /// stroke.
 const FURTHER_CURVE: f64 = 2.0;
 

@@ -1,8 +1,8 @@
 //! Restarts a series element that the fit distorted to compensate a missing effect, and that stays distorted once the
 //! effect is present.
 //!
-//! A soft spring with a strong parallel damper acts as a damper in series: it shifts the FV curve by a velocity
-//! F/c_s, and the fitted curve compensates the shift. The restart undoes both.
+//! A soft spring with a strong parallel damper acts as a damper in series, which shifts the FV curve by a velocity F/c_s. The fitted curve
+//! compensates the shift. The restart undoes both.
 
 use super::evidence::{effective_count, noise_chi2};
 use crate::hypothesis::{Free, Hypothesis};
