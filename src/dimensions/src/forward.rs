@@ -132,7 +132,7 @@ const RULES: &[Rule] = &[
         states: &[Bore, Rod, ReboundChamber],
         design: None,
         formula: |x| oil::rebound_stiffness(modulus(x[0], x[1], x[4], x[5]), x[1], x[2], x[3]),
-        // Air without an element in the model softens the column.
+        // Air that the model does not contain as an element softens the column.
         form: 1.6,
         shape: Shape::Size,
         source: COLUMN,

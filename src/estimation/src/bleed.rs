@@ -10,7 +10,7 @@ use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::{Params, list};
 
 /// Slowest knee of shim valves, m/s (Dixon, The Shock Absorber Handbook, 2007, chapter 6: 0.03 to 0.2 m/s). A smaller value leaves friction
-/// in the curve; a larger one biases the bleed of firm race dampers to low forces.
+/// in the curve; a larger one biases the bleed of firm race dampers toward low forces.
 const SLOWEST_KNEE: f64 = 0.03;
 
 /// Returns the prior scale of the rise of the FV curve from rest to a neighboring point, N.

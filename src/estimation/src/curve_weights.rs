@@ -85,7 +85,7 @@ impl CurveWeights {
         CurveWeights::new(params.list(curve.abscissae()), params.list(curve.forces()), interpolation)
     }
 
-    /// Number of points.
+    /// Returns the number of points.
     pub fn points(&self) -> usize {
         self.u.len()
     }

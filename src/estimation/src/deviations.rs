@@ -181,7 +181,7 @@ pub fn considered_shift(
     Some(DVector::from_fn(n, |i, _| found[i] / scale[i]))
 }
 
-/// Number of samples that equal one independent sample: the integrated autocorrelation of the residual.
+/// Computes the number of samples that equal one independent sample: the integrated autocorrelation of the residual.
 ///
 /// The sum ends where it first falls below noise (Geyer's initial positive sequence, Stat. Sci. 7, 1992).
 fn correlation_factor(residual: &[f64]) -> f64 {

@@ -40,7 +40,7 @@ pub fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
     rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// Computes the residual by noise alone, in the units of [`in_noise`].
+/// Computes the residual due to noise alone, in the units of [`in_noise`].
 pub fn noise_alone(tests: &[Test]) -> f64 {
     rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
 }

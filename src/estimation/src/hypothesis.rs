@@ -188,7 +188,7 @@ impl Hypothesis {
         segment
     }
 
-    /// If heating is computed from the records, the damper uses the temperature of its input.
+    /// Makes the damper use the temperature of its input if heating is computed from the records.
     fn take_heat_as_measured(&self, params: &mut Params) {
         if self.heating.is_some() {
             let _ = params.set(number!("fade_source"), 0.0);

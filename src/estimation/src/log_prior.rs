@@ -18,7 +18,7 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
             Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
-            // The refit contains the prior of a change from a reference.
+            // The prior of a change from a reference acts in the refit alone.
             Free::Shift(_)
             | Free::Curve(_)
             | Free::Rig(_)

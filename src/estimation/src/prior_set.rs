@@ -34,7 +34,7 @@ impl DamperPrior {
         self.expected.center()
     }
 
-    /// Logarithm of the ratio of the spread over all dampers to the spread of this prior.
+    /// Computes the logarithm of the ratio of the spread over all dampers to the spread of this prior.
     fn sharpness(&self, unknown: &Unknown, scale: Scale) -> f64 {
         let spread = |usual: Distribution| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
         let shared =

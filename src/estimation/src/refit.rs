@@ -102,7 +102,7 @@ impl Residuals for Problem<'_> {
         Some(theta.to_vec())
     }
 
-    /// Computed minus measured: with this sign the derivatives of the computed forces are those of the residuals.
+    /// Computes the residuals as computed minus measured: their derivatives are then those of the computed forces.
     fn residuals(&self, _: usize, theta: &Vec<f64>) -> Option<Vec<f64>> {
         let residual = (self.residual_at)(theta)?;
         Some(residual.iter().map(|r| -r).collect())

@@ -703,8 +703,8 @@ mod tests {
             }
             let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
-            // Some instants jump from sample to sample: those at which a void closes, and those at which a lag changes its table. A void
-            // with gas jumps also where it opens.
+            // Some instants jump from sample to sample: those at which a void closes, and those at which a lag changes its time constant. A
+            // void with gas jumps also where it opens.
             // The instant at which friction behind a series spring reverses jumps too.
             let turns = settings.iter().any(|(name, _)| *name == "series_load");
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial") || turns;
@@ -714,8 +714,8 @@ mod tests {
                 _ => 0,
             };
             off(&unknowns, &theta, &segment(0.02, 4.0), without, |unknown, off, size| {
-                // The inverse table of a valve with a lag, velocity over force, is a spline over all points of the curve. Points beyond the
-                // reached range still influence it a little.
+                // The conductance table of a valve with a lag is a spline over the force through all points of the curve. Points beyond the
+                // reached range still influence the table a little.
                 let table =
                     case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
                 let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };

@@ -33,7 +33,7 @@ pub trait Residuals: Sync {
     /// Prepares the shared data; `None` if the parameters are not a valid model.
     fn prepare(&self, x: &[f64]) -> Option<Self::At>;
 
-    /// Number of blocks: one for each test, so that tests are computed in parallel.
+    /// Returns the number of blocks: one for each test, so that tests are computed in parallel.
     fn blocks(&self) -> usize {
         1
     }

@@ -53,7 +53,7 @@ pub enum CurveName {
 }
 
 impl CurveName {
-    /// The list of abscissae.
+    /// Returns the list of abscissae.
     pub fn abscissae(self) -> List {
         match self {
             CurveName::Fv => list!("fv_velocity"),
@@ -61,7 +61,7 @@ impl CurveName {
         }
     }
 
-    /// The list of forces.
+    /// Returns the list of forces.
     pub fn forces(self) -> List {
         match self {
             CurveName::Fv => list!("fv_force"),

@@ -1,4 +1,4 @@
-//! Error of each quantity by the form of the model: factors that hold in 95 of 100 dampers.
+//! Error of each quantity due to the form of the model: factors that hold in 95 of 100 dampers.
 //!
 //! They were measured on dampers of the second laboratory, with the calibration seeds of
 //! `cargo run --release -p dashpot-proving --example explain_other`. Other seeds checked them (docs/book/src/dimensions.md). A factor that
@@ -14,7 +14,7 @@ pub(super) const MODULUS: f64 = 1.6;
 pub(super) const SERIES_MODULUS: f64 = 1.6;
 /// Error of the stiffness of eyes under the forces of the tests: rubber hardens.
 pub(super) const EYES: f64 = 2.0;
-/// Error of the air content, computed from its stroke.
+/// Error of the air content, computed from the stroke of the aeration element.
 pub(super) const AIR: f64 = 2.5;
 /// Error of the bleed passage, computed from the quadratic part of the FV curve.
 pub(super) const BLEED: f64 = 1.3;

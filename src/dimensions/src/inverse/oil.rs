@@ -34,7 +34,7 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     air(model, drawing, effective, to);
 }
 
-/// A column stiffness with its inputs, and the error factor by the form of the model.
+/// A column stiffness with its inputs, and the error factor due to the form of the model.
 struct Column {
     inputs: Vec<Uncertain>,
     /// Computes the stiffness of the column from the inputs.
@@ -52,7 +52,7 @@ struct Column {
 
 /// Returns the column stiffness: from the model's oil column, from its series spring less the eyes, or as a bound from its series spring.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
-    // In compression a twin tube's column is the softest element in series; in rebound the softer eyes dominate.
+    // In compression a twin tube's column is the softest element in series; in rebound the eyes are softer.
     if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
         (drawing.design, model.number(number!("oil_stiffness")), model.number(number!("oil_compression")))
         && ratio.value != 1.0

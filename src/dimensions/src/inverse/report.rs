@@ -20,7 +20,7 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Parameters of the model and entries of the drawing from which it follows.
     pub from: Vec<&'static str>,
-    /// Error factor by the model's form in 95 of 100 dampers; the interval includes it.
+    /// Error factor due to the model's form in 95 of 100 dampers; the interval includes it.
     pub model_error: f64,
     /// Further remark, if any.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -157,7 +157,7 @@ impl ActuatorNumber {
 
 /// Given data for the identification of an actuator.
 pub struct ActuatorContext<'a> {
-    /// The damper over constant settings.
+    /// The damper at constant settings.
     pub definition: &'a Definition,
     /// The measurement errors of the rig, at `rig_theta`.
     pub rig: &'a Hypothesis,
@@ -188,7 +188,7 @@ pub struct ActuatorRefit {
     pub theta: Vec<f64>,
     /// Standard deviations of those errors.
     spreads: Vec<f64>,
-    /// Derivatives and weighted residuals of each test, computed less measured.
+    /// Derivatives and weighted residuals of each test, computed minus measured.
     pub blocks: Vec<(DMatrix<f64>, Vec<f64>)>,
     /// Negative log prior: half the sum of the squared distances from the priors' means, each over its variance.
     pub negative_log_prior: f64,
@@ -238,7 +238,7 @@ enum Wanted {
     Levels,
 }
 
-/// Shape of an interpolation error: zero at both neighbors and 1 midway.
+/// Computes the shape of an interpolation error: zero at both neighbors and 1 midway.
 fn bump([(_, left), (_, right)]: [(usize, f64); 2]) -> f64 {
     4.0 * left * right
 }

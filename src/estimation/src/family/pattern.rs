@@ -69,7 +69,7 @@ pub fn varying_sites(template: &Hypothesis, varies: &[bool]) -> Vec<Site> {
     sites(template).into_iter().filter(is_varying).collect()
 }
 
-/// Log prior odds of a pattern.
+/// Computes the log prior odds of a pattern.
 pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
     let odds = |site: &Site| match site {
         Site::Curve => CURVE,

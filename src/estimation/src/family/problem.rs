@@ -203,7 +203,7 @@ impl Residuals for Problem<'_> {
         self.settings.len()
     }
 
-    /// Computed minus measured: with this sign the derivatives of the computed forces are those of the residuals.
+    /// Computes the residuals as computed minus measured: their derivatives are then those of the computed forces.
     fn residuals(&self, block: usize, joint: &Vec<f64>) -> Option<Vec<f64>> {
         let tests = &self.settings[block].tests;
         let residual = self.family.template.residual_by(self.effort.residuals, tests, &self.theta(joint, block))?;

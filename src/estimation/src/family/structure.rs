@@ -49,7 +49,7 @@ pub fn evidence(
     all
 }
 
-/// Log prior of a family: that of its effects plus that of its dependence on the setting.
+/// Computes the log prior of a family: that of its effects plus that of its dependence on the setting.
 pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> f64 {
     let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
     log_prior(&effects, &hypothesis.template.priors) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)

@@ -42,9 +42,9 @@ pub enum Artefact {
     Guide(Load),
     /// Growth of that fraction with displacement, 1/m.
     GuideAlong(Load),
-    /// A rate-independent loop over force, as a fraction of the force.
+    /// Rate-independent hysteresis of the load cell, as a fraction of the force.
     ///
-    /// The load cell reverses within this force, N.
+    /// After a reversal its sign changes within this force, N.
     Loop(u32),
     /// A resonance at this frequency, Hz, in phase with the force, as a fraction of the force.
     Ring(u32),

@@ -10,7 +10,7 @@ const FORM: f64 = 0.002;
 /// fraction of the samples lies on the wrong side of the jump.
 const TIMING: f64 = 0.05;
 
-/// Typical allowed error, N: that of a sample at which the force is constant.
+/// Computes the typical allowed error, N: that of a sample at which the force is constant.
 pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }
@@ -29,7 +29,7 @@ pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
     allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))
 }
 
-/// `beside(i, k)` is the index of neighbor k of sample i, with k from 0 (two before) to 4 (two after).
+/// Computes the allowed errors, N; `beside(i, k)` is the index of neighbor k of sample i, from 0 (two before) to 4 (two after).
 fn allowed(
     segment: &Segment,
     noise: f64,

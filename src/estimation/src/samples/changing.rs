@@ -40,7 +40,7 @@ fn picks(record: &Record, signal: &SettingSignal, stride: usize) -> Vec<(usize, 
     picks
 }
 
-/// Time between samples, s.
+/// Computes the time between samples, s.
 fn step(record: &Record) -> f64 {
     let n = record.time.len();
     ((record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64).max(1e-9)

@@ -54,27 +54,27 @@ pub struct Test {
 }
 
 impl Test {
-    /// Number of scored samples.
+    /// Returns the number of scored samples.
     pub fn count(&self) -> usize {
         self.segment.force.len() - self.segment.from
     }
 
-    /// Number of independent samples among the scored ones.
+    /// Returns the number of independent samples among the scored ones.
     pub fn independent_count(&self) -> f64 {
         self.count() as f64 * self.independence
     }
 
-    /// Error in one sample of the mean by noise and by the form of curves through a dozen points, N.
+    /// Computes the error of one sample of the mean, N, due to noise and to the form of curves through a dozen points.
     pub fn unit(&self) -> f64 {
         allowed::typical(self.mean_noise.powi(2), self.segment.top)
     }
 
-    /// The scored inputs.
+    /// Returns the scored inputs.
     pub fn inputs(&self) -> &[Input] {
         &self.segment.input[self.segment.from..]
     }
 
-    /// The scored forces.
+    /// Returns the scored forces.
     pub fn forces(&self) -> &[f64] {
         &self.segment.force[self.segment.from..]
     }

@@ -27,7 +27,7 @@ pub struct Alternative {
     pub weight: f64,
 }
 
-/// Log weight of a structure.
+/// Computes the log weight of a structure.
 fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
     at.log_weight(structure.log_posterior, structure.log_prior)
 }
@@ -95,7 +95,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// Probability that the number lies below `x`: each side is half a normal distribution.
+    /// Computes the probability that the parameter lies below `x`: each side is half a normal distribution.
     fn below(&self, x: f64) -> f64 {
         let end = if x < self.value { self.ends[0] } else { self.ends[1] };
         let deviation = (end - self.value).abs() / DEVIATIONS;

@@ -19,7 +19,7 @@ pub struct Component {
     pub elements: Vec<Element>,
     /// Parameters that it sets and does not free.
     pub fixed: Vec<(Number, f64)>,
-    /// Numbers that it frees.
+    /// Parameters that it frees.
     pub frees: Vec<Free>,
     /// Count of the free parameters; weakly informed ones count half.
     pub numbers: f64,

@@ -47,8 +47,8 @@ pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f
     now
 }
 
-/// Returns the geometric mean of the ends of every interval of the FV curve, since the points themselves are spaced
-/// geometrically.
+/// Returns the middle of every interval of the FV curve. It is the geometric mean of the ends, as the points are spaced geometrically, or
+/// the arithmetic mean next to zero.
 fn middles(from: &Hypothesis) -> Vec<f64> {
     let velocity = from.base.list(list!("fv_velocity"));
     velocity

@@ -1,12 +1,11 @@
 //! Log evidence of a structure: how probable the records are under it, without prior odds.
 //!
-//! No model has exactly the form of the damper, so every structure has a form error in every test. Its size differs
-//! from test to test by orders of magnitude; within one test it is similar in all samples. The root mean square of a
-//! test's form error therefore counts as [`OBSERVATIONS`] observations. They are exponentially distributed with a
-//! scale that all tests share, estimated with the structure. The likelihood is that scale to the power of minus the
-//! number of observations. With squares the worst test alone would decide; with logarithms one test could be
-//! arbitrarily wrong. Below [`FORM`] a smaller residual has no further effect. Each free parameter costs half the
-//! logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its negative log prior.
+//! No model has exactly the form of the damper, so every structure has a form error in every test. The size of this error differs from test
+//! to test by orders of magnitude; within one test it is similar in all samples. The root mean square of a test's form error therefore
+//! counts as [`OBSERVATIONS`] observations. They are exponentially distributed with a scale that all tests share, estimated with the
+//! structure. The likelihood is that scale to the power of minus the number of observations. With squares the worst test alone would
+//! decide; with logarithms one test could be arbitrarily wrong. Below [`FORM`] a smaller residual has no further effect. Each free
+//! parameter costs half the logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its negative log prior.
 
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};
@@ -21,9 +20,9 @@ use nalgebra::DVector;
 /// With a smaller value, effects are reported that explain only the discretization of the FV curve. With a larger
 /// value, effects below the noise are lost.
 const FORM: f64 = 0.3;
-/// Observations of the form error in a test. A mean cycle shows more than one feature, but they are correlated with
-/// those of neighboring tests. With a larger value, effects are reported that explain only a small fraction. With a
-/// smaller value, effects that act in few tests are lost.
+/// Observations of the form error in a test. A mean cycle shows more than one feature, but its features are correlated with those of
+/// neighboring tests. With a larger value, effects are reported that explain only a small fraction. With a smaller value, effects that act
+/// in few tests are lost.
 const OBSERVATIONS: f64 = 1.5;
 
 /// Residual statistics of a structure.
@@ -93,18 +92,18 @@ impl Evidence {
         }
     }
 
-    /// Number of tests that the records represent.
+    /// Returns the number of tests that the records represent.
     fn count(&self) -> f64 {
         self.weights.iter().sum()
     }
 
-    /// Mean over the tests of the mean square residual.
+    /// Computes the mean over the tests of the mean square residual.
     pub fn mean(&self) -> f64 {
         self.mean_squares.iter().zip(&self.weights).map(|(square, weight)| square * weight).sum::<f64>()
             / self.count().max(1.0)
     }
 
-    /// Log likelihood, up to a constant that all structures share.
+    /// Computes the log likelihood, up to a constant that all structures share.
     pub fn log_likelihood(&self) -> f64 {
         let whole = self.count();
         let of = |(square, weight): (&f64, &f64)| weight * (FORM + (square - 1.0).max(0.0)).sqrt();
@@ -112,29 +111,29 @@ impl Evidence {
         -OBSERVATIONS * whole * libm::log(scale)
     }
 
-    /// Cost of one free parameter: half the logarithm of the number of tests. With few tests it is 1, the mean gain
-    /// of a parameter by chance (Akaike, IEEE Trans. Autom. Control 19, 1974).
+    /// Computes the cost of one free parameter: half the logarithm of the number of tests. With few tests it is 1, the mean gain of a
+    /// parameter by chance (Akaike, IEEE Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
         per_number(self.count())
     }
 
-    /// Log evidence.
+    /// Computes the log evidence.
     pub fn log_evidence(&self) -> f64 {
         self.log_likelihood() - self.numbers * self.per_number() + self.relief - self.negative_log_prior
     }
 }
 
-/// Cost of one free parameter with this number of tests.
+/// Computes the cost of one free parameter with this number of tests.
 fn per_number(tests: f64) -> f64 {
     (0.5 * libm::log(tests.max(1.0))).max(1.0)
 }
 
-/// Logarithm of the mean of exponentials.
+/// Computes the logarithm of the mean of exponentials.
 pub fn log_mean_exp(logs: &[f64]) -> f64 {
     log_sum_exp(logs) - libm::log(logs.len().max(1) as f64)
 }
 
-/// Logarithm of the sum of exponentials.
+/// Computes the logarithm of the sum of exponentials.
 pub fn log_sum_exp(logs: &[f64]) -> f64 {
     let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if most == f64::NEG_INFINITY {
@@ -148,13 +147,12 @@ fn noise_of(test: &Test) -> f64 {
     test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
 }
 
-/// Expected χ² of noise alone. A variance estimated from ν deviations makes its inverse too large by ν/(ν − 2) on
-/// average.
+/// Computes the expected χ² of noise alone. A variance estimated from ν deviations makes its inverse too large by ν/(ν − 2) on average.
 pub fn noise_chi2(tests: &[Test]) -> f64 {
     tests.iter().map(|t| noise_of(t) * (1.0 + 2.0 / (t.noise_freedom - 2.0).max(4.0))).sum()
 }
 
-/// Number of independent samples of all tests.
+/// Computes the number of independent samples of all tests.
 pub fn effective_count(tests: &[Test]) -> f64 {
     tests.iter().map(Test::independent_count).sum::<f64>().max(1.0)
 }

@@ -26,7 +26,7 @@ pub struct Nearby<'a> {
 impl<'a> Nearby<'a> {
     /// Makes the starting point from a refitted hypothesis; `None` if the model gives no finite force.
     pub fn new(hypothesis: &Hypothesis, at: &'a Refit, tests: &[Test]) -> Option<Nearby<'a>> {
-        // With a series spring, the correction also contains the error of one step for each sample.
+        // With a series spring, one step for each sample suffices: the correction contains its error.
         let has_series = hypothesis.base.is_on(element!("series_compliance"));
         let accuracy = if has_series { Accuracy::Derivatives } else { Accuracy::Cheap };
         let off = &at.residual - hypothesis.residual_by(accuracy, tests, &at.theta)?;

@@ -14,9 +14,9 @@ const RARE: f64 = -3.0;
 /// are thus −3.5 (rigs are checked more often than dampers). A rig with one fault is likelier to have another.
 const FAULTS: [f64; 2] = [0.3, 10.0];
 
-/// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft
-/// series path; every monotube has a gas column and a spring force. The other effects are faults or rare designs. The
-/// oil of every damper is compressible, and in every second damper more so than the series path can represent.
+/// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft series path; monotubes have
+/// gas columns and springs. The other effects are faults or rare designs. The oil of every damper is compressible, and in every second
+/// damper more so than the series path can represent.
 const FREQUENT: [(&str, f64); 11] = [
     ("series_compliance", COMMON),
     ("gas_preload", COMMON),
@@ -50,7 +50,7 @@ const CHANGES: [(&str, f64); 13] = [
 ];
 const CHANGE: f64 = -3.0;
 
-/// Prior log odds of a change against a reference.
+/// Returns the prior log odds of a change against a reference.
 fn log_prior_odds_of_change(name: &str) -> f64 {
     CHANGES.iter().find(|(known, _)| *known == name).map_or(CHANGE, |(_, odds)| *odds)
 }
@@ -67,7 +67,7 @@ fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if priors.is_against_reference() && usual >= EVEN { RARE } else { usual }
 }
 
-/// Prior log odds of a number of measurement faults (Pólya's urn).
+/// Computes the prior log odds of a number of measurement faults (Pólya's urn).
 fn log_prior_odds_of_faults(count: usize) -> f64 {
     let [with, without] = FAULTS;
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
@@ -98,13 +98,13 @@ pub fn are_alternatives(effect: &str, other: &str) -> bool {
     ALTERNATIVES.iter().any(|group| group.contains(&effect) && group.contains(&other))
 }
 
-/// Log prior odds of a damper's effects: each with its name, its form and whether it is an error of the measurement.
+/// Computes the log prior odds of a damper's effects: each with its name, its form and whether it is a measurement error.
 pub fn log_prior(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let known: f64 = effects.iter().map(|(effect, form, _)| gain_of_knowledge(effect, form, priors)).sum();
     known + log_prior_of_all(effects, priors)
 }
 
-/// Log prior odds of a set of effects of a damper, without knowledge of their parameters.
+/// Computes the log prior odds of a set of effects of a damper, without knowledge of their parameters.
 fn log_prior_of_all(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let is_fault = |(_, form, fault): &&(&str, &str, bool)| *fault && *form != "changed";
     let faults = log_prior_odds_of_faults(effects.iter().filter(is_fault).count());

@@ -88,7 +88,7 @@ pub struct Screened {
     pub moved: bool,
 }
 
-/// Returns the weighted force that a constant measurement error adds; `None` if the candidate is none.
+/// Returns the weighted force of a constant measurement error; `None` for any other candidate.
 fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
     let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
     let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(&t.segment)).collect();
@@ -144,8 +144,7 @@ pub fn screen(
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else if strength > 0.0 {
-                    // Many responses are proportional to such a parameter too. The response at the scaled value tests
-                    // this one.
+                    // Many responses are proportional to such a parameter too. The response at the scaled value tests whether this one is.
                     let mut scaled = theta.clone();
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {

@@ -21,7 +21,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Visited {
     /// Log posterior of the best refit.
     pub log_posterior: f64,
-    /// Its log prior: of the effects and of the values of their numbers.
+    /// Its log prior: of the effects and of the values of their parameters.
     pub log_prior: f64,
     /// Mean square residual.
     pub mean_square: f64,
@@ -57,8 +57,8 @@ const EXCHANGED: f64 = 0.05;
 const PROMISING: f64 = 25.0;
 /// Number of forms of an effect that are tried again.
 const FORMS: usize = 2;
-/// Largest fall of the log posterior by a removal at which every promising effect is tried as a replacement. Beyond
-/// it, only the effect's alternatives are.
+/// Largest fall of the log posterior by a removal at which every promising effect is tried as a replacement. Beyond this fall, only the
+/// effect's alternatives are tried.
 const CONTESTED: f64 = 12.0;
 /// Largest distance below the best log posterior at which a structure with an added effect is refined.
 ///
@@ -287,7 +287,7 @@ impl Temperatures {
     }
 }
 
-/// The structure with the largest log posterior.
+/// Returns the structure with the largest log posterior.
 fn most_probable<'s>(among: impl Iterator<Item = &'s Structure>) -> Option<&'s Structure> {
     among.max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
 }

@@ -11,7 +11,7 @@ use dashpot_core::{element, list, number};
 /// Largest ratio of the internal mass to that of the model: two standard deviations of its distribution over dampers. A rod does not get
 /// heavier. So records that need a larger mass disagree with the model, and the mass becomes an effect of its own. Without this bound the
 /// parameter would absorb any mass of the rig. A bound from the rods of one laboratory would turn every heavier rod into a mass of the rig.
-/// No lower bound is needed beside the prior: a lighter rod absorbs nothing.
+/// Downward the prior suffices: a lighter rod absorbs nothing.
 const NEAR: f64 = 1.8 * 1.8;
 /// Smallest mass, kg, as a bound and as a start, for the damper of a car. Its inertia force is half a newton at 16.7 Hz and 10 mm, below
 /// the noise of a rig. With 0.05 kg the mass of a massless damper stayed at the bound, and its series spring was 7 % too soft.

@@ -61,7 +61,7 @@ pub struct LinearExtension {
     pub stroke: f64,
     /// Force up to which the branch is trusted, N, positive.
     pub from: f64,
-    /// Smallest slope of the extension as a fraction of the slope at small velocities.
+    /// Smallest slope of the extension, as a fraction of the branch's slope just below that force.
     pub steepness: f64,
 }
 
@@ -115,8 +115,8 @@ pub struct Candidate {
     pub starts: Vec<Start>,
     /// Whether the effect makes the force jump at positions that its parameters determine.
     pub jumps: bool,
-    /// Kind of an unnamed error. Such a candidate is never added. It prevents that a known effect is named for a deviation that the unnamed
-    /// error explains better.
+    /// Kind of an unnamed error. Such a candidate is never added. It competes with known effects: a deviation that the unnamed error
+    /// explains better gets no known name.
     pub unnamed: Option<Unnamed>,
 }
 
@@ -132,7 +132,7 @@ pub enum Unnamed {
 }
 
 impl Fresh {
-    /// Factor by which the parameter scales with the size of the damper.
+    /// Returns the factor by which the parameter scales with the size of the damper.
     fn factor(&self, scale: Scale) -> f64 {
         match &self.free {
             Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
@@ -192,23 +192,23 @@ fn linear(number: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Linear(number)), plausible)
 }
 
-/// A force above another one by a free ratio.
+/// Makes a force above another one by a free ratio.
 fn above(number: Number, below: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Above(number, below)), plausible)
 }
 
-/// A weakly informed parameter near its expected value; `deviation` has the parameter's unit.
+/// Makes a weakly informed parameter near its expected value; `deviation` has the parameter's unit.
 fn near(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
     Fresh { deviation: Some(deviation), ..linear(number, plausible) }
 }
 
-/// An effect named after the first of its elements.
+/// Makes an effect named after the first of its elements.
 fn candidate(elements: &'static [Element], fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
     let effect = elements.first().map_or("", |element| element.name());
     Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, jumps: false, unnamed: None }
 }
 
-/// A measurement error.
+/// Makes a measurement error.
 fn of_the_rig(artefact: Artefact, fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
     Candidate { effect: artefact.name(), ..candidate(&[], fresh, starts) }
 }

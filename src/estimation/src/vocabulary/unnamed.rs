@@ -6,7 +6,7 @@ use crate::measurement::{Artefact, Load};
 
 /// Possible resonance frequencies of the force path, Hz.
 const RESONATES: [u32; 5] = [10, 15, 22, 33, 50];
-/// Widths of the hysteresis loop of a load cell at a reversal, N.
+/// Forces within which the hysteresis of a load cell changes its sign after a reversal, N.
 const TURNS_OVER: [u32; 3] = [50, 150, 400];
 
 /// Makes an unnamed error of these measurement errors.
