@@ -28,14 +28,14 @@ impl Cancel {
 
     /// Runs the work on threads of its own, one for each processor.
     ///
-    /// Returns `None` if the work was cancelled, or if the system provides no threads.
+    /// Returns `None` if the work was canceled, or if the system provides no threads.
     pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Option<T> {
         self.run_on(0, work)
     }
 
     /// Runs the work on `threads` threads of its own; with 0, one for each processor.
     ///
-    /// Returns `None` if the work was cancelled, or if the system provides no threads.
+    /// Returns `None` if the work was canceled, or if the system provides no threads.
     pub fn run_on<T: Send>(&self, threads: usize, work: impl FnOnce() -> T + Send) -> Option<T> {
         let flag = self.0.clone();
         let pool = rayon::ThreadPoolBuilder::new()

@@ -10,10 +10,10 @@ use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-/// Computes the covariance in the sandwich form (White, Econometrica 48, 1980), and how well each parameter is determined.
+/// Computes the covariance in the sandwich form (White, Econometrica 48, 1980), and the degree of determination of each parameter.
 ///
 /// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
-/// intervals. The determination of a parameter excludes the other parameters and the prior: 1 is fully determined, 0 not at all. If the
+/// intervals. The degree of determination of a parameter excludes the other parameters and the prior: 1 is fully determined, 0 not at all. If the
 /// force jumps with a change of a parameter, the tangent is valid only up to the next sample. The deviation then follows from the force
 /// itself.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
@@ -121,7 +121,7 @@ fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     factor
 }
 
-/// Computes the covariance of free parameters in the sandwich form, and how well each is determined: see [`sandwich`].
+/// Computes the covariance of free parameters in the sandwich form, and the degree of determination of each: see [`sandwich`].
 ///
 /// A block contains derivatives and weighted residuals of one test; `precisions` are those of the priors.
 pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]) -> Option<(DMatrix<f64>, Vec<f64>)> {

@@ -19,7 +19,7 @@ const HYSTERESIS: f64 = -1.0;
 const RATE: f64 = -2.0;
 /// Smallest rise of the log posterior for which a move is made.
 const RISE: f64 = 0.5;
-/// Time after a change of the command in which the force depends on the valve, s. It is five times the longest usual time constant of
+/// Time after a change of the command in which the force depends on the valve, s. It is five times the longest typical time constant of
 /// dampers, 30 ms (Savaresi et al. 2010, chapter 2). With the whole test and 60 N of noise, the search found one time constant of 18 ms
 /// instead of 10 and 18 ms.
 const RESPONSE: f64 = 0.15;

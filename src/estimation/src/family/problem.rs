@@ -123,7 +123,7 @@ impl FamilyHypothesis {
         less
     }
 
-    /// Computes the [covariance](crate::deviations::sandwich) of all free parameters at a refit, and how well each is determined.
+    /// Computes the [covariance](crate::deviations::sandwich) of all free parameters at a refit, and the degree of determination of each.
     pub fn covariance(&self, refit: &FamilyRefit, settings: &[SettingTests]) -> Option<(DMatrix<f64>, Vec<f64>)> {
         let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
         let residual_at = |theta: &[f64]| self.residual_by(Accuracy::Derivatives, settings, theta);

@@ -14,7 +14,7 @@ const VOGEL: f64 = 95.0;
 const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
 /// Fraction of a cap up to which the branch with the cap is trusted.
 ///
-/// A second start trusts the branch only up to the second value, a speed in m/s, since voids bend the branch well below the cap.
+/// A second start trusts the branch only up to the second value, a speed in m/s, since voids already distort the branch well below the cap.
 const TRUSTED: f64 = 0.85;
 const SLOW: f64 = 0.3;
 
@@ -37,7 +37,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             fixed: vec![(number!("oil_chambers"), chambers), (number!("oil_compression"), 1.0)],
             ..candidate(
                 &[element!("oil_compressibility")],
-                // A column of eight to fifty centimetres.
+                // A column of eight to fifty centimeters.
                 vec![log(number!("oil_stiffness"), (3e5, 2e7)), near(number!("oil_shortening"), (0.0, 20.0), 4.0)],
                 vec![
                     Start::at(&[1e7, COLUMN]),
