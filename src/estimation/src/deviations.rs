@@ -13,9 +13,9 @@ use rayon::prelude::*;
 /// Computes the covariance in the sandwich form (White, Econometrica 48, 1980), and the degree of determination of each parameter.
 ///
 /// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
-/// intervals. The degree of determination of a parameter excludes the other parameters and the prior: 1 is fully determined, 0 not at all. If the
-/// force jumps with a change of a parameter, the tangent is valid only up to the next sample. The deviation then follows from the force
-/// itself.
+/// intervals. The degree of determination of a parameter excludes the other parameters and the prior: 1 is fully determined, 0 not at all.
+/// If the force jumps with a change of a parameter, the tangent is valid only up to the next sample. The deviation then follows from the
+/// force itself.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
 }

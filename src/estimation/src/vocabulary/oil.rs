@@ -14,7 +14,7 @@ const VOGEL: f64 = 95.0;
 const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
 /// Fraction of a cap up to which the branch with the cap is trusted.
 ///
-/// A second start trusts the branch only up to the second value, a speed in m/s, since voids already distort the branch well below the cap.
+/// A second start trusts the branch only up to the second value, a speed in m/s, since voids distort the branch well below the cap.
 const TRUSTED: f64 = 0.85;
 const SLOW: f64 = 0.3;
 
