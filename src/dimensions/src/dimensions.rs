@@ -1,55 +1,55 @@
-//! A drawing that has been read: what it states, in SI units, and what follows where it states nothing.
+//! A drawing: its stated entries in SI units, and handbook values for others.
 
 use crate::entry::{ENTRIES, Entry};
 use crate::geometry::{annulus, area};
 use crate::uncertain::{Uncertain, through};
 
-/// How the damper is built.
+/// Design of the damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Design {
-    /// One tube; the gas stands behind a floating piston or on the oil.
+    /// One tube; the gas is behind a floating piston or in contact with the oil.
     Monotube,
     /// A pressure tube with a base valve in a second tube, which is the reserve.
     TwinTube,
 }
 
-/// What a drawing states; every entry is optional.
+/// Entries of a drawing; every entry is optional.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Dimensions {
-    /// How the damper is built.
+    /// Design of the damper.
     pub design: Option<Design>,
     entries: [Option<Uncertain>; ENTRIES.len()],
 }
 
-/// Bulk modulus of damper oil without air, Pa: 1.2 to 1.7 GPa warm and cold (Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998), and down to 0.9
-/// GPa hot (Dixon, The Shock Absorber Handbook, 2007, chapter 5). A narrower one makes contradictions of warm oil.
+/// Bulk modulus of damper oil without air, Pa: 1.2 to 1.7 GPa warm and cold (Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998), and down to
+/// 0.9 GPa hot (Dixon, The Shock Absorber Handbook, 2007, chapter 5). A narrower interval reports contradictions for warm oil.
 const OIL_MODULUS: Uncertain = Uncertain { value: 1.25e9, low: 0.88e9, high: 1.75e9 };
 /// Density of damper oil, kg/m³: 825 to 890 at 15 °C, 4 % less at 70 °C (Dixon 2007, chapter 5).
 const OIL_DENSITY: Uncertain = Uncertain { value: 850.0, low: 800.0, high: 890.0 };
 /// Young's modulus of steel, Pa.
 const TUBE_MODULUS: Uncertain = Uncertain { value: 206e9, low: 200e9, high: 212e9 };
-/// Wall of pressure tubes, m: 1.2 to 1.5 mm in twin tubes, 2 to 2.5 mm in monotubes (Dixon 2007, chapter 1). It makes a tenth of the
-/// column's compliance.
+/// Wall thickness of pressure tubes, m: 1.2 to 1.5 mm in twin tubes, 2 to 2.5 mm in monotubes (Dixon 2007, chapter 1). The tube contributes
+/// a tenth of the column's compliance.
 const TUBE_WALL: Uncertain = Uncertain { value: 1.8e-3, low: 1.1e-3, high: 3e-3 };
-/// Discharge coefficient of sharp and slightly rounded passages (Merritt, Hydraulic Control Systems, 1967, chapter 3; Dixon 2007,
-/// chapter 6). Areas go with its inverse.
+/// Discharge coefficient of sharp and slightly rounded passages (Merritt, Hydraulic Control Systems, 1967, chapter 3; Dixon 2007, chapter
+/// 6). Computed areas are inversely proportional to it.
 const DISCHARGE: Uncertain = Uncertain { value: 0.7, low: 0.6, high: 0.8 };
 /// Temperature of a workshop, °C.
 const WORKSHOP: Uncertain = Uncertain { value: 20.0, low: 15.0, high: 25.0 };
 
 impl Dimensions {
-    /// The entry as the drawing states it.
+    /// Returns the entry as the drawing states it.
     pub fn stated(&self, entry: Entry) -> Option<Uncertain> {
         self.entries[entry as usize]
     }
 
-    /// The drawing with one entry stated, in SI units (a temperature in °C).
+    /// Returns the drawing with one entry stated, in SI units (a temperature in °C).
     pub fn with(mut self, entry: Entry, value: Uncertain) -> Dimensions {
         self.entries[entry as usize] = Some(value);
         self
     }
 
-    /// The entry as stated, or what handbooks say of every damper; `None` where that differs from damper to damper.
+    /// Returns the entry as stated, or its value from handbooks or other entries; `None` if unknown.
     pub fn known(&self, entry: Entry) -> Option<Uncertain> {
         self.stated(entry).or_else(|| match entry {
             Entry::OilModulus => Some(OIL_MODULUS),
@@ -62,7 +62,7 @@ impl Dimensions {
         })
     }
 
-    /// A volume by the other entries that the drawing states. That of the oil is in the chambers, and in the reserve where that is stated.
+    /// Computes a volume from the other stated entries. The oil volume is that of the chambers, plus the oil in the reserve if stated.
     pub fn by_others(&self, entry: Entry) -> Option<Uncertain> {
         match entry {
             Entry::GasVolume => {
@@ -84,18 +84,18 @@ impl Dimensions {
         self.design.is_none() && self.entries.iter().all(Option::is_none)
     }
 
-    /// Keys of the needed entries that the drawing does not state.
+    /// Returns the keys of needed entries that are unknown.
     pub fn missing(&self, needed: &[Entry]) -> Vec<&'static str> {
         needed.iter().filter(|entry| self.known(**entry).is_none()).map(|entry| entry.key()).collect()
     }
 
-    /// The entries, where something is known of all of them.
+    /// Returns the entries; `None` if one of them is unknown.
     pub fn all(&self, needed: &[Entry]) -> Option<Vec<Uncertain>> {
         needed.iter().map(|entry| self.known(*entry)).collect()
     }
 }
 
-/// A positive number that follows from entries; `None` where its interval reaches zero or has no end.
+/// Computes a positive number from entries; `None` if its interval reaches zero or is unbounded.
 fn bounded(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Option<Uncertain> {
     let found = through(inputs, formula);
     let (value, low, high) = (found.value?, found.low?, found.high?);

@@ -1,6 +1,6 @@
 //! The entries of a drawing: key, unit, bounds, tolerance and meaning of each.
 
-/// An entry with a number.
+/// A numerical entry of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Entry {
     /// Inner diameter of the tube in which the piston runs.
@@ -17,9 +17,9 @@ pub enum Entry {
     ReserveOil,
     /// Volume of the gas.
     GasVolume,
-    /// Pressure of the gas above that of the air.
+    /// Gauge pressure of the gas.
     GasPressure,
-    /// Temperature at which the gas has that pressure.
+    /// Temperature at which the gas has the stated pressure.
     GasTemperature,
     /// Volume of all oil.
     OilVolume,
@@ -27,32 +27,32 @@ pub enum Entry {
     OilModulus,
     /// Density of the oil.
     OilDensity,
-    /// Volume of the free air in the oil at the pressure of the air.
+    /// Volume of the free air in the oil at atmospheric pressure.
     AirContent,
     /// Wall thickness of the tube in which the piston runs.
     TubeWall,
-    /// Young's modulus of that tube.
+    /// Young's modulus of the tube in which the piston runs.
     TubeModulus,
-    /// Stiffness of eyes and mounts in line with the damper.
+    /// Stiffness of eyes and mounts in series with the damper.
     EyeStiffness,
     /// Discharge coefficient of the valves' passages.
     DischargeCoefficient,
 }
 
-/// What the table says of an entry.
+/// Properties of an entry.
 #[derive(Debug, Clone, Copy)]
 pub struct EntryRow {
-    /// Which entry.
+    /// The entry.
     pub entry: Entry,
     /// Key in the file, with the unit.
     pub key: &'static str,
     /// Factor from the file's unit to SI; temperatures stay in °C.
     pub to_si: f64,
-    /// Bounds in the file's unit: beyond them a number is a slip, not a damper.
+    /// Bounds in the file's unit: a number outside is a mistake.
     pub bounds: (f64, f64),
-    /// Half-width of the 95 % interval of a single number, as a fraction of it.
+    /// Half-width of the 95 % interval of a single number, as a fraction of the number.
     pub tolerance: f64,
-    /// What it is.
+    /// Meaning of the entry.
     pub meaning: &'static str,
 }
 
@@ -67,8 +67,9 @@ const fn row(
     EntryRow { entry, key, to_si, bounds, tolerance, meaning }
 }
 
-/// The table of entries, in their order. Tolerances are those of production (bore and rod to ISO 286 IT 9) and of filling. Lengths end at
-/// valves and washers that no drawing adds up. A tighter one makes contradictions of what a caliper reads differently.
+/// The table of entries, in the order of [`Entry`]. Tolerances are those of production (bore and rod to ISO 286 IT 9) and of filling. The
+/// lengths end at valves and washers, which drawings do not add up. Tighter tolerances report contradictions that are only differences of
+/// measurement.
 pub const ENTRIES: [EntryRow; 17] = [
     row(Entry::Bore, "bore_mm", 1e-3, (5.0, 300.0), 0.005, "inner diameter of the tube in which the piston runs"),
     row(Entry::Rod, "rod_mm", 1e-3, (1.0, 150.0), 0.005, "diameter of the rod"),
@@ -160,19 +161,19 @@ pub const ENTRIES: [EntryRow; 17] = [
 ];
 
 impl Entry {
-    /// Its row in the table.
+    /// Returns its row in the table.
     pub fn row(self) -> &'static EntryRow {
-        // Rows stand in the order of the entries, which a test holds.
+        // A test checks that rows have the order of the entries.
         &ENTRIES[self as usize]
     }
 
-    /// Its key in the file.
+    /// Returns its key in the file.
     pub fn key(self) -> &'static str {
         self.row().key
     }
 }
 
-/// Key of the entry that has a word.
+/// Key of the only entry whose value is a word.
 pub const DESIGN: &str = "design";
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
-//! Why a drawing cannot be used.
+//! Errors of files of dimensions.
 
 use std::path::PathBuf;
 
-/// What is wrong with a file of dimensions.
+/// Reason why a file of dimensions is rejected.
 #[derive(Debug, thiserror::Error)]
 pub enum DimensionsError {
     /// The file cannot be read.
@@ -18,7 +18,7 @@ pub enum DimensionsError {
     Toml {
         /// Path.
         file: PathBuf,
-        /// The reader's words, with line and column.
+        /// Message of the TOML reader, with line and column.
         why: String,
     },
     /// One entry is wrong.
@@ -30,7 +30,7 @@ pub enum DimensionsError {
         line: usize,
         /// Key.
         key: String,
-        /// What is wrong and what to do.
+        /// The problem and its remedy.
         text: String,
     },
     /// Two entries contradict each other.
@@ -38,7 +38,7 @@ pub enum DimensionsError {
     Together {
         /// Path.
         file: PathBuf,
-        /// What is wrong and what to do.
+        /// The problem and its remedy.
         text: String,
     },
 }

@@ -1,4 +1,4 @@
-//! Forward: what a drawing says of the model's parameters before any record is seen.
+//! Forward formulas: priors of the model's parameters from a drawing.
 
 use crate::dimensions::{Design, Dimensions};
 use crate::entry::Entry;
@@ -11,27 +11,27 @@ use dashpot_core::parameter::Number;
 use dashpot_estimation::distribution::Distribution;
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
 
-/// A parameter with what the drawing gives it.
+/// A parameter with the value that a drawing implies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expectation {
     /// The parameter.
     pub number: Number,
-    /// Its name in words.
+    /// Its name as English text.
     pub noun: &'static str,
-    /// What the drawing gives, in the parameter's unit, with the 95 % interval of entries and form.
+    /// Implied value in the parameter's unit; the 95 % interval includes the errors of entries and form.
     pub expected: Uncertain,
-    /// Keys of the entries from which it follows, those that the file states.
+    /// Keys of the stated entries from which the value follows.
     pub from: Vec<&'static str>,
-    /// Where the formula is from.
+    /// Source of the formula.
     pub source: &'static str,
 }
 
-/// How a parameter is distributed.
+/// Shape of a parameter's distribution.
 #[derive(Clone, Copy)]
 enum Shape {
-    /// By factors, where a search moves its logarithm.
+    /// Symmetric in the logarithm, for parameters whose logarithm is searched.
     Size,
-    /// By differences, where a search moves the number itself.
+    /// Symmetric in the parameter itself.
     Place,
 }
 
@@ -40,11 +40,11 @@ struct Rule {
     number: Number,
     noun: &'static str,
     needs: &'static [Entry],
-    /// Entries without which the handbooks' values alone would speak: at least these are stated.
+    /// Entries that must be stated: without them the result would rest on handbook values alone.
     states: &'static [Entry],
     design: Option<Design>,
     formula: fn(&[f64]) -> f64,
-    /// Factor within which the parameter of a fitted model lies about the formula in 95 of 100 dampers: the model is not the drawing.
+    /// Form error: factor within which the fitted parameter agrees with the formula in 95 of 100 dampers.
     form: f64,
     shape: Shape,
     source: &'static str,
@@ -60,12 +60,13 @@ const COLUMN: &str = "Merritt 1967, chapter 2; Lamé's tube";
 const TWIN: &str = "Segel & Lang 1981; Duym & Reybrouck 1998";
 const EYES: &str = "springs in line";
 
-/// Modulus of oil and tube together, Pa; air is an element of its own.
+/// Computes the modulus of oil and tube together, Pa; air is a separate element.
 fn modulus(oil_modulus: f64, bore: f64, wall: f64, tube: f64) -> f64 {
     1.0 / (1.0 / oil_modulus + oil::tube_compliance(bore, wall, tube))
 }
 
-/// The formulas. A form error that is too small makes contradictions of sound dampers; one that is too large gives no sharper name.
+/// The formulas. A form error that is too small reports contradictions for sound dampers; one that is too large does not help to
+/// distinguish effects.
 const RULES: &[Rule] = &[
     Rule {
         number: number!("gas_force"),
@@ -74,7 +75,7 @@ const RULES: &[Rule] = &[
         states: &[GasPressure, Rod],
         design: None,
         formula: |x| gas::force(x[0], x[1]),
-        // The gas is up to 25 K warmer than when it was filled, and the zero of a load cell is some newtons off.
+        // The gas is up to 25 K warmer than at filling, and the zero offset of a load cell is some newtons.
         form: 1.15,
         shape: Shape::Place,
         source: GAS,
@@ -97,7 +98,7 @@ const RULES: &[Rule] = &[
         states: &[GasPressure, Rod],
         design: None,
         formula: |x| gas::stiffness(x[0], x[1], x[2]),
-        // A fast test shows up to 1.4 times the slow stiffness.
+        // The stiffness in a fast test is up to 1.4 times the slow stiffness.
         form: 1.5,
         shape: Shape::Place,
         source: GAS,
@@ -131,7 +132,7 @@ const RULES: &[Rule] = &[
         states: &[Bore, Rod, ReboundChamber],
         design: None,
         formula: |x| oil::rebound_stiffness(modulus(x[0], x[1], x[4], x[5]), x[1], x[2], x[3]),
-        // Air that no element of the model has softens the column.
+        // Air that the model does not contain as an element softens the column.
         form: 1.6,
         shape: Shape::Size,
         source: COLUMN,
@@ -164,7 +165,8 @@ const RULES: &[Rule] = &[
         needs: &[GasPressure, Bore, Rod],
         states: &[GasPressure, Bore, Rod],
         design: None,
-        // Air gathers where the gas has lost pressure: between that of the air and that of the drawing, the middle of the logarithms.
+        // Air collects where the gas has lost pressure: the formula uses the geometric mean of atmospheric pressure and the pressure of the
+        // drawing.
         formula: |x| libm::sqrt((x[0] + oil::ATMOSPHERE) * oil::ATMOSPHERE) * annulus(x[1], x[2]),
         form: 4.0,
         shape: Shape::Size,
@@ -188,14 +190,14 @@ const RULES: &[Rule] = &[
         states: &[EyeStiffness],
         design: None,
         formula: |x| x[0],
-        // A model without an oil column has that in its series spring as well.
+        // The series spring of a model without an oil column includes the compliance of the oil.
         form: 2.0,
         shape: Shape::Size,
         source: EYES,
     },
 ];
 
-/// What a drawing gives of the model's parameters.
+/// Returns the model parameters that a drawing implies.
 pub fn expectations(of: &Dimensions) -> Vec<Expectation> {
     let follows = |rule: &&Rule| {
         rule.states.iter().all(|entry| of.stated(*entry).is_some())
@@ -219,7 +221,7 @@ impl Rule {
     }
 }
 
-/// The priors that a drawing gives: they replace those of the table, which are of all dampers.
+/// Returns the priors from a drawing: they replace those of the table, which apply to all dampers.
 pub fn priors(of: &Dimensions) -> PriorSet {
     let row = |expectation: Expectation| {
         let Expectation { number, expected, from, source, .. } = expectation;

@@ -1,15 +1,16 @@
 //! The drawing of a damper: bore, rod, chambers, gas, oil, tube and eyes.
 //!
-//! Forward, it gives priors for the parameters of the model ([`forward`]). Inverse, a model that was identified gives gas pressure, moduli,
-//! passages and air with intervals ([`inverse`]). Both use one set of formulas, which know neither files nor models.
+//! In the forward direction, a drawing gives priors for the parameters of the model ([`forward`]). In the inverse direction, an identified
+//! model gives gas pressure, moduli, passages and air with intervals ([`inverse`]). Both use one set of formulas, which depend on neither
+//! files nor models.
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
 //! | [`entry`], [`dimensions`], [`read`](mod@read) | entries of the drawing, and the file |
-//! | [`uncertain`] | numbers with intervals, and formulas of them |
+//! | [`uncertain`] | numbers with intervals, and formulas of such numbers |
 //! | [`geometry`], [`oil`], [`gas`], [`orifice`] | the formulas |
 //! | [`forward`] | priors that follow from a drawing |
-//! | [`inverse`] | what a model says of its damper |
+//! | [`inverse`] | physical quantities of the damper from a model |
 
 pub mod dimensions;
 pub mod entry;

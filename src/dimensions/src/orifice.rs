@@ -1,26 +1,26 @@
-//! Passages: Q = C_d a √(2 Δp / ρ), and laminar leaks.
+//! Flow through passages: Q = C_d a √(2 Δp / ρ), and laminar leaks.
 
-/// Area, m², of a sharp passage that passes a flow at a pressure difference.
+/// Computes the area, m², of a sharp-edged passage from its flow at a pressure difference.
 pub fn passage_area(flow: f64, difference: f64, coefficient: f64, density: f64) -> f64 {
     flow / (coefficient * libm::sqrt(2.0 * difference / density))
 }
 
-/// b of the force b w² that a passage makes at the piston speed w, N s²/m², on a piston area.
+/// Computes the coefficient b, N s²/m², of a passage's force b w² at the piston speed w, for a piston area.
 pub fn quadratic_force(passage: f64, area: f64, coefficient: f64, density: f64) -> f64 {
     density * area * area * area / (2.0 * coefficient * coefficient * passage * passage)
 }
 
-/// Passage, m², of b as in [`quadratic_force`].
+/// Computes the passage, m², from the coefficient b of [`quadratic_force`].
 pub fn passage_of_quadratic(b: f64, area: f64, coefficient: f64, density: f64) -> f64 {
     libm::sqrt(density * area * area * area / (2.0 * b)) / coefficient
 }
 
-/// Flow per pressure, m³/(s Pa), of a laminar leak that makes the force a w on a piston area.
+/// Computes the flow per pressure, m³/(s Pa), of a laminar leak with the force `a` w at the piston speed w, for a piston area.
 pub fn leak_of_linear(a: f64, area: f64) -> f64 {
     area * area / a
 }
 
-/// Speed, m/s, at which a w + b w² is a force.
+/// Computes the speed w, m/s, at which `a` w + `b` w² equals a force.
 pub fn bleed_speed(force: f64, a: f64, b: f64) -> f64 {
     2.0 * force / (a + libm::sqrt(a * a + 4.0 * b * force))
 }

@@ -1,9 +1,9 @@
-//! Every text that an explanation says, in English, in one place: a language that lacks one of them is found by a test.
+//! English texts of an explanation, in one place: a test finds texts that a translation lacks.
 
 use dashpot_records::sentence::each_once;
 
 dashpot_records::phrases! {
-    // Why a quantity cannot be told.
+    // Reasons why a quantity cannot be determined.
     NO_GAS_FORCE: "the model has no gas force; a slow test shows it";
     GAS_FORCE_OPEN: "the records leave the gas force open; a slow test shows it";
     GAS_ON_ROD: "the gas pushes on the area of the rod";
@@ -20,7 +20,7 @@ dashpot_records::phrases! {
     FEW_SLOW_POINTS: "fewer than two points of the FV table lie below the knee of this stroke";
     NO_KNEE: "the FV table of this stroke has no knee: no valve has opened";
     BLEED_PASSES_ALL: "the bleed passes all of the flow";
-    // What else is to know of a quantity.
+    // Remarks on a quantity.
     BY_COMPRESSION: "by the column in compression";
     LESS_THE_EYES: "the series spring less the eyes";
     A_BOUND: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them";
@@ -30,13 +30,13 @@ dashpot_records::phrases! {
     OPENING_AT: "opening at the largest force of the table";
     HAD_PRIOR: "the fit had a prior of the dimensions for it";
     SEMICOLON: "; ";
-    // What contradicts.
+    // Contradictions.
     CONTRADICTS_ONE: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} gives.";
     CONTRADICTS_SEVERAL: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} give.";
     PRESSURE_ON_ROD: "{pressure} bar on a rod of {diameter} mm";
 }
 
-/// What the quantities are called.
+/// English names of the quantities.
 pub(crate) const QUANTITIES: [(&str, &str); 11] = [
     ("gas_pressure", "gas pressure"),
     ("gas_volume", "gas volume"),
@@ -51,7 +51,7 @@ pub(crate) const QUANTITIES: [(&str, &str); 11] = [
     ("compression_blow_off_area", "blow-off area in compression"),
 ];
 
-/// What the expected numbers are called in a contradiction.
+/// English names of the implied parameters in a contradiction.
 pub(crate) const NOUNS: [&str; 11] = [
     "gas force",
     "growth of the gas force with temperature",
@@ -66,7 +66,7 @@ pub(crate) const NOUNS: [&str; 11] = [
     "series stiffness",
 ];
 
-/// Units that are words, and parameters that a model lacks in part.
+/// Units that contain words, and partly missing parameters of a model.
 const WORDS: [&str; 5] = [
     "bar gauge",
     "% at 1.013 bar absolute",
@@ -75,7 +75,7 @@ const WORDS: [&str; 5] = [
     "oil_stiffness or aeration_stroke",
 ];
 
-/// Every English text of an explanation, each once: sentences with the places of their values, and words.
+/// Returns every English text of an explanation, each once: templates with their placeholders, and words.
 pub fn texts() -> Vec<&'static str> {
     let quantities = QUANTITIES.iter().map(|(_, noun)| *noun);
     each_once(TEMPLATES, quantities.chain(NOUNS).chain(WORDS))

@@ -1,4 +1,4 @@
-//! The file of dimensions: TOML with the unit in every key.
+//! Reader of the file of dimensions: TOML with the unit in every key.
 
 use crate::dimensions::{Design, Dimensions};
 use crate::entry::{DESIGN, ENTRIES, Entry, EntryRow};
@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use toml::{Spanned, Value};
 
-/// Least half-width of a pressure's 95 % interval, Pa: what a gauge of a workshop reads.
+/// Smallest half-width of a pressure's 95 % interval, Pa: the accuracy of a workshop gauge.
 const GAUGE: f64 = 5e3;
 
 /// Reads a file of dimensions.
@@ -22,7 +22,7 @@ pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
     parse(&text, path)
 }
 
-/// Reads the text of a file; `path` is named in errors.
+/// Parses the text of a file; errors name `path`.
 ///
 /// # Errors
 /// [`DimensionsError`], which names file, line and key.
@@ -62,7 +62,7 @@ fn design(value: &Value) -> Result<Design, String> {
     }
 }
 
-/// A number, or the two ends of its 95 % interval.
+/// Reads a number, or the two ends of its 95 % interval.
 fn number(row: &EntryRow, value: &Value) -> Result<Uncertain, String> {
     let (from, to) = row.bounds;
     let one = |value: &Value| {
@@ -87,7 +87,7 @@ fn number(row: &EntryRow, value: &Value) -> Result<Uncertain, String> {
         if low > high {
             return Err(format!(" = [{low}, {high}] has its upper end first; write [{high}, {low}]"));
         }
-        // Between positive ends the middle is that of the logarithms, as factors scatter.
+        // Between positive ends the value is the geometric mean, for a distribution by factors.
         let middle = if low > 0.0 { libm::sqrt(low * high) } else { 0.5 * (low + high) };
         return Ok(Uncertain { value: si(middle), low: si(low), high: si(high) });
     }
@@ -99,7 +99,7 @@ fn number(row: &EntryRow, value: &Value) -> Result<Uncertain, String> {
     })
 }
 
-/// Entries that no damper can have together.
+/// Rejects combinations of entries that no damper can have.
 fn check(found: &Dimensions) -> Result<(), String> {
     let mm = |entry| found.stated(entry).map(|value: Uncertain| 1e3 * value.value);
     if let (Some(bore), Some(rod)) = (mm(Entry::Bore), mm(Entry::Rod))
@@ -127,7 +127,7 @@ fn check(found: &Dimensions) -> Result<(), String> {
         (Entry::OilVolume, "bore, rod, chambers and reserve_oil_cm3 hold"),
     ] {
         let (Some(stated), Some(other)) = (found.stated(entry), found.by_others(entry)) else { continue };
-        // Oil in a reserve that the drawing does not state comes on top.
+        // The oil volume may be larger by the oil of a reserve that the drawing does not state.
         let may_be_more = entry == Entry::OilVolume && found.stated(Entry::ReserveOil).is_none();
         if stated.high < other.low || stated.low > other.high && !may_be_more {
             let cm3 = |value: f64| 1e6 * value;

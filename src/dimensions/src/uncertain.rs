@@ -1,4 +1,4 @@
-//! Numbers with a 95 % interval, and how such intervals go through a formula.
+//! Numbers with a 95 % interval, and the propagation of such intervals through a formula.
 
 /// Standard deviations of the normal distribution to either end of a 95 % interval.
 const Z: f64 = 1.959_963_985;
@@ -15,18 +15,18 @@ pub struct Uncertain {
 }
 
 impl Uncertain {
-    /// A positive number, known within a factor.
+    /// Makes a positive number that is known within a factor.
     pub fn within_factor(value: f64, factor: f64) -> Uncertain {
         Uncertain { value, low: value / factor, high: value * factor }
     }
 
-    /// A number, known within a half-width.
+    /// Makes a number that is known within a half-width.
     pub fn within(value: f64, half: f64) -> Uncertain {
         Uncertain { value, low: value - half, high: value + half }
     }
 
-    /// The value that lies `z` standard deviations above the center. Each side has a width of its own. Positive numbers scatter by
-    /// factors.
+    /// Returns the value that lies `z` standard deviations above the center. Each side has its own width. Positive numbers are distributed
+    /// by factors.
     fn at_deviation(&self, z: f64) -> f64 {
         let (end, part) = if z < 0.0 { (self.low, -z / Z) } else { (self.high, z / Z) };
         if self.low > 0.0 && self.value > 0.0 {
@@ -36,18 +36,18 @@ impl Uncertain {
         }
     }
 
-    /// Half the width of the interval in standard deviations of a normal distribution: one standard deviation.
+    /// Returns one standard deviation of a normal distribution with this 95 % interval.
     pub fn deviation(&self) -> f64 {
         (self.high - self.low) / (2.0 * Z)
     }
 
-    /// One standard deviation as a factor, for positive numbers.
+    /// Returns one standard deviation as a factor, for positive numbers.
     pub fn factor(&self) -> f64 {
         libm::exp(libm::log(self.high / self.low) / (2.0 * Z))
     }
 }
 
-/// A computed number with its 95 % interval; an end that is missing is not bounded.
+/// A computed number with its 95 % interval; a missing end is unbounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     /// Value at the central inputs.
@@ -59,19 +59,20 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// The interval in another unit.
+    /// Converts the interval to another unit.
     pub fn scaled(self, factor: f64) -> Interval {
         let times = |x: Option<f64>| x.map(|x| x * factor);
         Interval { value: times(self.value), low: times(self.low), high: times(self.high) }
     }
 }
 
-/// Samples of one interval. Its ends are then known to a hundredth of its width; more cost time and change no digit that is printed.
+/// Number of samples of one interval. They determine its ends to a hundredth of its width; more cost time and change no printed digit.
 const SAMPLES: usize = 4000;
 
-/// Samples a formula of uncertain numbers. An outcome that is not finite counts as beyond every bound: the upper end is then open.
+/// Computes the interval of a formula of uncertain numbers by sampling. A result that is not finite counts as infinite: the upper end is
+/// then unbounded.
 ///
-/// The samples are those of an additive recurrence (Roberts' sequence), so that the same inputs give the same digits.
+/// The samples are those of an additive recurrence (Roberts' sequence), so that equal inputs give equal digits.
 pub fn through(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Interval {
     let finite = |x: f64| if x.is_finite() { x } else { f64::INFINITY };
     let steps = recurrence(inputs.len());
@@ -98,14 +99,14 @@ pub fn through(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Interva
     }
 }
 
-/// Steps of the sequence: powers of one over the root of x^(d+1) = x + 1.
+/// Returns the steps of the sequence: powers of the reciprocal root of x^(d+1) = x + 1.
 fn recurrence(count: usize) -> Vec<f64> {
     let power = count as f64 + 1.0;
     let root = (0..60).fold(2.0, |x: f64, _| libm::pow(1.0 + x, 1.0 / power));
     (1..=count).map(|k| libm::pow(root, -(k as f64))).collect()
 }
 
-/// Quantile of the standard normal distribution (Acklam's rational approximation, relative error 1e-9).
+/// Computes the quantile of the standard normal distribution (Acklam's rational approximation, relative error 1e-9).
 fn normal_quantile(p: f64) -> f64 {
     const A: [f64; 6] = [
         -3.969_683_028_665_376e1,

@@ -1,4 +1,4 @@
-//! Forward and inverse are one set of formulas: what a drawing gives, explained by the same drawing, is the drawing again.
+//! Forward and inverse share one set of formulas: parameters from a drawing, explained with that drawing, give the drawing again.
 
 use dashpot_dimensions::orifice::quadratic_force;
 use dashpot_dimensions::{Dimensions, explain, forward, geometry, read};
@@ -13,7 +13,7 @@ fn drawing(text: &str) -> Dimensions {
     read::parse(text, Path::new("drawing.toml")).unwrap()
 }
 
-/// What a drawing gives of a parameter.
+/// Returns the value of a parameter that a drawing implies.
 fn expected(of: &Dimensions, name: &str) -> f64 {
     let all = forward::expectations(of);
     all.iter().find(|e| e.number.name() == name).unwrap_or_else(|| panic!("{name}: {all:?}")).expected.value
@@ -42,7 +42,7 @@ proptest! {
         let area = geometry::annulus(1e-3 * bore, 1e-3 * rod);
         let b = quadratic_force(1e-6 * bleed, area, 0.7, 850.0);
         let force = |w: f64| laminar * w + b * w * w;
-        // Beyond 0.1 m/s a valve opens.
+        // A valve opens beyond 0.1 m/s.
         let knee = force(0.1);
         let forces = [-1.2 * knee, -knee, -force(0.05), -force(0.02), 0.0, force(0.02), force(0.05), knee, 1.2 * knee];
         let model = of_text(
@@ -65,7 +65,7 @@ proptest! {
         ] {
             let found = explanation.find(name).unwrap();
             let value = found.value.unwrap();
-            // The density's and the coefficient's middles are those of the handbooks, so that the value is exact but for the tube.
+            // Density and discharge coefficient have the central values of the handbooks, so the result is exact except for the tube.
             prop_assert!((value / truth - 1.0).abs() < 0.01, "{name}: {value}, {truth}");
             prop_assert!(found.low.unwrap() < truth && truth < found.high.unwrap(), "{found:?}");
         }

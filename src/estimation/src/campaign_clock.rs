@@ -1,13 +1,14 @@
-//! Whether the records of a campaign were measured on one clock, so that heat and drifts carry over from test to test.
+//! Checks whether the records of a campaign share one clock, so that heat and drifts carry over from test to test.
 
 use dashpot_records::{Record, apart};
 
-/// Whether the records' clocks run through the campaign: no two of them overlap. Where each file has a clock of its own, all begin at the same time.
+/// Whether one clock runs through the campaign: no two records overlap. If each file has its own clock, all records begin at the same time.
 pub fn clock_runs_on(records: &[&Record]) -> bool {
     apart(records.iter().filter_map(|record| record.span()).collect())
 }
 
-/// Date and time at which that clock was nought, s since 1970 by the rig's own clock; nothing where the records do not bear it.
+/// Returns the date and time at which that clock was zero, s since 1970 by the rig's own clock. `None` if the records do not state a
+/// consistent time.
 pub fn clock_from(records: &[&Record]) -> Option<f64> {
     let mut from = records.iter().map(|record| Some(record.begins? - record.clock_s));
     let first = from.next()??;

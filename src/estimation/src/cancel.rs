@@ -1,8 +1,7 @@
-//! Long work that may be told to stop.
+//! Cancellation of long work.
 //!
-//! The work runs on threads of its own, each of which knows the flag; the searches look at it before every step and end where
-//! they are. What they return then is of no use, so [`Cancel::run`] throws it away: nobody sees half a result, and no function
-//! between the searches and the caller has to hand the flag on.
+//! The work runs on threads of its own, each of which has the flag. The searches check the flag before every step and end early. Their
+//! incomplete result is useless, so [`Cancel::run`] discards it. No function between the searches and the caller has to pass the flag on.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -12,7 +11,7 @@ thread_local! {
     static FLAG: RefCell<Option<Arc<AtomicBool>>> = const { RefCell::new(None) };
 }
 
-/// Asks a piece of work to stop; copies ask the same one.
+/// A handle that asks work to stop; all copies refer to the same work.
 #[derive(Debug, Clone, Default)]
 pub struct Cancel(Arc<AtomicBool>);
 
@@ -22,21 +21,21 @@ impl Cancel {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether it was asked to stop.
+    /// Whether the work was asked to stop.
     pub fn asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Runs the work on threads of its own, as many as there are processors.
+    /// Runs the work on threads of its own, one for each processor.
     ///
-    /// `None` where it was cancelled, or the system provides no threads.
+    /// Returns `None` if the work was canceled, or if the system provides no threads.
     pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Option<T> {
         self.run_on(0, work)
     }
 
-    /// Runs the work on `threads` threads of its own; 0 is as many as there are processors.
+    /// Runs the work on `threads` threads of its own; with 0, one for each processor.
     ///
-    /// `None` where it was cancelled, or the system provides no threads.
+    /// Returns `None` if the work was canceled, or if the system provides no threads.
     pub fn run_on<T: Send>(&self, threads: usize, work: impl FnOnce() -> T + Send) -> Option<T> {
         let flag = self.0.clone();
         let pool = rayon::ThreadPoolBuilder::new()
@@ -50,7 +49,7 @@ impl Cancel {
     }
 }
 
-/// Whether the work that this thread does was asked to stop.
+/// Whether the work on the present thread was asked to stop.
 pub fn asked() -> bool {
     FLAG.with(|own| own.borrow().as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed)))
 }

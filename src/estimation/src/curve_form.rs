@@ -1,16 +1,17 @@
-//! How far the form of the FV curve between its points is off, as the records show it.
+//! Error of the FV curve between its points, estimated from the records.
 //!
-//! A cubic through a dozen points on each stroke rounds the knee of a valve. The points beside it move so that the curve between them is
-//! nearest to the records; their intervals hold the damper's own force only if they are as wide as the curve misses there.
+//! A cubic through a dozen points on each stroke rounds the knee of a valve. The fit moves the points near the knee so that the curve
+//! between them is closest to the records. The intervals of these points contain the damper's own force only if they include the error of
+//! the curve.
 
 use crate::samples::Test;
 
-/// Parts of each interval between two points, so that a miss that changes its sign within an interval does not cancel.
+/// Parts of each interval between two points, so that an error that changes its sign within an interval does not cancel.
 const PARTS: usize = 2;
-/// Standard errors of a mean within which it counts as noise.
+/// Number of standard errors within which a mean counts as noise.
 const NOISE: f64 = 2.0;
 
-/// A weighted mean of what a fit leaves, N, and its variance.
+/// A weighted mean of the residual of a fit, N, and its variance.
 #[derive(Debug, Clone, Copy, Default)]
 struct Mean {
     sum: f64,
@@ -20,7 +21,7 @@ struct Mean {
 }
 
 impl Mean {
-    /// The part of the mean that noise does not explain, N.
+    /// Returns the part of the mean that noise does not explain, N.
     fn beyond_noise(&self) -> f64 {
         if self.weight <= 0.0 {
             return 0.0;
@@ -30,15 +31,15 @@ impl Mean {
     }
 }
 
-/// Miss of a curve with points at these velocities in the intervals beside each of them, N: the largest of their parts.
+/// Computes the error of a curve at each of these velocities, N: the largest error of the parts of both neighboring intervals.
 ///
-/// `residual` is what a fit leaves of the scored samples of all tests, in units of their allowed errors. Samples count as they did in the
-/// fit. Loading and unloading cancel in the mean, so hysteresis is no miss of the curve.
+/// `residual` contains the residuals of a fit at the scored samples of all tests, in units of their allowed errors. Samples have their
+/// weights of the fit. Loading and unloading cancel in the mean, so hysteresis is no error of the curve.
 pub fn misses(velocities: &[f64], tests: &[Test], residual: &[f64]) -> Vec<f64> {
     let mut parts = vec![Mean::default(); velocities.len().saturating_sub(1) * PARTS];
     let mut first = 0;
     for test in tests {
-        // Sums of this test alone: how many of its samples tell something of their own is known for each test.
+        // Sums of this test alone: its fraction of independent samples applies to them.
         let mut own = vec![(0.0, 0.0, 0.0); parts.len()];
         for (place, (input, allowed)) in test.inputs().iter().zip(&test.allowed).enumerate() {
             let Some(part) = part_of(velocities, input.velocity).filter(|_| allowed.is_finite()) else { continue };
@@ -64,7 +65,7 @@ pub fn misses(velocities: &[f64], tests: &[Test], residual: &[f64]) -> Vec<f64> 
         .collect()
 }
 
-/// The part of the intervals between points that holds a velocity.
+/// Returns the part of the intervals between points that contains a velocity.
 fn part_of(velocities: &[f64], at: f64) -> Option<usize> {
     let right = velocities.partition_point(|v| *v <= at);
     let (from, to) = (*velocities.get(right.checked_sub(1)?)?, *velocities.get(right)?);
@@ -91,10 +92,10 @@ mod tests {
             .iter()
             .flat_map(|test| test.inputs().iter().zip(&test.allowed).map(|(input, allowed)| (input.velocity, *allowed)))
             .collect();
-        // As large as the noise, of either sign in turn.
+        // Residuals as large as the noise, with alternating sign.
         let noise: Vec<f64> = (0..samples.len()).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
         assert_eq!(misses(&velocities, &tests, &noise), [0.0; 6]);
-        // 20 N between 0.15 and 0.2 m/s, on the way up and on the way down.
+        // An error of 20 N between 0.15 and 0.2 m/s, in acceleration and deceleration.
         let is_missed = |v: f64| (0.15..0.2).contains(&v);
         let missed: Vec<f64> =
             samples.iter().map(|(v, allowed)| if is_missed(*v) { 20.0 / allowed } else { 0.0 }).collect();

@@ -1,4 +1,4 @@
-//! Parts of an FV curve that change as one: all of a side, its bleed, its blow-off.
+//! Parts of an FV curve that change as a whole: a side, its bleed, its blow-off.
 
 use dashpot_core::Params;
 use dashpot_core::list;
@@ -6,9 +6,9 @@ use dashpot_core::list;
 /// A part of the FV curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CurvePart {
-    /// Which side.
+    /// The side.
     pub side: Side,
-    /// Which speeds.
+    /// The range of speeds.
     pub speeds: Speeds,
 }
 
@@ -19,12 +19,12 @@ pub enum Side {
     Rebound,
     /// Compression.
     Compression,
-    /// Both, by one factor, as of oil that thins or a load cell with another gain.
+    /// Both, by one factor, as with oil that thins or a load cell with another gain.
     Both,
 }
 
 impl Side {
-    /// Whether a velocity, rebound positive, belongs to it.
+    /// Whether a velocity, rebound positive, belongs to the side.
     pub fn has(self, velocity: f64) -> bool {
         match self {
             Side::Rebound => velocity > 0.0,
@@ -37,15 +37,15 @@ impl Side {
 /// Speeds of a part of the FV curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Speeds {
-    /// All: one factor on the side, as of oil, piston or preload.
+    /// All: one factor on the side, as for oil, piston or preload.
     All,
-    /// Those below the knee, where the bleed carries the flow.
+    /// Speeds below the knee, where the bleed carries the flow.
     Low,
-    /// Those beyond the knee, where the valve has blown off.
+    /// Speeds beyond the knee, where the valve has blown off.
     High,
 }
 
-/// Speed, m/s, at which bleed and blow-off carry alike: knees of shim valves lie at 0.03 to 0.2 m/s (Dixon 2007, chapter 6).
+/// Speed, m/s, at which bleed and blow-off have equal weight: knees of shim valves lie at 0.03 to 0.2 m/s (Dixon 2007, chapter 6).
 const KNEE: f64 = 0.1;
 
 impl CurvePart {
@@ -65,7 +65,7 @@ impl CurvePart {
         ]
     };
 
-    /// Its name in answers.
+    /// Returns its name in results.
     pub fn name(self) -> &'static str {
         match (self.side, self.speeds) {
             (Side::Both, _) => "fv_curve",
@@ -78,7 +78,7 @@ impl CurvePart {
         }
     }
 
-    /// Fraction of the change that a speed takes part in.
+    /// Computes the fraction of the change that applies at a velocity.
     fn weight(self, velocity: f64) -> f64 {
         if !self.side.has(velocity) {
             return 0.0;
@@ -101,7 +101,7 @@ impl CurvePart {
             .zip(&velocity)
             .map(|(force, v)| force * (1.0 + change * self.weight(*v)))
             .collect();
-        // A list that the table rejects leaves the base as it was.
+        // A list that the table rejects leaves the base unchanged.
         let _ = params.set_list(list!("fv_force"), &force);
     }
 }

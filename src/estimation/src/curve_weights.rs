@@ -1,27 +1,28 @@
-//! How a curve moves when one of its points moves: the derivatives that its fit needs.
+//! Derivatives of a curve with respect to the forces at its points, as its fit needs them.
 
 use crate::unknowns::CurveName;
 use dashpot_core::Params;
 use dashpot_core::curve::{Interpolation, monotone_derivative};
 use dashpot_core::elements::fv_curve::fv_interpolation;
 
-/// A curve through points, with the derivatives of its slopes over the forces of the points.
+/// A curve through points, with the derivatives of its slopes with respect to the forces at the points.
 #[derive(Debug, Clone)]
 pub struct CurveWeights {
     u: Vec<f64>,
-    /// Before and after each point: ∂(slope there)/∂(f at i−2 … i+2).
+    /// For the slope before and after each point i: ∂slope/∂(f at i−2 … i+2).
     slope_by: Vec<[[f64; REACH]; 2]>,
 }
 
-/// Points whose forces a slope may depend on: two to either side and its own.
+/// Number of points whose forces a slope may depend on: two on either side and its own.
 const REACH: usize = 5;
-/// Points whose forces a value may depend on. At zero a slope reaches two points, but the piece there lies on that side of it.
+/// Number of points whose forces a value may depend on. The slope at zero depends on two neighbors, but only on the side of the evaluated
+/// piece.
 const POINTS: usize = 4;
-/// Place of a point's own force among those of its slope.
+/// Index of a point's own force among the forces of its slope.
 const OWN: usize = 2;
 
 impl CurveWeights {
-    /// Prepares the derivatives of the curve through (`u`, `f`), which runs between them as `interpolation` says.
+    /// Computes the derivatives of the curve through (`u`, `f`) for an `interpolation` between the points.
     pub fn new(u: &[f64], f: &[f64], interpolation: Interpolation) -> CurveWeights {
         let n = u.len();
         let line = |a: usize, b: usize, at: usize| {
@@ -75,7 +76,7 @@ impl CurveWeights {
         CurveWeights { u: u.to_vec(), slope_by }
     }
 
-    /// How the curve of a parameter set moves.
+    /// Computes the derivatives of a curve of a parameter set.
     pub fn from_params(params: &Params, curve: CurveName) -> CurveWeights {
         let interpolation = match curve {
             CurveName::Fv => fv_interpolation(params),
@@ -84,12 +85,12 @@ impl CurveWeights {
         CurveWeights::new(params.list(curve.abscissae()), params.list(curve.forces()), interpolation)
     }
 
-    /// Number of points.
+    /// Returns the number of points.
     pub fn points(&self) -> usize {
         self.u.len()
     }
 
-    /// ∂f(at)/∂(force of point j): the first point that they belong to, and the derivatives for four points from there.
+    /// Computes ∂f(at)/∂(force of point j) for four adjacent points: returns the index of the first and the four derivatives.
     pub fn evaluate(&self, at: f64) -> (usize, [f64; POINTS]) {
         let n = self.u.len();
         let right = self.u.partition_point(|u| *u <= at);
@@ -114,7 +115,7 @@ impl CurveWeights {
         (first, weights)
     }
 
-    /// Adds the slope before (0) or after (1) a point.
+    /// Adds the contribution of the slope before (0) or after (1) a point.
     fn add_slope(&self, point: usize, side: usize, factor: f64, first: usize, weights: &mut [f64; POINTS]) {
         for (k, by) in self.slope_by[point][side].iter().enumerate() {
             if *by != 0.0 {
@@ -129,7 +130,7 @@ mod tests {
     use super::*;
     use dashpot_core::curve::Curve;
 
-    /// Compares the weights of a curve with differences of the curve itself.
+    /// Compares the weights of a curve with finite differences of the curve itself.
     fn compare(u: &[f64], f: &[f64], interpolation: Interpolation) {
         let weights = CurveWeights::new(u, f, interpolation);
         for at in [-1.7, -0.9, -0.2, -0.03, 0.02, 0.2, 0.9, 1.6] {
@@ -151,12 +152,12 @@ mod tests {
     fn weights_are_the_derivatives_over_the_points() {
         let u = [-1.0, -0.4, -0.1, 0.0, 0.05, 0.3, 1.1];
         let f = [-900.0, -500.0, -300.0, 0.0, 250.0, 700.0, 1900.0];
-        // Rebound that begins level: the derivative of the parabola at zero would fall.
+        // Rebound that begins almost flat: the derivative of the parabola at zero would be negative.
         let level = [-900.0, -500.0, -300.0, 0.0, 2.0, 700.0, 1900.0];
         for interpolation in [Interpolation::MonotoneCubic, Interpolation::CubicEachSide, Interpolation::Linear] {
             compare(&u, &f, interpolation);
             compare(&u, &level, interpolation);
-            // One point on a side, few points in all.
+            // Curves with only one point on a side, and with few points in total.
             compare(&u[2..], &f[2..], interpolation);
             compare(&u[2..5], &f[2..5], interpolation);
         }

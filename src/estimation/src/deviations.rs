@@ -1,4 +1,4 @@
-//! How far the records leave the numbers of a refit open.
+//! Uncertainty of the parameters of a refit.
 
 use super::gram::gram;
 use super::hypothesis::{Free, Hypothesis, Number, Residual};
@@ -10,17 +10,17 @@ use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-/// Covariance in the sandwich form (White, Econometrica 48, 1980), with how well each number is determined.
+/// Computes the covariance in the sandwich form (White, Econometrica 48, 1980), and the degree of determination of each parameter.
 ///
 /// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
-/// intervals. A number is determined apart from all others and from its prior: 1 fully, 0 not at all.
-/// Where the force jumps as a number moves, the tangent holds no further than to the next sample; its deviation is then that of the force
-/// itself.
+/// intervals. The degree of determination of a parameter excludes the other parameters and the prior: 1 is fully determined, 0 not at all.
+/// If the force jumps with a change of a parameter, the tangent is valid only up to the next sample. The deviation then follows from the
+/// force itself.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
 }
 
-/// The [`sandwich`] of numbers whose residuals are these at a vector of them.
+/// Computes the [`sandwich`] of parameters whose residuals `residual_at` computes.
 pub(crate) fn sandwich_of(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -48,17 +48,17 @@ pub(crate) fn sandwich_of(
     Some((covariance, determined))
 }
 
-/// Deviations to each side at which the tangent is compared with the force itself: the ends of an interval.
+/// Number of deviations to each side at which the tangent is compared with the force itself: the ends of an interval.
 const END: f64 = 2.0;
-/// Fraction of the squared change by the tangent below which the force is said to change less. A force that bends within the interval changes
-/// by half of it; one that jumps between two samples hardly at all.
+/// Fraction of the tangent's squared change below which the force counts as nearly constant. A force that is nonlinear within the interval
+/// reaches half of that change; a force that jumps between two samples hardly changes.
 const FLAT: f64 = 0.25;
-/// Largest factor on a deviation.
+/// Largest factor on a deviation, at which the search ends.
 const FARTHEST: f64 = 1024.0;
 
-/// Factor on the deviation of each number by which it must move for the force to change as much as the tangent says.
+/// Computes the factor on the deviation of each parameter at which the force changes as much as the tangent predicts.
 ///
-/// The other numbers follow as far as they are correlated. The side on which the force changes less counts.
+/// The other parameters change along according to their correlation. The side with the smaller change of the force decides.
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -68,7 +68,7 @@ fn stretches(
 ) -> Vec<f64> {
     let Some(here) = residual_at(&refit.theta) else { return vec![1.0; refit.theta.len()] };
     let of_number = |k: usize| {
-        // A curve bends the force in proportion.
+        // The force is proportional to the points of a curve.
         let is_of_curve = matches!(
             hypothesis.numbers[k].free,
             Free::Curve(_) | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..))
@@ -78,7 +78,7 @@ fn stretches(
             return 1.0;
         }
         let direction = covariance.column(k) * (END / deviation);
-        // A prior holds a number as a measurement of it would.
+        // A prior restricts a parameter as a measurement of the parameter would.
         let by_prior: f64 = direction.iter().zip(precisions).map(|(by, precision)| precision * by * by).sum();
         let by_tangent = (&refit.jacobian * &direction).norm_squared() + by_prior;
         let change = |factor: f64| -> Option<f64> {
@@ -102,7 +102,8 @@ fn stretches(
     (0..refit.theta.len()).into_par_iter().map(of_number).collect()
 }
 
-/// Factor at which a squared change reaches `least`, by doubling and then in the logarithms; where it can go no further, the last one.
+/// Finds the factor at which a squared change reaches `least`, by doubling and logarithmic interpolation; at a bound, returns the last
+/// factor.
 fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     let (mut factor, mut last) = (1.0, None);
     while factor < FARTHEST {
@@ -120,9 +121,9 @@ fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     factor
 }
 
-/// Covariance of free numbers in the sandwich form, and how well each is determined: see [`sandwich`].
+/// Computes the covariance of free parameters in the sandwich form, and the degree of determination of each: see [`sandwich`].
 ///
-/// A block holds derivatives and weighted residuals of one test; `precisions` are those of the priors.
+/// A block contains derivatives and weighted residuals of one test; `precisions` are those of the priors.
 pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     let n = precisions.len();
     let parts: Vec<(DMatrix<f64>, f64)> = blocks
@@ -149,17 +150,18 @@ pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]
     Some((&bread * meat * &bread, determined))
 }
 
-/// A Hessian whose rows and columns are divided by the roots of its diagonal, and those: numbers of all units become alike.
+/// Scales rows and columns of a Hessian by the roots of its diagonal, and returns the roots too: parameters of all units become comparable.
 fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
     let n = hessian.nrows();
     let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
     (DMatrix::from_fn(n, n, |i, j| hessian[(i, j)] / (scale[i] * scale[j])), scale)
 }
 
-/// How far each free number moves where a number that is considered and not estimated is off by 1.
+/// Computes the shift of each free parameter for an error of 1 in a considered parameter, which is not estimated.
 ///
-/// A block holds derivatives of one test; `considered` are the derivatives of its residuals over that number. This is the term that a consider
-/// parameter adds to an estimate (Bierman, Factorization Methods for Discrete Sequential Estimation, 1977, VIII).
+/// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the considered
+/// parameter. This is the term that a consider parameter adds to an estimate (Bierman, Factorization Methods for Discrete Sequential
+/// Estimation, 1977, VIII).
 pub fn considered_shift(
     blocks: &[(DMatrix<f64>, Vec<f64>)],
     precisions: &[f64],
@@ -179,7 +181,7 @@ pub fn considered_shift(
     Some(DVector::from_fn(n, |i, _| found[i] / scale[i]))
 }
 
-/// Number of samples that equal one independent sample: the integrated autocorrelation of the residual.
+/// Computes the number of samples that equal one independent sample: the integrated autocorrelation of the residual.
 ///
 /// The sum ends where it first falls below noise (Geyer's initial positive sequence, Stat. Sci. 7, 1992).
 fn correlation_factor(residual: &[f64]) -> f64 {
@@ -207,14 +209,14 @@ mod tests {
 
     #[test]
     fn a_deviation_is_stretched_where_the_force_changes_less_than_its_tangent() {
-        // Proportional, and bent by less than half: the tangent holds.
+        // A proportional force, and a force with less than half the curvature: the tangent is valid.
         assert_eq!(stretch(FLAT, &|factor| Some(factor * factor)), 1.0);
         assert_eq!(stretch(FLAT, &|factor| Some(0.3 * factor * factor)), 1.0);
-        // A jump that is crossed by more samples the farther one goes.
+        // A jump that passes more samples at a larger change.
         for slope in [1e-3, 0.02, 0.1] {
             assert!((stretch(FLAT, &|factor| Some(slope * factor)) * slope / FLAT - 1.0).abs() < 1e-9, "{slope}");
         }
-        // A number without any trace, and one at its bound.
+        // A parameter without any effect, and one at its bound.
         assert_eq!(stretch(FLAT, &|_| Some(0.0)), FARTHEST);
         assert_eq!(stretch(FLAT, &|factor| (factor < 3.0).then_some(0.0)), 4.0);
     }

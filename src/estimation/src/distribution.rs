@@ -1,25 +1,25 @@
-//! Prior distribution of a number: center and spread of what dampers show.
+//! Prior distribution of a parameter: center and spread over dampers.
 
-/// Prior distribution of one number.
+/// Prior distribution of one parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
-    /// A size: its median, and the factor by which one damper in three lies off it.
+    /// A positive size: its median, and the factor from the median beyond which a third of the dampers lies.
     Size(f64, f64),
-    /// A strength, which may be arbitrarily small: its median, and the factor by which one in six lies above it.
+    /// A strength, which may be arbitrarily small: its median, and the factor above the median that a sixth of the dampers exceeds.
     ///
-    /// The median is that of the dampers that have the effect at all.
+    /// The median applies to the dampers that have the effect.
     Strength(f64, f64),
-    /// A place, or anything of either sign: its mean and standard deviation.
+    /// A position, or any quantity of either sign: its mean and standard deviation.
     Place(f64, f64),
-    /// A place that is far likelier off to one side: its mode, and the standard deviations below and above it (a split normal distribution).
+    /// A skewed quantity of either sign: its mode, and the standard deviations below and above the mode (a split normal distribution).
     Skewed(f64, f64, f64),
 }
 
-/// How many strengths a strength may lie above its median before a search is drawn back: far enough to bias nothing.
+/// Standard deviation of a strength in a search, in units of its upper factor times the median: wide enough to avoid a bias.
 const FREE: f64 = 3.0;
 
 impl Distribution {
-    /// Mean and standard deviation in the coordinate in which a search moves: the logarithm, or the number itself.
+    /// Returns mean and standard deviation in the search coordinate: the logarithm or the parameter itself.
     pub fn in_search(self, logarithm: bool) -> (f64, f64) {
         match (self, logarithm) {
             (Distribution::Size(median, factor) | Distribution::Strength(median, factor), true) => {
@@ -27,7 +27,7 @@ impl Distribution {
             }
             (Distribution::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
             (Distribution::Strength(median, factor), false) => (0.0, FREE * median * factor),
-            // The search is drawn back on the narrow side no more than on the wide one; the evidence is.
+            // The search uses the wide side's deviation on both sides; the evidence uses both deviations.
             (Distribution::Place(mean, deviation) | Distribution::Skewed(mean, _, deviation), false) => {
                 (mean, deviation)
             }
@@ -37,7 +37,7 @@ impl Distribution {
         }
     }
 
-    /// Distance of a value from the center in standard deviations; 0 for a strength below its median.
+    /// Computes the distance of a value from the center in standard deviations; 0 for a strength below its median.
     pub fn standard_score(self, value: f64) -> f64 {
         match self {
             Distribution::Size(median, factor) => libm::log(value.abs().max(1e-300) / median) / libm::log(factor),
@@ -48,7 +48,7 @@ impl Distribution {
         }
     }
 
-    /// Its center: median, mean or mode.
+    /// Returns its center: median, mean or mode.
     pub fn center(self) -> f64 {
         match self {
             Distribution::Size(center, _)
@@ -58,7 +58,7 @@ impl Distribution {
         }
     }
 
-    /// The ends of the interval of so many standard deviations to each side.
+    /// Computes the ends of the interval of this number of standard deviations to each side.
     pub fn interval(self, deviations: f64) -> (f64, f64) {
         match self {
             Distribution::Size(median, factor) | Distribution::Strength(median, factor) => {

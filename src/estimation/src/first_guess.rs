@@ -1,4 +1,4 @@
-//! A first guess that an engineer would make: FV points at peak velocity, friction and gas force from slow tests.
+//! First guess of the parameters, as an engineer makes it: FV points at peak velocity, friction and gas force from slow tests.
 
 use crate::scale::Scale;
 use crate::segment::Segment;
@@ -10,15 +10,15 @@ use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use serde::{Deserialize, Serialize};
 
-/// Tests slower than this show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).
+/// Peak velocity, m/s, below which tests show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).
 pub const SLOW: f64 = 0.006;
-/// Ratio of one velocity of the FV table to the next: knees are that wide, and closer points would follow noise.
+/// Ratio of adjacent velocities of the FV table: knees extend over this ratio, and closer points would follow noise.
 const RATIO: f64 = 1.65;
-/// Smallest velocity of an FV point: below, friction and damper cannot be told apart.
+/// Smallest velocity of an FV point, m/s: at lower velocities friction and damping cannot be distinguished.
 const SMALLEST: f64 = 0.010;
-/// Friction, N, from which a fit begins with a damper of a passenger car that shows less: from nothing, no step would lead to it.
+/// Smallest initial friction of a fit, N, for the damper of a passenger car: from zero, no step would find friction.
 const LEAST_FRICTION: f64 = 1.0;
-/// Samples that an FV point needs on its side of its neighbours.
+/// Samples that an FV point needs between itself and the previous point.
 const ENOUGH: usize = 12;
 
 /// Force at steady sliding in both directions.
@@ -26,7 +26,7 @@ const ENOUGH: usize = 12;
 pub struct Dry {
     /// Half the difference: friction, N.
     pub friction: f64,
-    /// Mean, with the sign turned: what pushes the rod out, N.
+    /// Negative mean: the force that pushes the rod out, N.
     pub gas: f64,
 }
 
@@ -35,7 +35,7 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Median force of both strokes of the segments, where their velocity is between two shares of the peak velocity.
+/// Computes friction and gas force from the median forces of both strokes, over velocities between two fractions of the peak velocity.
 fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, high: f64) -> Option<Dry> {
     let side = |sign: f64| {
         let forces = segments
@@ -53,22 +53,22 @@ fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, hi
     Some(Dry { friction: 0.5 * (up - down), gas: -0.5 * (up + down) })
 }
 
-/// Friction and gas force of tests that are all slow, as measured.
+/// Computes friction and gas force from tests that are all slow.
 pub fn sliding(slow: &[Segment]) -> Option<Dry> {
     strokes(slow.iter(), 0.5, f64::INFINITY)
 }
 
-/// How strong the damper is by the largest force of its tests, before there is a curve.
+/// Computes the size of the damper from the largest force of its tests, before a curve exists.
 pub fn size(segments: &[Segment]) -> Scale {
     Scale::of_force(segments.iter().fold(0.0f64, |most, segment| most.max(segment.top)))
 }
 
-/// Friction and gas force from the slowest tests; from the slow parts of all tests where there is none.
+/// Computes friction and gas force from the slowest tests, near their reversals if no test is slow.
 pub fn dry(segments: &[Segment]) -> Dry {
     let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
     let limit = SLOW.max(1.5 * slowest);
     let slow = segments.iter().filter(|s| s.peak_velocity <= limit);
-    // At full speed where the test is slow; near reversal where even the slowest test is fast.
+    // Use full speed if a test is slow, else samples near the reversals of the slowest tests.
     let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
     let least = LEAST_FRICTION * size(segments).force();
     match strokes(slow, low, high) {
@@ -77,17 +77,17 @@ pub fn dry(segments: &[Segment]) -> Dry {
     }
 }
 
-/// Velocities for the FV table: zero, and on each side points in geometric progression up to the fastest test, denser
-/// where curves bend. Points that the records do not reach are left out.
+/// Returns velocities for the FV table: zero, and on each side a geometric progression up to the fastest test. Points without enough
+/// samples are omitted.
 pub fn velocities(segments: &[Segment]) -> Vec<f64> {
     let all: Vec<f64> = segments.iter().flat_map(|s| s.input[s.from..].iter().map(|i| i.velocity)).collect();
     let side = |sign: f64| {
         let mut speeds: Vec<f64> = all.iter().map(|v| sign * v).filter(|v| *v > 0.0).collect();
         speeds.sort_by(f64::total_cmp);
         let mut points = Vec::new();
-        // The last point lies where samples still are, not on a single noisy peak.
+        // The last point lies within the samples, not on a single noisy peak.
         let Some(top) = speeds.get(speeds.len().saturating_sub(4)).copied() else { return points };
-        // Tests that creep throughout show friction; a straight line is all the FV curve they can carry.
+        // Tests that creep throughout show friction; they support only a linear FV curve.
         let first = SMALLEST.min(top);
         let steps = (libm::log(top / first) / libm::log(RATIO)).round() as usize;
         for k in 0..=steps {
@@ -100,7 +100,7 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
             if count >= ENOUGH || k == 0 {
                 kept.push(*v);
             } else if k + 1 == points.len() {
-                // Too little between the last two: the end of the data matters more.
+                // Too few samples between the last two points: keep the last point, at the end of the data.
                 if kept.len() > 1 {
                     kept.pop();
                 }
@@ -115,15 +115,15 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
     v
 }
 
-/// Forces of the FV table at `velocities`: at each speed the mean of both strokes over the tests, less friction and
-/// gas force, made non-decreasing.
+/// Computes forces of the FV table at `velocities`: the mean of acceleration and deceleration over the tests, less friction and gas force.
+/// The result is strictly increasing.
 pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |_, _| true)
 }
 
-/// Forces of the FV table from only those samples at which the damper slows down.
+/// Computes forces of the FV table from only those samples at which the damper slows down.
 ///
-/// Voids and lost strokes begin at a turn and are closed before the next.
+/// Voids and lost strokes begin at a reversal and are closed before the next.
 pub fn slowing_forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |s, k| {
         s.input.get(k + 1).is_some_and(|next| next.velocity.abs() < s.input[k].velocity.abs())
@@ -144,7 +144,7 @@ fn forces_where(
                 continue;
             }
             let v = input.velocity;
-            // Shares fall off linearly to the neighbouring points.
+            // The weight of a point falls with the fourth power of the linear interpolation weight.
             let right = velocities.partition_point(|p| *p <= v);
             let (a, b) = (right.saturating_sub(1), right.min(velocities.len() - 1));
             let share = if b > a { (v - velocities[a]) / (velocities[b] - velocities[a]) } else { 0.0 };
@@ -174,7 +174,7 @@ fn forces_where(
     f
 }
 
-/// A parameter set with the first guess for all elements of the thesis's model, and nothing on but the FV curve.
+/// Makes a parameter set with the first guess for all elements of the thesis's model; only the FV curve is enabled.
 pub fn guess(segments: &[Segment]) -> Params {
     let dry = dry(segments);
     let v = velocities(segments);
@@ -184,12 +184,13 @@ pub fn guess(segments: &[Segment]) -> Params {
     let set = |p: &mut Params, number: Number, value: f64| {
         let _ = p.set(number, number.inside(value));
     };
-    // Defaults are those of a car's damper: a mass of 0.5 kg in a damper of twenty times the force would be held near there.
+    // Defaults apply to a car's damper. The prior would otherwise keep the mass near 0.5 kg in a damper of twenty times the force.
     let scale = size(segments);
     for number in dashpot_core::parameter::table().filter_map(|row| Number::try_from(row).ok()) {
         set(&mut p, number, scale.of_number(number) * number.default());
     }
-    // Valves of rebound and compression share no derivative at rest; a curve that has one there moves gas force and friction.
+    // Valves of rebound and compression have different derivatives at rest; a curve with a common derivative would distort gas force and
+    // friction.
     set(&mut p, number!("fv_interpolation"), choice_of_interpolation(Interpolation::CubicEachSide));
     let _ = p.set_list(list!("fv_velocity"), &v);
     let _ = p.set_list(list!("fv_force"), &f);

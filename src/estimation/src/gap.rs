@@ -1,4 +1,4 @@
-//! Errors of an explanation, and how much of the gap between model and noise is closed.
+//! Errors of a hypothesis, and the closed fraction of the gap between model and noise.
 
 use super::heating::Heating;
 use super::hypothesis::Hypothesis;
@@ -7,7 +7,7 @@ use super::sensitivity::Accuracy;
 use dashpot_records::Record;
 use std::sync::Arc;
 
-/// Residuals in N of an explanation on tests of its own choice, integrated this exactly.
+/// Computes residuals of a hypothesis on given tests, N, by an integration of this accuracy.
 pub fn errors(
     accuracy: Accuracy,
     hypothesis: &Hypothesis,
@@ -23,29 +23,29 @@ pub fn errors(
     Some(tests.iter().zip(&forces).map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect()).collect())
 }
 
-/// Root mean square; 0 of nothing.
+/// Computes the root mean square; 0 for an empty list.
 pub fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }
 
-/// Root mean square over tests of each test's root mean square.
+/// Computes the root mean square over tests of each test's root mean square.
 pub fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
     rms(&errors.iter().map(|e| rms(e)).collect::<Vec<_>>())
 }
 
-/// Root mean square error over tests, in units of what each test's noise and form allow.
+/// Computes the root mean square error over tests, in units of each test's typical allowed error.
 ///
-/// So a slow test of small forces counts like a fast one.
+/// So a slow test of small forces counts like a fast test.
 pub fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
     rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// Residual that noise alone leaves, N.
+/// Computes the residual due to noise alone, in the units of [`in_noise`].
 pub fn noise_alone(tests: &[Test]) -> f64 {
     rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// Share of the gap between model and noise that is closed.
+/// Computes the fraction of the gap between model and noise that is closed; `None` if there is hardly any gap.
 pub fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
     let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));
     (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))

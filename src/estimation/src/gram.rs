@@ -1,22 +1,23 @@
-//! Products of all columns of a tall matrix with each other, which the normal equations of least squares are made of.
+//! Products of all pairs of columns of a tall matrix, as the normal equations of least squares need them.
 
 use nalgebra::DMatrix;
 
-/// Columns whose products with as many others are summed at a time.
+/// Tile size: the products of this many columns with as many others are summed at a time.
 ///
-/// Nine sums of two rows each, and the six factors, fill the registers of every processor of 64 bits.
+/// Nine sums of two rows each, and the six factors, fill the registers of every 64-bit processor.
 const TILE: usize = 3;
-/// Rows whose products are summed before the next columns: six columns of them stay in the nearest cache, 24 KB. A sum of so few also rounds less than
-/// one over all rows.
+/// Block size: the products of this many rows are summed before the next columns. Six columns of a block fit into the first-level cache, 24
+/// KB. A sum over a block also has a smaller rounding error than one over all rows.
 const ROWS: usize = 512;
 
 /// Two rows of a column.
 type Pair = [f64; 2];
 
-/// `columnsᵀ columns`, symmetric; shape: as many rows and columns as `columns` has columns.
+/// Computes `columnsᵀ columns`, symmetric; shape: as many rows and columns as `columns` has columns.
 ///
-/// Each product is summed in the same order on every machine. A library for such products (`matrixmultiply`) chooses by the instructions of the
-/// processor, so a fit would have other digits on another one; half of this product is the other half mirrored, which makes up for what it is faster.
+/// Each product is summed in the same order on every machine. A library for such products (`matrixmultiply`) selects code by the
+/// instructions of the processor, so a fit would have other digits on another processor. This function computes only half of the product
+/// and mirrors it, which compensates for the library's higher speed.
 pub fn gram(columns: &DMatrix<f64>) -> DMatrix<f64> {
     let (rows, n) = columns.shape();
     let tiles = n.div_ceil(TILE);
@@ -45,16 +46,16 @@ pub fn gram(columns: &DMatrix<f64>) -> DMatrix<f64> {
     squares
 }
 
-/// A column by pairs of rows; a row of zero fills the last.
+/// Groups a column into pairs of rows; a row of zero fills the last pair.
 fn in_pairs(column: &[f64]) -> Vec<Pair> {
     let (pairs, rest) = column.as_chunks();
     pairs.iter().copied().chain(rest.first().map(|last| [*last, 0.0])).collect()
 }
 
-/// Products of each of the left columns with each of the right ones.
+/// Computes the products of each of the left columns with each of the right ones.
 fn products(left: [&[Pair]; TILE], right: [&[Pair]; TILE]) -> [[f64; TILE]; TILE] {
     let rows = left[0].len();
-    // Said once, so that the loop need not look.
+    // Slices of equal length let the compiler omit bounds checks in the loop.
     let (left, right) = (left.map(|column| &column[..rows]), right.map(|column| &column[..rows]));
     let mut sums = [[[0.0; 2]; TILE]; TILE];
     for row in 0..rows {
@@ -73,7 +74,7 @@ fn products(left: [&[Pair]; TILE], right: [&[Pair]; TILE]) -> [[f64; TILE]; TILE
 mod tests {
     use super::*;
 
-    /// Against sums term by term, for numbers of rows and columns that fill no pair, tile or block.
+    /// Compares with sums term by term, for numbers of rows and columns that fill no pair, tile or block.
     #[test]
     fn every_product_is_that_of_its_columns() {
         for (rows, n) in [(0, 2), (1, 1), (2, 3), (7, 4), (513, 5), (1200, 11), (4097, 8)] {

@@ -1,25 +1,25 @@
-//! How warm the damper is in each test, from the power that the records show it took up.
+//! Temperature of the damper in each test, from the measured power.
 //!
-//! Force times velocity is measured, so the heat needs no model of the damper: C Ṫ = F v − h (T − T_a), from test to test
-//! on the campaign's clock, rests included.
+//! Force times velocity is measured, so the heat needs no model of the damper. From test to test on the campaign's clock, including pauses:
+//! C Ṫ = F v − h (T − T_a).
 
 use super::campaign_clock::clock_runs_on;
 use super::samples::Test;
 use dashpot_records::Record;
 
-/// Heat that went in, test by test.
+/// Heat input of the damper, test by test.
 #[derive(Debug, Clone)]
 pub struct Heating {
     /// Begin, end and mean power of every record.
     inputs: Vec<(f64, f64, f64)>,
-    /// When each test is looked at, and which record it belongs to.
+    /// Time at which the temperature of each test is evaluated, and the index of its record.
     looks: Vec<(f64, usize)>,
-    /// Whether the records' clocks run through the campaign, so that heat carries over.
+    /// Whether one clock runs through the campaign, so that heat carries over.
     pub continues: bool,
 }
 
 impl Heating {
-    /// Heat in these records, looked at in the middle of each of these tests.
+    /// Computes the heat in these records, evaluated in the middle of each of these tests.
     pub fn new(records: &[&Record], tests: &[Test]) -> Heating {
         let inputs: Vec<(f64, f64, f64)> = records
             .iter()
@@ -38,23 +38,23 @@ impl Heating {
         Heating { inputs, looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), continues }
     }
 
-    /// Heat of the campaign, evaluated in the middle of other tests.
+    /// Returns the heat of the campaign, evaluated in the middle of other tests.
     pub fn of_tests(&self, tests: &[Test]) -> Heating {
         Heating { looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), ..self.clone() }
     }
 
-    /// Temperature rise times heat capacity, J, at test `place` for a cooling rate in 1/s.
+    /// Computes the temperature rise times heat capacity, J, at test `place` for a cooling rate in 1/s.
     pub fn rise(&self, place: usize, cooling: f64) -> f64 {
         let (t, record) = self.looks[place];
         self.at(t, record, cooling)
     }
 
-    /// Temperature rise times heat capacity, J, at the beginning of record `record`.
+    /// Computes the temperature rise times heat capacity, J, at the beginning of record `record`.
     pub fn at_the_begin(&self, record: usize, cooling: f64) -> f64 {
         self.at(self.inputs[record].0, record, cooling)
     }
 
-    /// Temperature rise times heat capacity, J, at time `t` of the campaign's clock, during a record.
+    /// Computes the temperature rise times heat capacity, J, at time `t` of the campaign's clock, during a record.
     fn at(&self, t: f64, record: usize, cooling: f64) -> f64 {
         let of = |(begin, end, power): &(f64, f64, f64)| {
             let end = end.min(t);
@@ -66,12 +66,12 @@ impl Heating {
         if self.continues {
             self.inputs.iter().map(of).sum()
         } else {
-            // Clocks that start anew say nothing of earlier tests: each starts cold.
+            // If each record has its own clock, earlier tests are unknown: each test starts cold.
             of(&self.inputs[record])
         }
     }
 
-    /// Span of the rise between tests without cooling, J: whether heat can be told from anything else at all.
+    /// Computes the range of the rise over the tests without cooling, J. A small range means that heat cannot be identified.
     pub fn span(&self) -> f64 {
         let rises: Vec<f64> = (0..self.looks.len()).map(|k| self.rise(k, 1e-6)).collect();
         let (low, high) = rises.iter().fold((f64::INFINITY, 0.0f64), |(l, h), r| (l.min(*r), h.max(*r)));

@@ -1,4 +1,4 @@
-//! One explanation of the records: a model with free numbers, measurement errors, and priors of both.
+//! A hypothesis about the records: a model with free parameters, measurement errors, and priors of both.
 
 use super::bleed::prior_rise;
 use super::heating::Heating;
@@ -18,59 +18,60 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// Steps from sample to sample where the force channel is filtered: friction turns over within one.
+/// Steps from sample to sample for a filtered force channel: friction reverses within one sample.
 const PARTS: usize = 3;
 
-/// What one number of an explanation is.
+/// Kind of a free parameter of a hypothesis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Free {
-    /// A number of the model.
+    /// A parameter of the model.
     Model(Unknown),
-    /// How far a number of the model lies from its value in the base, in the unknown's own measure.
+    /// Difference of a parameter of the model from its value in the base, in the unknown's own scale.
     Shift(Unknown),
     /// Relative change of a part of the FV curve of the base.
     Curve(CurvePart),
-    /// A number of the rig.
+    /// A parameter of the rig.
     Rig(Artefact),
-    /// Logarithm of the heat transfer to the surroundings over the heat capacity, 1/s: how fast the damper cools.
+    /// Logarithm of the cooling rate, 1/s: heat transfer to the surroundings over heat capacity.
     Cooling,
     /// Logarithm of the heat capacity, J/K.
     HeatCapacity,
 }
 
-/// A free number with what is known of it beforehand.
+/// A free parameter with its prior.
 #[derive(Debug, Clone)]
 pub struct Number {
-    /// What it is.
+    /// The parameter.
     pub free: Free,
-    /// Where it starts.
+    /// Start value.
     pub start: f64,
     /// Typical size of a change.
     pub step: f64,
     /// Bounds.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation expected of it, if anything is.
+    /// Mean and standard deviation of its prior, if it has one.
     pub prior: Option<(f64, f64)>,
 }
 
-/// An explanation.
+/// A model with free parameters, and the measurement errors of the rig.
 #[derive(Debug, Clone)]
 pub struct Hypothesis {
-    /// Everything of the model that is not free.
+    /// Fixed parameters of the model.
     pub base: Params,
-    /// The free numbers.
+    /// Free parameters.
     pub numbers: Vec<Number>,
-    /// Power that went into the damper, where its heating is computed.
+    /// Heat input of the damper, if its heating is computed.
     pub heating: Option<std::sync::Arc<Heating>>,
-    /// What is known of this damper, which replaces what all dampers show.
+    /// Priors of this damper, which replace those of all dampers.
     pub priors: PriorSet,
 }
 
-/// Weighted residuals (measured less computed, over the allowed error) of all tests, one after the other.
+/// Weighted residuals (measured minus computed, over the allowed error) of all tests, concatenated.
 pub type Residual = DVector<f64>;
 
 impl Hypothesis {
-    /// Ends of the 95 % interval of a number with this standard deviation, within its bounds: a loss factor is never negative.
+    /// Computes the ends of the 95 % interval of a parameter with this standard deviation, within its bounds: a loss factor is never
+    /// negative.
     pub fn interval(&self, place: usize, value: f64, deviation: f64) -> [f64; 2] {
         /// Half-width in standard deviations.
         const Z: f64 = 1.96;
@@ -78,17 +79,17 @@ impl Hypothesis {
         [-Z, Z].map(|z| restrict(value + z * deviation, low, high))
     }
 
-    /// Index of a number in its vector, if it is free.
+    /// Returns the index of a parameter in the vector, if it is free.
     pub fn position(&self, free: &Free) -> Option<usize> {
         self.numbers.iter().position(|n| n.free == *free)
     }
 
-    /// The vector it starts from.
+    /// Returns the start as a vector.
     pub fn start(&self) -> Vec<f64> {
         self.numbers.iter().map(|n| n.start).collect()
     }
 
-    /// The hypothesis of a damper of which more is known.
+    /// Returns the hypothesis with the priors of this damper.
     pub fn with_priors(mut self, priors: &PriorSet) -> Hypothesis {
         self.priors = priors.clone();
         let numbers = std::mem::take(&mut self.numbers);
@@ -96,7 +97,7 @@ impl Hypothesis {
         self
     }
 
-    /// A free number with the prior that this damper has, where it has one.
+    /// Returns a free parameter with the prior of this damper, if it has one.
     pub fn with_own_prior(&self, mut number: Number) -> Number {
         if let Free::Model(unknown) = &number.free {
             number.prior = self.priors.in_search(unknown).or(number.prior);
@@ -104,7 +105,7 @@ impl Hypothesis {
         number
     }
 
-    /// The hypothesis with another start.
+    /// Returns the hypothesis with another start.
     pub fn starting_at(mut self, theta: &[f64]) -> Hypothesis {
         for (number, value) in self.numbers.iter_mut().zip(theta) {
             number.start = *value;
@@ -130,7 +131,7 @@ impl Hypothesis {
         (Unknowns { base: self.base, list }, values, places)
     }
 
-    /// The parameter set that a vector stands for; what the rig added is not in it.
+    /// Returns the parameter set of a vector, without the measurement errors.
     pub fn params(&self, theta: &[f64]) -> Params {
         let (unknowns, values, _) = self.unknowns(theta);
         let mut params = unknowns.params(&values);
@@ -148,17 +149,17 @@ impl Hypothesis {
         params
     }
 
-    /// A number that is given by its logarithm, where it is free.
+    /// Returns a parameter whose logarithm is free; `None` if it is not free.
     fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
         self.position(free).map(|place| libm::exp(theta[place]))
     }
 
-    /// A number of the rig.
+    /// Returns a parameter of the rig; `None` if it is not free.
     fn of_the_rig(&self, artefact: Artefact, theta: &[f64]) -> Option<f64> {
         self.position(&Free::Rig(artefact)).map(|place| theta[place])
     }
 
-    /// The segment with the motion at which the force that was read was made.
+    /// Returns the segment with the motion shifted by the delay of the force channel.
     fn delayed<'a>(&self, test: &'a Test, theta: &[f64]) -> Cow<'a, Segment> {
         match self.of_the_rig(Artefact::Delay, theta) {
             Some(tau) => Cow::Owned(earlier(&test.segment, tau)),
@@ -166,10 +167,10 @@ impl Hypothesis {
         }
     }
 
-    /// The segment that the damper saw when it made the measured forces.
+    /// Returns the segment of the damper's inputs at the time of the measured forces.
     ///
-    /// Its temperatures include self-heating, where `place` is the index of the test. It is earlier by a delay of the force channel, and
-    /// has finer steps behind a filter.
+    /// Its temperatures include self-heating if `place` is the index of the test. It is earlier by a delay of the force channel, and has
+    /// finer steps if the channel is filtered.
     fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
         let mut segment = self.delayed(test, theta);
         let free = |free| self.exponential(&free, theta);
@@ -187,21 +188,21 @@ impl Hypothesis {
         segment
     }
 
-    /// Where heating is computed from the records, the damper takes its temperature as measured.
+    /// Makes the damper use the temperature of its input if heating is computed from the records.
     fn take_heat_as_measured(&self, params: &mut Params) {
         if self.heating.is_some() {
             let _ = params.set(number!("fade_source"), 0.0);
         }
     }
 
-    /// The model to compare with.
+    /// Makes the model for the comparison with the records.
     fn model(&self, theta: &[f64]) -> Option<Model> {
         let mut params = self.params(theta);
         self.take_heat_as_measured(&mut params);
         Model::new(&params).ok()
     }
 
-    /// Prepares the model with an integration of one's choice.
+    /// Makes the model with an integration of the given accuracy.
     pub fn model_by(&self, accuracy: Accuracy, theta: &[f64]) -> Option<Model> {
         let model = self.model(theta)?;
         Some(model.with_integration(accuracy.integration(&self.base, &model)))
@@ -209,7 +210,7 @@ impl Hypothesis {
 
     /// Applies the filter of the force channel, if there is one, and keeps the values at the samples.
     ///
-    /// `values` may be forces or derivatives of them.
+    /// `values` may be forces or their derivatives.
     fn filtered(&self, segment: &Segment, theta: &[f64], values: &mut Vec<f64>) {
         if let Some(tau) = self.of_the_rig(Artefact::LowPass, theta) {
             low_pass(tau, &segment.dt, values);
@@ -217,8 +218,8 @@ impl Hypothesis {
         }
     }
 
-    /// Adds the measurement errors in their order: a mass between damper and load cell, then load cell and amplifier. The delay of the channel
-    /// delays all of them.
+    /// Adds the measurement errors in their order: a mass between damper and load cell, then load cell and amplifier. The delay of the
+    /// channel delays all of them.
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
         let of_number = |(number, value): (&Number, &f64)| match number.free {
             Free::Rig(artefact) => Some((artefact, *value)),
@@ -235,12 +236,13 @@ impl Hypothesis {
         }
     }
 
-    /// Computed forces of one test at its scored samples; `place` counts the tests where there are records of them.
+    /// Computes the forces of one test at its scored samples; `place` is the index of the test if its records are known.
     fn forces_of(&self, model: &Model, test: &Test, place: Option<usize>, theta: &[f64]) -> Vec<f64> {
         self.measured_forces(test, place, theta, &|segment| forces(model, segment))
     }
 
-    /// Forces that the rig measures at the scored samples of one test, where `run` gives those of the damper along a segment.
+    /// Computes the forces that the rig measures at the scored samples of one test. `run` computes the forces of the damper along a
+    /// segment.
     pub fn measured_forces(
         &self,
         test: &Test,
@@ -255,30 +257,29 @@ impl Hypothesis {
         all.split_off(test.segment.from)
     }
 
-    /// Forces of a prepared model in a test of one's own, with what the rig adds.
+    /// Computes the forces of a prepared model in an arbitrary test, with the measurement errors.
     pub fn forces_with(&self, model: &Model, test: &Test, theta: &[f64]) -> Vec<f64> {
         self.forces_of(model, test, None, theta)
     }
 
-    /// Computed forces at the scored samples of all tests, as the model's own steps give them; `None` where the numbers make
-    /// no model.
+    /// Computes forces at the scored samples of all tests with the model's own steps; `None` if the parameters are not a valid model.
     pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         self.forces_by(&self.model(theta)?, tests, theta)
     }
 
-    /// Forces of a prepared model at the scored samples of all tests.
+    /// Computes the forces of a prepared model at the scored samples of all tests.
     pub fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         let all: Vec<Vec<f64>> =
             tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, Some(k), theta)).collect();
         all.iter().flatten().all(|f| f.is_finite()).then_some(all)
     }
 
-    /// Weighted residuals of all tests, with as few substeps as will do for a search.
+    /// Computes the weighted residuals of all tests, with few substeps, as a search needs them.
     pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         self.residual_by(Accuracy::Single, tests, theta)
     }
 
-    /// Weighted residuals by an integration of one's choice.
+    /// Computes the weighted residuals by an integration of the given accuracy.
     pub fn residual_by(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         let all = self.forces_by(&self.model_by(accuracy, theta)?, tests, theta)?;
         let list: Vec<f64> = tests
@@ -291,9 +292,9 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Derivatives of the computed forces over the numbers, weighted: one row per scored sample. One run gives those over
-    /// the numbers of the model; what the rig added takes a difference each. The cheap integration will do where a
-    /// derivative may be a few tenths of a percent off.
+    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample. One run gives the
+    /// derivatives for all parameters of the model; each parameter of the rig needs a finite difference. The low-accuracy integration
+    /// suffices if errors of a few tenths of a percent are acceptable.
     pub fn jacobian(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
         let rows = tests.iter().map(Test::count).sum();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
@@ -309,7 +310,7 @@ impl Hypothesis {
                 let (_, rows) = run.jacobian(&segment, &unknowns, &values);
                 let mut columns = rows.transpose();
                 if is_filtered {
-                    // A filtered force has filtered derivatives.
+                    // The filter applies to the derivatives of the force too.
                     let mut at_samples = DMatrix::zeros(test.segment.input.len(), columns.ncols());
                     for (mut to, from) in at_samples.column_iter_mut().zip(columns.column_iter()) {
                         let mut along = from.as_slice().to_vec();
@@ -341,7 +342,8 @@ impl Hypothesis {
         Some(matrix)
     }
 
-    /// Derivative of the weighted forces over one number, by a difference from the residuals there, of the same function.
+    /// Computes the derivative of the weighted forces with respect to one parameter. It is a finite difference of `residual` from its value
+    /// `at` the present parameters.
     pub fn column(
         &self,
         theta: &[f64],
@@ -363,7 +365,7 @@ impl Hypothesis {
     }
 }
 
-/// A free number of the model, starting from a parameter set, with what dampers show of it.
+/// Makes a free parameter of the model, starting from a parameter set, with the prior of all dampers.
 pub fn number(base: &Params, unknown: Unknown) -> Number {
     let one = Unknowns { base: *base, list: vec![unknown] };
     let start = one.start()[0];

@@ -1,29 +1,28 @@
 //! One estimation problem for fit, validation and diagnosis.
 //!
-//! It has observations made from records, a model with free numbers and their priors, least squares, and the uncertainty of the numbers.
+//! It has observations made from records, a model with free parameters and their priors, least squares, and the uncertainty of the
+//! parameters.
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
-//! | [`segment`] | the stretches of record that a fit works on |
-//! | [`samples`] | the mean cycle of every test and the error that noise allows it |
-//! | [`unknowns`] | which numbers are free, and the parameter set that a vector of them stands for |
-//! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives over the free numbers, in one run |
-//! | [`as_read`] | the same as the rig read them: late, with a zero and a gain of its own |
-//! | [`hypothesis`] | an explanation: a model with free numbers, and what the rig added |
-//! | [`priors`] | what dampers show of each number before any record is seen |
-//! | [`prior_set`] | what is known of one damper of each number |
-//! | [`measurement`] | what the rig adds to a record that the damper did not do |
-//! | [`heating`] | how warm the damper is in each test |
-//! | [`least_squares`], [`refit`] | bounded, robust least squares |
-//! | [`solve`] | bounded, robust least squares for any residuals |
+//! | [`segment`] | the stretches of record that a fit uses |
+//! | [`samples`] | the mean cycle of every test and its allowed error |
+//! | [`unknowns`] | free parameters of the model, and the parameter set of their vector |
+//! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives with respect to the free parameters, in one run |
+//! | [`hypothesis`] | a model with free parameters, and the measurement errors of the rig |
+//! | [`priors`] | prior of each parameter over all dampers |
+//! | [`prior_set`] | priors of one damper |
+//! | [`measurement`] | measurement errors that the rig adds to a record |
+//! | [`heating`] | temperature of the damper in each test |
+//! | [`solve`], [`refit`] | bounded, robust least squares for any residuals; refits of a hypothesis |
 //! | [`family`] | a damper at several settings as one problem |
-//! | [`deviations`] | how far the records leave numbers open |
-//! | [`curve_form`] | how far the curve between its points misses the records |
-//! | [`spring_end`] | what the end of a lookup spring has beyond its middle: a stop that it has taken up |
-//! | [`campaign_clock`] | whether the records were measured on one clock |
-//! | [`warmth`] | between which temperatures they were measured |
-//! | [`cancel`] | how long work is told to stop |
-//! | [`gap`] | errors, and how much of the gap between model and noise is closed |
+//! | [`deviations`] | uncertainty of the parameters |
+//! | [`curve_form`] | error of the curve between its points |
+//! | [`spring_end`] | excess force at the end of a lookup spring: a stop that the spring has absorbed |
+//! | [`campaign_clock`] | whether the records share one clock |
+//! | [`warmth`] | range of temperatures of the records |
+//! | [`cancel`] | cancellation of long work |
+//! | [`gap`] | errors, and the closed fraction of the gap between model and noise |
 
 mod bleed;
 pub mod campaign_clock;

@@ -1,4 +1,4 @@
-//! Negative log prior of the numbers of an explanation.
+//! Negative log prior of the parameters of a hypothesis.
 
 use crate::bleed::prior_rise;
 use crate::hypothesis::{Free, Hypothesis, Number as FreeNumber};
@@ -8,7 +8,7 @@ use crate::unknowns::Unknown;
 use dashpot_core::parameter::Number;
 use dashpot_core::{Params, number};
 
-/// Distance of each number of an explanation from its prior, in standard deviations; those without a prior are not in it.
+/// Computes the distance of each parameter of a hypothesis from its prior, in standard deviations; parameters without a prior are omitted.
 pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
     let params = hypothesis.params(theta);
     let scale = Scale::from_params(&hypothesis.base);
@@ -18,7 +18,7 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
             Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
-            // A change from a reference is as probable as its prior in the refit says.
+            // The prior of a change from a reference acts in the refit alone.
             Free::Shift(_)
             | Free::Curve(_)
             | Free::Rig(_)
@@ -33,8 +33,8 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
     all
 }
 
-/// How far the numbers that a form fixes are off the damper's own priors. A twin tube's column is not alike in both directions.
-/// A number at zero is a form without it, and no value.
+/// Returns the distances of parameters that a form fixes from the damper's own priors. An example is a twin tube, whose oil column differs
+/// between both directions. A zero parameter switches a form off and has no distance.
 fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<Item = (Number, f64)> + 'h {
     let is_free = |number: Number| {
         let own = |n: &FreeNumber| matches!(n.free, Free::Model(Unknown::Log(n) | Unknown::Linear(n)) if n == number);
@@ -46,7 +46,7 @@ fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<It
         .map(|row| (row.number, row.expected.standard_score(params.number(row.number))))
 }
 
-/// Negative log prior of the numbers of an explanation.
+/// Computes the negative log prior of the parameters of a hypothesis.
 pub fn negative_log_prior(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     let params = hypothesis.params(theta);
     let steep = hypothesis.numbers.iter().zip(theta).filter_map(|(number, rise)| {

@@ -1,4 +1,4 @@
-//! Priors of one damper, which replace those that all dampers share.
+//! Priors of one damper, which replace the priors of all dampers.
 
 use crate::distribution::Distribution;
 use crate::priors;
@@ -7,34 +7,34 @@ use crate::unknowns::Unknown;
 use dashpot_core::parameter::Number;
 use std::sync::Arc;
 
-/// What is known of one parameter of one damper before its records are seen.
+/// Prior of one parameter of one damper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DamperPrior {
     /// Parameter.
     pub number: Number,
-    /// What is expected of it, in its own unit.
+    /// Its distribution, in its own unit.
     pub expected: Distribution,
-    /// Where that comes from: what is known of the damper, a colon, and the publication of the formula.
+    /// Source: the known facts of the damper, a colon, and the publication of the formula.
     pub source: String,
 }
 
 impl DamperPrior {
-    /// What is known of the damper, without the publication of the formula.
+    /// Returns the known facts of the damper, without the publication of the formula.
     pub fn facts(&self) -> &str {
         self.source.split_once(": ").map_or(self.source.as_str(), |(facts, _)| facts)
     }
 
-    /// The ends of its 95 % interval, in the parameter's own unit.
+    /// Returns the ends of its 95 % interval, in the parameter's own unit.
     pub fn interval(&self) -> (f64, f64) {
         self.expected.interval(Z)
     }
 
-    /// Its center, in the parameter's own unit.
+    /// Returns its center, in the parameter's own unit.
     pub fn center(&self) -> f64 {
         self.expected.center()
     }
 
-    /// Logarithm of how many times narrower it is than what all dampers show.
+    /// Computes the logarithm of the ratio of the spread over all dampers to the spread of this prior.
     fn sharpness(&self, unknown: &Unknown, scale: Scale) -> f64 {
         let spread = |usual: Distribution| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
         let shared =
@@ -46,7 +46,7 @@ impl DamperPrior {
 /// Half-width of a 95 % interval in standard deviations.
 const Z: f64 = 1.96;
 
-/// The priors of one damper; empty where nothing is known of it.
+/// Priors of one damper; empty if nothing is known of it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PriorSet {
     rows: Arc<[DamperPrior]>,
@@ -54,37 +54,38 @@ pub struct PriorSet {
 }
 
 impl PriorSet {
-    /// From its rows.
+    /// Makes a set from its rows.
     pub fn new(rows: Vec<DamperPrior>) -> PriorSet {
         PriorSet { rows: rows.into(), is_against_reference: false }
     }
 
-    /// Priors of a damper that is compared with a reference: it has the effects of that one, and any other is new on it.
+    /// Marks the priors as those of a damper that is compared with a reference. The damper has the effects of the reference; any other
+    /// effect is new.
     pub fn against_reference(self) -> PriorSet {
         PriorSet { is_against_reference: true, ..self }
     }
 
-    /// Whether an effect of the damper would be one that its reference lacks.
+    /// Whether the damper is compared with a reference, so that an added effect is one that the reference lacks.
     pub fn is_against_reference(&self) -> bool {
         self.is_against_reference
     }
 
-    /// Its rows.
+    /// Returns its rows.
     pub fn rows(&self) -> &[DamperPrior] {
         &self.rows
     }
 
-    /// The row of a parameter.
+    /// Returns the row of a parameter.
     pub fn find(&self, number: Number) -> Option<&DamperPrior> {
         self.rows.iter().find(|row| row.number == number)
     }
 
-    /// What is expected of a parameter: of this damper, or else of all dampers of its size.
+    /// Returns the prior of a parameter: that of this damper, or else that of all dampers of its size.
     pub fn distribution(&self, number: Number, scale: Scale) -> Option<Distribution> {
         self.find(number).map(|row| row.expected).or_else(|| priors::distribution(number, scale))
     }
 
-    /// Mean and standard deviation of a free number where a search moves it; `None` where nothing is known of this damper.
+    /// Returns mean and standard deviation of a free parameter in its search coordinate; `None` if this damper has no prior of its own.
     pub fn in_search(&self, unknown: &Unknown) -> Option<(f64, f64)> {
         match unknown {
             Unknown::Log(number) => self.find(*number).map(|row| row.expected.in_search(true)),
@@ -93,10 +94,11 @@ impl PriorSet {
         }
     }
 
-    /// Log odds that a free number need not cost, since its prior is narrower than that of all dampers.
+    /// Computes the deduction from a free parameter's cost, in log odds, if its prior is narrower than that of all dampers.
     ///
-    /// A number costs the logarithm of how many times wider its prior is than what the records leave of it (the Occam factor: MacKay, Neural
-    /// Comput. 4, 1992); `cost` is that under the shared prior. A prior that is narrower than the records costs nothing, and gains nothing.
+    /// A parameter costs the logarithm of the ratio of its prior width to its posterior width (the Occam factor: MacKay, Neural Comput. 4,
+    /// 1992). `cost` is that logarithm under the prior of all dampers. A prior that is narrower than the posterior from the records alone
+    /// cancels the cost; the deduction is never larger.
     pub fn relief(&self, unknown: &Unknown, scale: Scale, cost: f64) -> f64 {
         let (Unknown::Log(number) | Unknown::Linear(number)) = unknown else { return 0.0 };
         self.find(*number).map_or(0.0, |row| row.sharpness(unknown, scale).min(cost))

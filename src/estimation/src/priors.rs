@@ -1,8 +1,8 @@
-//! What dampers show of each number before any record is seen.
+//! Prior of each parameter over all dampers.
 //!
-//! Where the records speak, these say next to nothing; where they do not, a number stays at what is usual instead of running to a
-//! bound. A number that many dampers would have to be strange to show costs its explanation something: little at first and never
-//! without limit, as under Student's distribution (four degrees of freedom), because there are strange dampers.
+//! If the records determine a parameter, its prior has little influence. Otherwise the parameter stays at a typical value instead of
+//! running to a bound. A parameter value that is rare among dampers costs its hypothesis log odds. The cost grows slowly, as under
+//! Student's distribution (four degrees of freedom), because unusual dampers exist.
 
 pub use crate::distribution::Distribution;
 use crate::scale::Scale;
@@ -17,12 +17,12 @@ pub struct Prior {
     pub number: Number,
     /// Its distribution, in its own unit.
     pub distribution: Distribution,
-    /// Where that comes from.
+    /// Source of the distribution.
     pub source: &'static str,
 }
 
 impl Prior {
-    /// The publication that it is from: a source without the description of what it holds for.
+    /// Returns the publication of the source, without the description in front of it.
     pub fn citation(&self) -> &'static str {
         self.source.rsplit_once(": ").map_or(self.source, |(_, citation)| citation)
     }
@@ -46,7 +46,7 @@ const STOPS: &str = "stops of cars at 20 to 80 mm from standing height: Dixon 20
 const RIG: &str = "clamps, eyes and adapters of hydraulic rigs";
 const THESIS: &str = "Jonnalagadda & Vyas, KTH 2020, chapters 3 and 4";
 
-/// The table; a number that is not in it has no prior.
+/// The table; a parameter without a row has no prior.
 pub const PRIORS: &[Prior] = &[
     row(number!("series_stiffness"), Size(2.5e6, 3.0), OIL),
     row(number!("series_damping"), Strength(200.0, 3.0), THESIS),
@@ -110,7 +110,7 @@ pub const PRIORS: &[Prior] = &[
     row(number!("presliding_creep"), Size(1e-4, 4.0), SEALS),
     row(number!("viscous_coefficient"), Place(0.0, 50.0), THESIS),
     row(number!("side_force_coefficient"), Strength(0.05, 2.0), SEALS),
-    // Gas pushes the rod out; below zero it is the zero of the load cell, some tens of newtons off.
+    // Gas pushes the rod out; a negative value is a zero offset of the load cell of some tens of newtons.
     row(number!("gas_force"), Skewed(100.0, 80.0, 400.0), GAS),
     row(number!("gas_warming_rate"), Strength(0.8, 2.5), WARM_GAS),
     row(number!("gas_stiffness"), Strength(1000.0, 3.0), GAS),
@@ -129,12 +129,13 @@ pub const PRIORS: &[Prior] = &[
     row(number!("lag_fast"), Size(1e-3, 3.0), THESIS),
 ];
 
-/// Prior distribution of a parameter of a damper of this size.
+/// Returns the prior distribution of a parameter of a damper of this size.
 pub fn distribution(number: Number, scale: Scale) -> Option<Distribution> {
     PRIORS.iter().find(|p| p.number == number).map(|p| scale.scale_distribution(number, p.distribution))
 }
 
-/// Whether a parameter is the force of an effect, which is absent where it is zero. A damping may be zero where its element is not.
+/// Whether a parameter is the force of an effect: the effect is absent if it is zero. A damping may be zero although its element is
+/// present.
 pub fn is_force_of_effect(number: Number) -> bool {
     let is_strength = PRIORS.iter().any(|p| p.number == number && matches!(p.distribution, Strength(..)));
     is_strength && number.parameter().unit == "N"
@@ -145,17 +146,17 @@ pub fn is_force_of_effect(number: Number) -> bool {
 /// With four, five standard deviations cost five units of the log odds, where the normal distribution costs twelve.
 const FREEDOM: f64 = 4.0;
 
-/// Decrease of the log odds by a number at `score` standard deviations from its prior.
+/// Computes the decrease of the log odds by a parameter at `score` standard deviations from its prior.
 pub fn log_cost(score: f64) -> f64 {
     0.5 * (FREEDOM + 1.0) * libm::log1p(score * score / FREEDOM)
 }
 
-/// Mean and standard deviation of a free number of the model where a search moves it.
+/// Returns mean and standard deviation of a free parameter of the model in its search coordinate.
 pub fn in_search(unknown: &Unknown, scale: Scale) -> Option<(f64, f64)> {
     match unknown {
         Unknown::Log(number) => distribution(*number, scale).map(|usual| usual.in_search(true)),
         Unknown::Linear(number) => distribution(*number, scale).map(|usual| usual.in_search(false)),
-        // A share above the level: seals show 0.1 to 0.6.
+        // A fraction above the Coulomb level: seals show 0.1 to 0.6.
         Unknown::Above(..) => Some((0.2, 0.5)),
         Unknown::Rise { .. } | Unknown::Entry(..) => None,
     }

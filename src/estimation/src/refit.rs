@@ -1,8 +1,7 @@
-//! One explanation refitted to the tests, with little more than one run of the model per step.
+//! Refits one hypothesis to the tests, with little more than one run of the model for each step.
 //!
-//! To compare explanations the Jacobian is taken once and then kept up ([`Derivatives::Kept`]), since those that a diagnosis compares
-//! differ by two or three numbers from one whose Jacobian is known. The likely ones are then refitted with a Jacobian of
-//! their own in every step.
+//! For a comparison, the Jacobian is computed once and then updated ([`Derivatives::Kept`]). The compared hypotheses differ by two or three
+//! parameters from one with a known Jacobian. The likely ones are then refitted with a new Jacobian in every step.
 
 use super::hypothesis::{Hypothesis, Number, Residual};
 use super::samples::Test;
@@ -14,23 +13,23 @@ use nalgebra::DMatrix;
 pub const HUBER: f64 = 4.0;
 const LOSS: Loss = Loss::Huber(HUBER);
 
-/// How hard to try.
+/// Limits of the cost of a refit.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
-    /// Most steps.
+    /// Largest number of steps.
     pub steps: usize,
-    /// Share of the cost that may be left to gain.
+    /// Fraction of the cost that a further step may still gain at the end.
     pub tolerance: f64,
-    /// Whether the Jacobian is taken anew after every step that succeeds.
+    /// Whether the Jacobian is computed anew after every successful step.
     pub renews: bool,
-    /// How exactly it is taken.
+    /// Accuracy of the integration for the Jacobian.
     pub derivatives: Accuracy,
-    /// How the residuals are integrated.
+    /// Accuracy of the integration for the residuals.
     pub residuals: Accuracy,
 }
 
 impl Effort {
-    /// To screen which explanations are worth more.
+    /// Effort to screen hypotheses for longer refits.
     pub const SCREEN: Effort = Effort {
         steps: 4,
         tolerance: 2e-3,
@@ -38,32 +37,32 @@ impl Effort {
         derivatives: Accuracy::Derivatives,
         residuals: Accuracy::Single,
     };
-    /// To compare explanations.
+    /// Effort to compare hypotheses.
     pub const COMPARE: Effort = Effort { steps: 10, ..Effort::SCREEN };
-    /// To judge the likely ones.
+    /// Effort to judge the likely hypotheses.
     pub const JUDGE: Effort = Effort { steps: 8, tolerance: 1e-3, renews: true, ..Effort::SCREEN };
-    /// For the result.
+    /// Effort for the final result.
     pub const FINE: Effort =
         Effort { steps: 20, tolerance: 1e-4, renews: true, derivatives: Accuracy::Fine, residuals: Accuracy::Fine };
 }
 
-/// Where a refit ended.
+/// Result of a refit.
 #[derive(Debug, Clone)]
 pub struct Refit {
-    /// The numbers.
+    /// The parameters.
     pub theta: Vec<f64>,
     /// Weighted residuals.
     pub residual: Residual,
-    /// Derivatives of the computed forces, weighted; approximate where it was updated.
+    /// Weighted derivatives of the computed forces; approximate after an update.
     pub jacobian: DMatrix<f64>,
-    /// Sum of the losses, twice (a χ² where no sample is far off), samples discounted for their correlation.
+    /// Twice the sum of the losses (χ² if there are no outliers), with samples discounted for their correlation.
     pub chi2: f64,
-    /// χ² with the cost of leaving the priors.
+    /// χ² plus the cost of the distances from the priors.
     pub cost: f64,
 }
 
 impl Refit {
-    /// An explanation as it stands at `theta`.
+    /// Makes a refit of a hypothesis at `theta` from its residual and Jacobian, without iterating.
     pub fn from_point(hypothesis: &Hypothesis, theta: Vec<f64>, residual: Residual, jacobian: DMatrix<f64>) -> Refit {
         let chi2 = chi2(&residual);
         let cost = chi2 + prior_cost(hypothesis, &theta);
@@ -71,15 +70,14 @@ impl Refit {
     }
 }
 
-/// χ² of residuals under Huber's loss.
+/// Computes χ² of residuals under Huber's loss.
 ///
-/// The allowed error of a sample is already that of correlated noise, so a sum over all samples counts each piece of
-/// information once.
+/// The allowed error of a sample already accounts for the correlation of the noise, so a sum over all samples counts information only once.
 pub fn chi2(residual: &Residual) -> f64 {
     residual.iter().map(|r| 2.0 * LOSS.evaluate(*r).0).sum()
 }
 
-/// What leaving the expected values costs.
+/// Computes the cost of the distances from the priors.
 pub fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     hypothesis
         .numbers
@@ -89,7 +87,7 @@ pub fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
         .sum()
 }
 
-/// An explanation of some tests, with residuals of one's choice: all tests are one block.
+/// A hypothesis with some tests and a function for its residuals: all tests are one block.
 struct Problem<'a> {
     hypothesis: &'a Hypothesis,
     tests: &'a [Test],
@@ -104,7 +102,7 @@ impl Residuals for Problem<'_> {
         Some(theta.to_vec())
     }
 
-    /// Computed less measured: the sign in which the derivatives of the computed forces are those of the residuals.
+    /// Computes the residuals as computed minus measured: their derivatives are then those of the computed forces.
     fn residuals(&self, _: usize, theta: &Vec<f64>) -> Option<Vec<f64>> {
         let residual = (self.residual_at)(theta)?;
         Some(residual.iter().map(|r| -r).collect())
@@ -116,10 +114,10 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Damping of the first step: a start is near where the refit before it ended.
+/// Damping of the first step: a start is near the result of the previous refit.
 const DAMPING: f64 = 1e-3;
 
-/// Options of the least squares for some free numbers.
+/// Makes the options of the least squares for some free parameters.
 pub fn options(numbers: &[Number], effort: Effort) -> Options {
     Options {
         steps: effort.steps,
@@ -132,7 +130,7 @@ pub fn options(numbers: &[Number], effort: Effort) -> Options {
     }
 }
 
-/// Refits an explanation from `start`; with the Jacobian there if it is known. `None` where it makes no finite force.
+/// Refits a hypothesis from `start`, with the Jacobian at the start if known. Returns `None` if the model gives no finite force.
 pub fn refit(
     hypothesis: &Hypothesis,
     tests: &[Test],
@@ -145,7 +143,7 @@ pub fn refit(
     })
 }
 
-/// Refits with residuals of one's choice.
+/// Refits with residuals from a given function.
 pub fn refit_by(
     hypothesis: &Hypothesis,
     tests: &[Test],
@@ -167,7 +165,7 @@ pub fn refit_by(
     found.cost.is_finite().then(|| Refit::from_point(hypothesis, found.x, -residual, jacobian))
 }
 
-/// Square roots of Huber's weights.
+/// Computes the square roots of Huber's weights.
 pub fn weights(residual: &Residual) -> Vec<f64> {
     residual.iter().map(|r| LOSS.evaluate(*r).1.sqrt()).collect()
 }

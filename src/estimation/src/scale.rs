@@ -1,10 +1,9 @@
-//! How strong a damper is beside that of a passenger car.
+//! Size of a damper relative to that of a passenger car.
 //!
-//! What is usual, where a search begins and how far it may go was learned of passenger cars: a mount of 2.5 MN/m, friction of 40 N, a rod of
-//! 0.4 kg. A damper of an instrument with 10 N and one of a train with 20 kN have none of these, but they have them in proportion: at the same
-//! pressures and strokes force, stiffness, mass and heat all grow with the area of the piston. So a number with a force in its unit is
-//! compared with that of cars after both are divided by what the damper is stronger. Lengths, speeds and times stay as they are: clearances,
-//! films of oil and valves do not grow so.
+//! Priors, starts and bounds of searches come from passenger cars: a mount of 2.5 MN/m, friction of 40 N, a rod of 0.4 kg. A damper of an
+//! instrument with 10 N and a damper of a train with 20 kN have proportional values. At equal pressures and strokes, force, stiffness, mass
+//! and heat all grow with the area of the piston. So a parameter with a force in its unit is divided by the relative size before it is
+//! compared with those of cars. Lengths, speeds and times are not scaled: clearances, oil films and valves do not grow with the area.
 
 use crate::distribution::Distribution;
 use crate::measurement::Artefact;
@@ -14,18 +13,18 @@ use dashpot_core::{Params, element, list, number};
 use dashpot_records::load_cell::OF_CARS;
 use dashpot_records::restrict;
 
-/// The one, N, that stands for them all, for which the medians hold: a damper far beyond the range is compared with it. The middle of the range
-/// by its logarithm; compared with the nearer end instead, a weak damper would have the series stiffness of a soft damper of a car, and be taken
-/// for a stiff one.
+/// Force, N, of the typical car's damper, to which the medians of the priors apply. A damper far beyond the range of cars is compared with
+/// it. The value is the geometric mean of the range. With the nearer end of the range instead, a weak damper would get the series stiffness
+/// of a car's weak damper, and would seem stiff.
 const TYPICAL: f64 = 1500.0;
-/// Factor beyond the range within which one goes over into the other, so that no damper is judged otherwise than another that is hardly weaker.
+/// Factor beyond the range within which the scale changes continuously from 1, so that two dampers of similar strength have similar scales.
 const PASSAGE: f64 = 3.0;
 
-/// How many times as strong a damper is as one of a passenger car; 1 for those.
+/// Ratio of a damper's strength to that of a passenger car's damper; 1 within the range of cars.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale(f64);
 
-/// Largest force of a model, N: of its curve, its friction and its gas, which stand for each other where records are few.
+/// Returns the largest force of a model, N: the sum of its curve, friction and gas, which records of few tests do not separate.
 pub fn largest_force(params: &Params) -> f64 {
     let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
     let parallel = [
@@ -39,13 +38,13 @@ pub fn largest_force(params: &Params) -> f64 {
 }
 
 impl Scale {
-    /// That of passenger cars.
+    /// Scale of passenger cars.
     pub const CAR: Scale = Scale(1.0);
 
-    /// Of a damper with this largest force, N.
+    /// Returns the scale of a damper with this largest force, N.
     pub fn of_force(largest: f64) -> Scale {
         let (low, high) = OF_CARS;
-        // A model without a force says nothing of its size.
+        // The size is unknown for a model without a force.
         if !(largest > 0.0 && largest.is_finite()) || (low..=high).contains(&largest) {
             return Scale::CAR;
         }
@@ -54,28 +53,28 @@ impl Scale {
         Scale(libm::pow(largest / TYPICAL, share))
     }
 
-    /// Scale of the damper of a model, which is known before anything else.
+    /// Returns the scale of a model's damper.
     pub fn from_params(params: &Params) -> Scale {
         Scale::of_force(largest_force(params))
     }
 
-    /// Whether it is that of cars.
+    /// Whether the scale is that of cars.
     pub fn is_car(self) -> bool {
         self == Scale::CAR
     }
 
-    /// Factor on forces, and on whatever has a force in its unit: stiffness, damping, mass, heat.
+    /// Returns the factor on forces and on quantities with a force in their unit: stiffness, damping, mass, heat.
     pub fn force(self) -> f64 {
         self.0
     }
 
-    /// Factor on a number of the model.
+    /// Returns the factor on a parameter of the model.
     pub fn of_number(self, number: Number) -> f64 {
         if self.is_car() {
             return 1.0;
         }
         if number == number!("fsd_flow") || number == number!("bypass_flow") {
-            // Stated at a force of 1 kN, through an orifice: the same passage lets a force of a hundredth drive a tenth.
+            // The flow is stated at 1 kN, through an orifice: at a hundredth of the force, an equal orifice has a tenth of the flow.
             libm::pow(self.0, -0.5)
         } else {
             self.of_unit(number.parameter().unit)
@@ -86,19 +85,19 @@ impl Scale {
         if has_force(unit) { self.0 } else { 1.0 }
     }
 
-    /// Factor on a number of the rig: the load cell is chosen for the damper, and what hangs on it built for it.
+    /// Returns the factor on a parameter of the rig: load cell and fixtures are chosen for the size of the damper.
     pub fn of_artefact(self, artefact: Artefact) -> f64 {
         self.of_unit(artefact.unit())
     }
 
-    /// How far a search may go: as far as with a damper of a car, in proportion.
+    /// Returns the bounds of a search: those for a car's damper, scaled.
     pub fn reach(self, number: Number) -> (f64, f64) {
         let ((low, high), (from, to)) = (number.bounds(), number.parameter().of_a_car);
         let factor = self.of_number(number);
         (low.max(from * factor), high.min(to * factor))
     }
 
-    /// Scales the distribution of a number from dampers of cars to this damper.
+    /// Scales the distribution of a parameter from dampers of cars to this damper.
     pub fn scale_distribution(self, number: Number, of_cars: Distribution) -> Distribution {
         let factor = self.of_number(number);
         match of_cars {
@@ -111,7 +110,7 @@ impl Scale {
         }
     }
 
-    /// A model of this damper as it would be of a car's.
+    /// Scales a model of this damper to a car's damper.
     pub fn as_car(self, params: &Params) -> Params {
         let mut as_car = *params;
         if self.is_car() {

@@ -1,4 +1,4 @@
-//! A stretch of record that the model is run along.
+//! A stretch of record over which the model is simulated.
 
 use dashpot_core::Input;
 
@@ -11,13 +11,13 @@ pub struct Segment {
     pub dt: Vec<f64>,
     /// The motion, side force and temperature at the samples.
     pub input: Vec<Input>,
-    /// Command of the setting in the step that ends at each sample, where it changes within the test.
+    /// Command of the setting for the step that ends at each sample, if it changes within the test.
     pub setting: Option<Vec<f64>>,
     /// Measured force, N.
     pub force: Vec<f64>,
-    /// First sample whose force counts.
+    /// Index of the first scored sample.
     pub from: usize,
-    /// Force that one unit of weighted residual stands for, N.
+    /// Force that corresponds to one unit of weighted residual, N.
     pub scale: f64,
     /// Largest measured force, N.
     pub top: f64,
@@ -25,6 +25,6 @@ pub struct Segment {
     pub peak_velocity: f64,
     /// Amplitude, m.
     pub amplitude: f64,
-    /// Middle of it on the campaign's clock, s.
+    /// Middle of the segment on the campaign's clock, s.
     pub clock: f64,
 }

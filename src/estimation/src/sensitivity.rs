@@ -1,9 +1,9 @@
-//! Forces of a model over a segment, and their derivatives over the unknowns, in one run.
+//! Computes forces of a model over a segment and their derivatives with respect to the unknowns, in one run.
 //!
-//! The kernel's own step tells every stage ([`Follow`]); differentiating the stage equation gives the motion of the
-//! internal mass over each parameter at the cost of a few products, so a fit with thirty unknowns costs a few runs
-//! instead of sixty. What acts beside the mass does not move it: its derivatives are differences of the element alone.
-//! The numbers of elements inside the paths take a run each.
+//! The kernel's step reports every stage ([`Follow`]). The differentiated stage equation gives the derivatives of the internal mass's
+//! motion with respect to each parameter at the cost of a few products. So a fit with thirty unknowns costs a few runs instead of sixty.
+//! Elements parallel to the mass do not influence its motion: their derivatives are finite differences of the element alone. Each parameter
+//! of an element inside the paths needs a run.
 
 use super::curve_weights::CurveWeights;
 use super::segment::Segment;
@@ -20,7 +20,7 @@ use dashpot_core::{
 use dashpot_core::{element, number};
 use nalgebra::DMatrix;
 
-/// Parameters whose change moves the internal mass, and their direct share in the stage equation.
+/// Parameters that change the motion of the internal mass, with their direct term in the stage equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Direction {
     SeriesStiffness,
@@ -32,7 +32,7 @@ enum Direction {
     SpringPoint(usize),
 }
 
-/// The numbers whose share stands in the stage equation itself.
+/// Parameters with a direct term in the stage equation.
 const DIRECT: [(Number, Direction); 7] = [
     (number!("series_stiffness"), Direction::SeriesStiffness),
     (number!("series_damping"), Direction::SeriesDamping),
@@ -43,7 +43,7 @@ const DIRECT: [(Number, Direction); 7] = [
     (number!("spring_quartic"), Direction::SpringPower(3)),
 ];
 
-/// Follows the stages and carries the derivatives along.
+/// Integrates the directional derivatives along with the stages.
 struct Tangent<'a> {
     directions: &'a [Direction],
     fv: &'a CurveWeights,
@@ -67,7 +67,7 @@ impl Follow for Tangent<'_> {
         }
         let (done, now) = self.stages.split_at_mut(s.index);
         let (du, push) = &mut now[0];
-        // Known parts are kept in the stage's own slots until the direct shares are added.
+        // The stage's own slots store the known terms until the direct terms are added.
         du.copy_from_slice(&self.x);
         push.copy_from_slice(&self.v);
         for (((u, pushed), g), a) in done.iter().zip(&self.lengths).zip(s.row) {
@@ -161,7 +161,7 @@ impl FollowPaths for PathsTangent<'_> {
     }
 }
 
-/// An unknown that acts beside the mass and has no memory: the element's own difference.
+/// An unknown of an element parallel to the mass without internal state: its derivative is a difference of the element's force.
 struct Beside {
     column: usize,
     plus: Model,
@@ -169,36 +169,36 @@ struct Beside {
     per: f64,
 }
 
-/// An element beside the mass that has a state or is a stop, by itself.
+/// An element parallel to the mass that has a state or is a stop, simulated alone.
 struct Alone {
     element: Option<Element>,
     model: Model,
-    /// Column of each of its unknowns, with the model moved along it, and the change of force that counts as one.
+    /// Column of each of its unknowns, the model with a step of that unknown, and the reciprocal of the step.
     moved: Vec<(usize, Model, f64)>,
 }
 
-/// How exactly a model is integrated in a fit.
+/// Accuracy of the integration of a model in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Accuracy {
-    /// As a host would.
+    /// The integration of a host.
     Full,
-    /// Four substeps of the fourth-order method: as exact as the result of a fit has to be. With one, tests of 120 samples a cycle put the series
-    /// damping 450 N s/m too high, outside its interval (tests/tests/system/identification.rs).
+    /// Four substeps of the fourth-order method: accurate enough for the result of a fit. With one substep, tests of 120 samples a cycle
+    /// gave a series damping 450 N s/m too high, outside its interval (tests/tests/system/identification.rs).
     Fine,
-    /// One substep of the fourth-order method, however long the step: as good on smooth motions, and several times cheaper
-    /// where a test is slow. Two behind a series spring, where the force turns over within a sample of a mean cycle: with one, a
-    /// campaign with a stiff series spring had 24 units of log evidence less than its damper earned, and aeration took the place of
-    /// the spring. Two as well where a bypass falls open at each reversal.
+    /// One substep of the fourth-order method, for any step length: as accurate on smooth motions, and several times cheaper in slow tests.
+    /// A series spring needs two, since its force reverses within a sample of a mean cycle. With one, a campaign with a stiff series spring
+    /// had 24 units of log evidence less than its true model, and aeration replaced the spring. A bypass that opens at each reversal needs
+    /// two as well.
     Single,
-    /// As many of the second-order method: a few tenths of a percent off, a third of the cost.
+    /// As many substeps as [`Accuracy::Single`] of the second-order method: an error of a few tenths of a percent at a third of the cost.
     Cheap,
-    /// One substep of the second-order method. For derivatives, which lead a search while residuals say where it ends; and for trials whose
-    /// base corrects what it misses of the series spring (`structure/nearby.rs`).
+    /// One substep of the second-order method. It serves for derivatives, since the residuals determine the end of a search. It also serves
+    /// for trials whose base corrects the error of the series spring (`structure/nearby.rs`).
     Derivatives,
 }
 
 impl Accuracy {
-    /// How a model is integrated.
+    /// Returns the integration of a model at this accuracy.
     pub fn integration(self, params: &Params, model: &Model) -> Integration {
         let falls_open =
             params.is_on(element!("frequency_selective_damping")) && params.number(number!("fsd_form")) == 2.0;
@@ -227,9 +227,9 @@ pub struct Run {
     spring: CurveWeights,
     beside: Vec<Beside>,
     rises: Vec<(usize, CurveName, usize)>,
-    /// Elements whose unknowns do not move the mass.
+    /// Elements whose unknowns do not influence the mass.
     alone: Vec<Alone>,
-    /// Unknowns of elements inside the paths: the moved model, and the change of force that counts as one.
+    /// Unknowns of elements inside the paths: column, model with a step of the unknown, and the reciprocal of the step.
     moved: Vec<(usize, Model, f64)>,
     unknowns: usize,
 }
@@ -237,13 +237,13 @@ pub struct Run {
 const NOWHERE: usize = usize::MAX;
 
 impl Run {
-    /// Prepares the run at `theta`; `None` if the parameters do not make a model.
+    /// Prepares the run at `theta`; `None` if the parameters are not a valid model.
     pub fn new(unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> Option<Run> {
         let params = unknowns.params(theta);
         let model = Model::new(&params).ok()?;
         let integration = accuracy.integration(&params, &model);
         let model = model.with_integration(integration);
-        // A difference is one of the damper: both its ends take as many substeps.
+        // Both ends of a difference use equally many substeps, so that the difference is due to the damper alone.
         let prepare = |params: &Params| Some(Model::new(params).ok()?.with_integration(integration));
         let mut run = Run {
             model,
@@ -283,16 +283,16 @@ impl Run {
                 unknowns.params(&theta)
             };
             match acts(row.group) {
-                // Behind the series compliance they move the mass.
+                // Behind the series compliance, friction and preload influence the mass.
                 Acts::Friction | Acts::Preload if !run.model.elements().carries_whole() => {
                     let (plus, minus) = (prepare(&moved(step))?, prepare(&moved(-step))?);
                     run.beside.push(Beside { column, plus, minus, per: 0.5 / step });
                 }
-                // A mass inside moves with the piston, not beside it.
+                // An internal moving mass moves with the piston, not parallel to it.
                 Acts::Stateful | Acts::Stop
                     if !(row == number!("moving_mass").row()
                         && run.params.number(number!("moving_mass_place")) == 1.0)
-                        // Nor do friction and gas behind a spring that carries the whole.
+                        // Friction and gas behind a series spring that carries the whole force are not parallel either.
                         && !(run.model.elements().carries_whole()
                             && [Some(element!("presliding_friction")), Some(element!("gas_spring"))]
                                 .contains(&row.element())) =>
@@ -339,17 +339,16 @@ impl Run {
                 }
             }
         }
-        // Logarithmic unknowns scale their column by the value itself.
         Some(run)
     }
 
-    /// Forces at the samples of a segment.
+    /// Computes the forces at the samples of a segment.
     pub fn forces(&self, segment: &Segment) -> Vec<f64> {
         forces(&self.model, segment)
     }
 
-    /// Forces at the samples, and their derivatives: one column per sample, one row per unknown. The derivatives take the
-    /// settled state at the first sample as given, which only samples before the scored ones feel.
+    /// Computes the forces at the samples, and their derivatives: one column per sample, one row per unknown. The derivatives of the
+    /// equilibrium at the first sample are neglected; they influence only samples before the scored ones.
     pub fn jacobian(&self, segment: &Segment, unknowns: &Unknowns, theta: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
         let n = segment.force.len();
         let model = &self.model;
@@ -436,7 +435,7 @@ impl Run {
                     row[*column] = by_point[k];
                 }
             }
-            // A rise lifts every point from its own outwards.
+            // A rise raises its own point and all points further out.
             for (first, zero, count) in curves.iter().filter(|curve| curve.0 != NOWHERE) {
                 let points = &mut by_point[*first..first + count];
                 for k in (zero + 1..count - 1).rev() {
@@ -486,18 +485,18 @@ impl Run {
     }
 }
 
-/// Parameters moved by a step away from the active bound, with the signed step.
+/// Steps a parameter away from the active bound, and returns the signed step.
 fn off_the_bound(moved: &dyn Fn(f64) -> Params, step: f64, from: &Params) -> (Params, f64) {
     let params = moved(step);
     if params == *from { (moved(-step), -step) } else { (params, step) }
 }
 
-/// Forces of a model at the samples of a segment, from the settled state at its first.
+/// Computes forces of a model at the samples of a segment, from the equilibrium at the first sample.
 pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
     let mut state = model.steady_state(&segment.input[0]);
     let mut out = vec![dashpot_core::evaluate::force(model, &state, &segment.input[0]).force];
     for i in 1..segment.input.len() {
-        // Where it is no number the state stays, and whoever compares forces sees it.
+        // On a force that is not finite the state stays unchanged, and the caller finds NaN.
         out.push(force_in_place(model, &mut state, &segment.input[i], segment.dt[i]).unwrap_or(f64::NAN));
     }
     out
@@ -541,7 +540,7 @@ mod tests {
         }
     }
 
-    /// Its force turns over within one of the 32 samples of a mean cycle.
+    /// The force of the series spring reverses within one of the 32 samples of a mean cycle.
     #[test]
     fn a_search_integrates_a_stiff_series_spring_within_the_noise() {
         let mut params = Params::new();
@@ -567,7 +566,8 @@ mod tests {
                 let other: Vec<f64> = by(integration).iter().zip(&exact).map(|(a, b)| a - b).collect();
                 rms(&other[32..]) / rms(&exact[32..])
             };
-            // With half the substeps it is 4 to 6 %, more than the noise of a rig; with these 1.1 to 2.6 %, of the result 0.3 to 1.2 %.
+            // With half the substeps the error is 4 to 6 %, more than the noise of a rig. With these, it is 1.1 to 2.6 % in the search and
+            // 0.3 to 1.2 % in the result.
             for (accuracy, most) in [(Accuracy::Fine, 0.015), (Accuracy::Single, 0.03), (Accuracy::Cheap, 0.03)] {
                 let off = off(accuracy.integration(&params, &model));
                 assert!(off < most, "{accuracy:?} at {amplitude} m, {frequency} Hz: {off:.4}");
@@ -575,8 +575,8 @@ mod tests {
         }
     }
 
-    /// The rows at `theta` against central differences of runs, as shares of the latter; scored samples alone, because the
-    /// settled start is taken as given, and without so many of the worst.
+    /// Compares the rows at `theta` with central differences of runs, relative to the differences. Only scored samples count, because
+    /// derivatives of the initial equilibrium are neglected. The `without` worst samples are excluded.
     fn off(
         unknowns: &Unknowns,
         theta: &[f64],
@@ -592,11 +592,11 @@ mod tests {
             let moved = |d: f64| {
                 let mut t = theta.to_vec();
                 t[p] += d;
-                // A difference is one of the damper: a stiffer spring that asks for a substep more would count as well.
+                // Both runs use equally many substeps: a stiffer spring may need a further substep, which would change the difference.
                 let moved = Run::new(unknowns, &t, Accuracy::Full).unwrap();
                 Run { model: moved.model.with_integration(run.model.integration()), ..moved }.forces(test)
             };
-            // Beyond a bound a number does not move: the difference is over the step that it took.
+            // A parameter does not move beyond a bound: the difference is over the actual step.
             let is_bound = |d: f64| {
                 let mut t = theta.to_vec();
                 t[p] += d;
@@ -615,12 +615,12 @@ mod tests {
         }
     }
 
-    /// Every element that is off by default, with its own numbers, alone and several together.
+    /// Tests every element that is off by default, with its own parameters, alone and in combination.
     #[test]
     fn derivatives_agree_with_differences_whatever_is_on() {
         let together: &[&str] =
             &["oil_compressibility", "valve_hysteresis", "free_play", "presliding_friction", "bump_stop", "gas_spring"];
-        /// Elements that are on, and numbers that differ from the usual.
+        /// Elements that are on, and parameters that differ from their defaults.
         type With = (Vec<&'static str>, Vec<(&'static str, f64)>);
         let mut cases: Vec<With> = Element::all()
             .filter(|element| !Params::new().is_on(*element) && *element != element!("coulomb_friction"))
@@ -654,12 +654,12 @@ mod tests {
                 ("fade_source", 1.0),
                 ("heat_capacity", 60.0),
                 ("fsd_form", 1.0),
-                // At 0 a central difference would have one side only.
+                // At 0, a bound, a central difference would be one-sided.
                 ("bushing_stop_stiffness", 2.0),
                 ("bushing_slow_stiffness", 0.4),
-                // At its default it is nothing, and so is its derivative there.
+                // At its default, creep is off, and its derivative is zero.
                 ("presliding_creep", 1e-3),
-                // At 1 the step takes it more easily than beside it.
+                // At 1 the step takes a simpler branch than at other values.
                 ("oil_compression", 0.97),
             ] {
                 base.set(Number::find(name).unwrap(), value).unwrap();
@@ -694,7 +694,7 @@ mod tests {
             }
             let gassy = case.contains(&"cavitation") && base.number(number!("cavitation_onset")) < 1.0;
             if !gassy {
-                // At 1 a central difference would have one side only.
+                // At 1, a bound, a central difference would be one-sided.
                 list.retain(|u| *u != Unknown::Linear(number!("cavitation_onset")));
             }
             if dashpot_core::Model::new(&base).is_err() {
@@ -703,9 +703,9 @@ mod tests {
             }
             let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
-            // The instant at which a void closes, or a lag changes its table, jumps from sample to sample; that with gas in
-            // it also where it opens.
-            // So does that at which friction behind a series spring turns over.
+            // Some instants jump from sample to sample: those at which a void closes, and those at which a lag changes its time constant. A
+            // void with gas jumps also where it opens.
+            // The instant at which friction behind a series spring reverses jumps too.
             let turns = settings.iter().any(|(name, _)| *name == "series_load");
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial") || turns;
             let without = match (gassy, jumps) {
@@ -714,12 +714,12 @@ mod tests {
                 _ => 0,
             };
             off(&unknowns, &theta, &segment(0.02, 4.0), without, |unknown, off, size| {
-                // The table of a late valve that stands where a force had it is a spline over all points of the curve:
-                // those beyond what was reached still move it a little.
+                // The conductance table of a valve with a lag is a spline over the force through all points of the curve. Points beyond the
+                // reached range still influence the table a little.
                 let table =
                     case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
                 let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
-                // Known to be off by 3 % where these take several substeps: a matter of 0.001 N for a tenth of the damping.
+                // A known error of 3 % for elements with several substeps: 0.001 N for a tenth of the damping.
                 let several = *unknown == Unknown::Linear(number!("series_damping"))
                     && matches!(case[..], ["bushing"] | ["oil_compressibility"]);
                 let share = if jumps { 6e-2 } else { 2e-2 } + if several { 2e-2 } else { 0.0 };

@@ -1,11 +1,11 @@
-//! Tests of known explanations, for the tests of this crate.
+//! Synthetic tests of known hypotheses, for the tests of this crate.
 
 use crate::hypothesis::Hypothesis;
 use crate::samples::Test;
 use crate::segment::Segment;
 use dashpot_core::Input;
 
-/// Sines of so many metres and hertz, with the forces of an explanation.
+/// Makes sine tests of the given amplitudes, m, and frequencies, Hz, with the forces of a hypothesis.
 pub fn measured(of: &Hypothesis, sines: &[(f64, f64)]) -> Vec<Test> {
     let test = |&(amplitude, frequency): &(f64, f64)| {
         let (count, omega) = (160, std::f64::consts::TAU * frequency);

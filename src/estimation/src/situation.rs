@@ -1,4 +1,4 @@
-//! What a base model and its tests look like from far: figures from which searches start.
+//! Summary of a base model and its tests: quantities from which searches start.
 
 use crate::first_guess::{dry, slowing_forces};
 use crate::heating::Heating;
@@ -11,60 +11,60 @@ use dashpot_core::{element, list, number};
 use dashpot_records::Record;
 use dashpot_records::restrict;
 
-/// Sizes that matter.
+/// Quantities of a base model and its tests.
 #[derive(Debug, Clone)]
 pub struct Situation {
     /// The base model.
     pub base: Params,
-    /// How strong it is beside the damper of a car.
+    /// Its size relative to the damper of a car.
     pub scale: Scale,
     /// Friction level, N.
     pub friction: f64,
-    /// Friction that may stand as a step at standstill in an FV curve without friction beside it, N.
+    /// Friction that an FV curve may contain as a step at zero velocity, if the model has no friction element, N.
     pub friction_in_curve: f64,
-    /// Hydraulic forces at the highest speeds, N, positive.
+    /// Hydraulic force at the highest speed in rebound, N, positive.
     pub top_rebound: f64,
-    /// In compression.
+    /// Hydraulic force at the highest speed in compression, N, positive.
     pub top_compression: f64,
     /// Typical force at the knee of the FV curve, N.
     pub knee_force: f64,
-    /// Displacements that the tests reach, m.
+    /// Lowest and highest displacement of the tests, m.
     pub reach: (f64, f64),
-    /// Widest span of the places that tests of about the same speed pass at that speed, m.
+    /// Largest range of displacements at which tests reach about the same speed, m.
     pub places_span: f64,
-    /// Span of the heat that tests bring in, J, without cooling.
+    /// Range of the tests' accumulated heat, J, without cooling.
     pub heat_span: f64,
-    /// Highest over lowest frequency.
+    /// Ratio of the highest to the lowest frequency.
     pub frequency_ratio: f64,
     /// Whether a temperature channel varies.
     pub temperature_measured: bool,
-    /// The middle of its range, °C; 20 where none varies.
+    /// Middle of the temperature range, °C; 20 if no channel varies.
     pub temperature: f64,
     /// Span of the tests' clocks, s.
     pub clock_span: f64,
     /// Times between tests at which a load cell may have been zeroed, s; empty without a campaign clock.
     pub pauses: Vec<u32>,
-    /// Delay of the force channel by a first look, s; 0 where none stood out.
+    /// Delay of the force channel estimated from the raw data, s; 0 if none was significant.
     pub apparent_delay: f64,
     /// Span of the side forces, N.
     pub side_force_span: f64,
     /// Highest speeds in rebound and compression, m/s, positive.
     pub fastest: [f64; 2],
-    /// Forces at the points of the FV curve, N, from samples at which the damper slows down alone.
+    /// Forces at the points of the FV curve, N, only from samples at which the damper slows down.
     pub slowing: Vec<f64>,
 }
 
-/// Speeds, m/s, between which a curve without friction is straight enough to be drawn back to standstill.
+/// Speeds, m/s, between which a curve without friction is linear enough for extrapolation to zero velocity.
 const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
 
-/// What an FV curve has at a speed; beyond its ends what it has there.
+/// Interpolates an FV curve at a speed; beyond the ends the last force applies.
 fn at(v: &[f64], f: &[f64], speed: f64) -> f64 {
     let right = restrict(v.partition_point(|x| *x < speed), 1, v.len() - 1);
     let share = ((speed - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
     f[right - 1] + share * (f[right] - f[right - 1])
 }
 
-/// Half the step that an FV curve makes about standstill: the force at creeping speed less what the slope beyond makes.
+/// Computes half the step of an FV curve at zero velocity: the force at creeping speed, extrapolated to zero.
 fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
     if v.len() < 3 {
         return 0.0;
@@ -74,11 +74,12 @@ fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
     (half(slow) - slow * (half(fast) - half(slow)) / (fast - slow)).max(0.0)
 }
 
-/// Speeds, m/s, whose places are compared, and how far from each a sample counts as of that speed.
+/// Speeds, m/s, at which displacements are compared, and the relative tolerance of a sample's speed.
 const SPEEDS: [f64; 6] = [0.05, 0.1, 0.2, 0.4, 0.8, 1.6];
 const OF_SPEED: f64 = 0.3;
 
-/// Widest span of the places that tests pass at one speed and stroke: where it is nothing, a place is one with a speed.
+/// Computes the largest range of displacements at one speed and stroke. If the range is zero, effects of displacement and of speed cannot
+/// be separated.
 fn places_span(tests: &[Test]) -> f64 {
     let at = |speed: f64| {
         let of = tests.iter().flat_map(|t| t.inputs()).filter(|i| (i.velocity / speed - 1.0).abs() < OF_SPEED);
@@ -90,7 +91,7 @@ fn places_span(tests: &[Test]) -> f64 {
     SPEEDS.iter().flat_map(|speed| [at(*speed), at(-speed)]).fold(0.0, f64::max)
 }
 
-/// The FV curve of a damper that slows down; empty without tests.
+/// Computes the FV curve from samples at which the damper slows down; empty without tests.
 fn slowing(tests: &[Test], velocities: &[f64]) -> Vec<f64> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     if segments.is_empty() || velocities.len() < 3 {
@@ -100,7 +101,7 @@ fn slowing(tests: &[Test], velocities: &[f64]) -> Vec<f64> {
 }
 
 impl Situation {
-    /// From a model and tests.
+    /// Computes the situation from a model and tests.
     pub fn new(base: &Params, records: &[&Record], tests: &[Test]) -> Situation {
         let inputs = || tests.iter().flat_map(|t| t.inputs());
         let span = |values: &mut dyn Iterator<Item = f64>| {
@@ -123,7 +124,7 @@ impl Situation {
             friction += base.number(number!("stribeck_coulomb_force"));
         }
         let (v, f) = (base.list(list!("fv_velocity")), base.list(list!("fv_force")));
-        // The knee: where the slope has fallen to half its largest, counted from standstill.
+        // The knee is the first point in rebound beyond which the slope is below half its largest value.
         let slopes: Vec<f64> = v.windows(2).zip(f.windows(2)).map(|(v, f)| (f[1] - f[0]) / (v[1] - v[0])).collect();
         let steepest = slopes.iter().fold(0.0f64, |m, s| m.max(*s));
         let knee = v
@@ -142,7 +143,7 @@ impl Situation {
             .filter(|w| w[1] - w[0] > 1.0)
             .map(|w| (0.5 * (w[0] + w[1])) as u32)
             .collect();
-        // Without an element for it, friction stands as a step in the FV curve.
+        // Without a friction element, the FV curve contains friction as a step.
         let in_curve = if friction > 0.0 { 0.0 } else { step_at_standstill(v, f) };
         Situation {
             base: *base,
@@ -152,7 +153,7 @@ impl Situation {
             heat_span: Heating::new(records, tests).span(),
             frequency_ratio: if frequencies.0 > 0.0 { frequencies.1 / frequencies.0 } else { f64::INFINITY },
             friction,
-            // Friction and gas act beside the valves.
+            // These forces exclude friction and gas, which are parallel to the valves.
             top_rebound: at(v, f, fastest.1).max(scale.force()),
             top_compression: (-at(v, f, fastest.0)).max(scale.force()),
             knee_force: knee.unwrap_or(0.3 * forces.1).max(scale.force()),
@@ -168,7 +169,7 @@ impl Situation {
         }
     }
 
-    /// The situation scaled to a damper of a car, of which the start values and the priors were learned.
+    /// Scales the situation to a damper of a car, to which the start values and the priors apply.
     pub fn as_car(&self) -> Situation {
         let of_car = |force: f64| force / self.scale.force();
         Situation {
@@ -186,7 +187,7 @@ impl Situation {
         }
     }
 
-    /// What the FV curve has at a speed, N.
+    /// Returns the force of the FV curve at a speed, N.
     pub fn driven(&self, speed: f64) -> f64 {
         at(self.base.list(list!("fv_velocity")), self.base.list(list!("fv_force")), speed)
     }

@@ -1,22 +1,20 @@
-//! Bounded, robust, nonlinear least squares for any residuals: the one Levenberg–Marquardt of the project.
+//! Bounded, robust, nonlinear least squares for any residuals: the only Levenberg–Marquardt solver of the project.
 //!
-//! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which follows
-//!   the ratio of the fall to the fall predicted (IMM-REP-1999-05, 1999).
-//! - A step may follow the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum & Sethna,
-//!   arXiv:1201.5885, 2012): narrow curved valleys, the rule where friction meets a steep curve, are walked in tens of steps
-//!   instead of thousands.
-//! - Where a Jacobian costs many runs and only a ranking is wanted, it is kept up by Broyden's rank-one update (Math. Comp. 19,
-//!   1965) instead of being taken anew.
-//! - The rows of each block are reduced to a triangular factor (see [`reduce`]) and stacked in their order, so a result does
-//!   not depend on the number of threads.
-//! - Bounds by projection: a number at a bound whose gradient points outwards is held for that step.
+//! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which depends on the ratio of
+//!   the actual to the predicted reduction (IMM-REP-1999-05, 1999).
+//! - A step may follow the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum & Sethna, arXiv:1201.5885,
+//!   2012). Narrow curved valleys, common for friction with a steep curve, then need tens of steps instead of thousands.
+//! - If a Jacobian costs many runs and only a ranking is needed, Broyden's rank-one update (Math. Comp. 19, 1965) replaces its computation.
+//! - The rows of each block are reduced to a triangular factor (see [`reduce`]) and stacked in their order. So a result does not depend on
+//!   the number of threads.
+//! - Bounds by projection: a parameter at a bound whose descent direction points outward is fixed for that step.
 //! - Huber's loss by reweighting (Ann. Math. Stat. 35, 1964); Gaussian priors as further rows.
-//! - A fit has ended where the share of the cost that a full linear step could still take away is below the tolerance
-//!   (the relative offset of Bates & Watts, Technometrics 23, 1981), not where one damped step happened to be short.
+//! - A fit has converged when a full linear step would reduce the cost by less than a relative tolerance (Bates & Watts,
+//!   Technometrics 23, 1981). A short damped step is no criterion.
 
 mod differences;
 mod reduce;
-// Its tables of data stay tables.
+// `rustfmt` must not reformat its data tables.
 #[cfg(test)]
 #[rustfmt::skip]
 mod nist;
@@ -27,29 +25,29 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use reduce::reduce;
 
-/// Something to be made small: weighted residuals (model less measurement over its error) in one or more blocks.
+/// A least-squares problem: weighted residuals (model minus measurement, over its error) in one or more blocks.
 pub trait Residuals: Sync {
-    /// What is prepared once for all blocks at one point: a model, say, or the numbers themselves.
+    /// Data that all blocks share at one point: a model, for example, or the parameters themselves.
     type At: Sync;
 
-    /// Prepares it; `None` where the numbers make no model.
+    /// Prepares the shared data; `None` if the parameters are not a valid model.
     fn prepare(&self, x: &[f64]) -> Option<Self::At>;
 
-    /// Number of blocks: one a test, so that tests are computed side by side.
+    /// Returns the number of blocks: one for each test, so that tests are computed in parallel.
     fn blocks(&self) -> usize {
         1
     }
 
-    /// Whether a block is measured and may hold wild samples; the loss of one that is not is half its squares.
+    /// Whether a block is measured and may contain outliers; the loss of any other block is half its squares.
     fn is_measured(&self, _block: usize) -> bool {
         true
     }
 
-    /// Weighted residuals of one block; `None` where the numbers make no model.
+    /// Computes the weighted residuals of one block; `None` if the parameters are not a valid model.
     fn residuals(&self, block: usize, at: &Self::At) -> Option<Vec<f64>>;
 
-    /// Residuals of one block and their derivatives, one column a number; `None` where it brings none: central differences are
-    /// taken then.
+    /// Computes residuals of one block and their derivatives, one column for each parameter. With `None`, the solver uses central
+    /// differences.
     fn jacobian(&self, _block: usize, _at: &Self::At) -> Option<(Vec<f64>, DMatrix<f64>)> {
         None
     }
@@ -98,7 +96,7 @@ impl<R: Residuals> Point for There<'_, R> {
     }
 }
 
-/// The range of every number.
+/// Bounds of every parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
     /// Lowest values.
@@ -108,7 +106,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// No bound on any of `n` numbers.
+    /// Returns infinite bounds for `n` parameters.
     pub fn none(n: usize) -> Self {
         Self { low: vec![f64::NEG_INFINITY; n], high: vec![f64::INFINITY; n] }
     }
@@ -118,26 +116,26 @@ impl Bounds {
     }
 }
 
-/// What is known of a number before the data: a Gaussian.
+/// Gaussian prior of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prior {
-    /// Its middle.
+    /// Its mean.
     pub mean: f64,
-    /// Its standard deviation, in the unit of the number.
+    /// Its standard deviation, in the unit of the parameter.
     pub spread: f64,
 }
 
-/// What one weighted residual costs.
+/// Loss function of a weighted residual.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Loss {
     /// Half its square.
     Squares,
-    /// Half its square up to this size, linear beyond: single wild samples do not pull.
+    /// Half its square up to this size, linear beyond: limits the influence of outliers.
     Huber(f64),
 }
 
 impl Loss {
-    /// Cost of one residual, and the weight that stays on its square.
+    /// Computes the cost of one residual, and the weight of its square.
     pub fn evaluate(self, r: f64) -> (f64, f64) {
         match self {
             Loss::Huber(knee) if r.abs() > knee => (knee * (r.abs() - 0.5 * knee), knee / r.abs()),
@@ -151,30 +149,30 @@ impl Loss {
 pub enum Derivatives {
     /// Computed after every step, and steps follow the curvature (geodesic acceleration).
     Accelerated,
-    /// Taken anew after every step.
+    /// Computed after every step.
     Fresh,
-    /// Taken once and kept up by what every step shows.
+    /// Computed once, then updated after every step from the observed residuals.
     Kept,
 }
 
-/// How a solution is looked for.
+/// Options of the solver.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Most steps tried, accepted or not.
+    /// Largest number of steps, accepted or not.
     pub steps: usize,
-    /// Share of the cost that may be left to gain at the end.
+    /// Largest fraction of the cost that a further step may still gain at the end.
     pub tolerance: f64,
     /// Loss of a residual.
     pub loss: Loss,
-    /// What is known of the numbers: empty, or one entry a number.
+    /// Priors of the parameters: empty, or one entry for each parameter.
     pub priors: Vec<Option<Prior>>,
     /// Derivatives.
     pub derivatives: Derivatives,
-    /// Damping of the first step, of columns scaled to length 1: 1 from a start that is anybody's guess, little from a good one.
+    /// Damping of the first step, for columns scaled to length 1: 1 for an arbitrary start, small for a good one.
     pub damping: f64,
     /// Number of successive accepted steps that gain less than the tolerance before a search ends.
     ///
-    /// In directions that the data leave open, the linear step promises gains that never come.
+    /// In directions that the data leave undetermined, the linear step predicts gains that never occur.
     pub quiet: usize,
 }
 
@@ -192,7 +190,7 @@ impl Default for Options {
     }
 }
 
-/// Residuals and derivatives of one block as the problem gives them.
+/// Residuals and derivatives of one block, without weights of the loss.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rows {
     /// Residuals.
@@ -201,22 +199,22 @@ pub struct Rows {
     pub jacobian: DMatrix<f64>,
 }
 
-/// Where a search ended.
+/// Result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// The numbers.
+    /// The parameters.
     pub x: Vec<f64>,
-    /// Sum of the losses and half the squares of the priors; infinite where the start makes no model.
+    /// Sum of the losses and of half the squares of the priors; infinite if the start is not a valid model.
     pub cost: f64,
-    /// Whether it ended by itself, not by the number of steps.
+    /// Whether the search converged before the largest number of steps.
     pub converged: bool,
     /// Steps tried.
     pub steps: usize,
-    /// Residuals there, by block, with the last derivatives known: those of the last step but one, or kept up.
+    /// Residuals at the solution, by block, with the last known derivatives: those of the last step but one, or updated ones.
     pub rows: Vec<Rows>,
 }
 
-/// A linear problem of as many rows as there are numbers, that stands for all rows at one point.
+/// The reduced linear problem at one point. It has as many rows as there are parameters.
 struct Linear {
     /// Triangular factor of the weighted Jacobian.
     factor: DMatrix<f64>,
@@ -224,7 +222,7 @@ struct Linear {
     right: DVector<f64>,
 }
 
-/// What a search works on.
+/// Inputs of a search.
 struct Search<'a> {
     problem: &'a dyn Problem,
     bounds: &'a Bounds,
@@ -232,7 +230,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The priors' own rows: number, weight, residual.
+    /// Returns the rows of the priors: parameter index, weight, residual.
     fn prior_rows(&self, x: &[f64]) -> Vec<(usize, f64, f64)> {
         let row = |(i, prior): (usize, &Option<Prior>)| prior.map(|p| (i, 1.0 / p.spread, (x[i] - p.mean) / p.spread));
         self.options.priors.iter().enumerate().filter_map(row).collect()
@@ -242,7 +240,7 @@ impl Search<'_> {
         if self.problem.is_measured(block) { self.options.loss } else { Loss::Squares }
     }
 
-    /// Cost of residuals; infinite where one is not finite.
+    /// Computes the cost of residuals; infinite if one is not finite.
     fn cost<'r>(&self, x: &[f64], residuals: impl IntoIterator<Item = &'r DVector<f64>>) -> f64 {
         let priors = self.prior_rows(x).iter().map(|(.., r)| 0.5 * r * r).sum::<f64>();
         let of = |(block, residual): (usize, &DVector<f64>)| {
@@ -260,7 +258,7 @@ impl Search<'_> {
         all.into_iter().collect()
     }
 
-    /// What is known at the start.
+    /// Returns residuals and derivatives at the start, with given derivatives if known.
     fn first_rows(&self, x: &[f64], jacobian: Option<Vec<DMatrix<f64>>>) -> Option<Vec<Rows>> {
         let at = self.problem.prepare(x)?;
         match jacobian {
@@ -272,7 +270,7 @@ impl Search<'_> {
         }
     }
 
-    /// Residuals and derivatives; `None` where one is missing or not finite.
+    /// Computes residuals and derivatives; `None` if one is missing or not finite.
     fn rows(&self, at: &dyn Point, x: &[f64]) -> Option<Vec<Rows>> {
         let of = |block| {
             let (residual, jacobian) = match at.jacobian(block) {
@@ -286,7 +284,7 @@ impl Search<'_> {
         all.into_iter().collect()
     }
 
-    /// Roots of the weights that the loss leaves of a block's rows; `None` where all are 1.
+    /// Computes the square roots of a block's weights under the loss; `None` if all are 1.
     fn weights(&self, block: usize, residual: &DVector<f64>) -> Option<DVector<f64>> {
         let loss @ Loss::Huber(_) = self.loss(block) else { return None };
         let roots = residual.map(|r| loss.evaluate(r).1.sqrt());
@@ -327,8 +325,8 @@ impl Search<'_> {
         Linear { factor, right }
     }
 
-    /// Gradient of half the residuals' curvature along a step, from one more evaluation on the way; `None` where that
-    /// makes no model.
+    /// Computes the gradient of half the residuals' second derivative along a step, from one further evaluation. `None` if the probe is
+    /// outside the bounds or not a valid model.
     fn bend(&self, x: &[f64], rows: &[Rows], step: &DVector<f64>) -> Option<DVector<f64>> {
         let probe: Vec<f64> = x.iter().zip(step.iter()).map(|(x, s)| x + PROBE * s).collect();
         if self.bounds.inside(&probe) != probe {
@@ -354,24 +352,24 @@ impl Search<'_> {
     }
 }
 
-/// What is left of the length of a column after a step that shortened it. 1 would be Moré's (Lect. Notes Math. 630, 1978), 0
-/// Marquardt's.
+/// Fraction of a column's previous length that is kept if the column has become shorter. 1 would be Moré's rule (Lect. Notes Math. 630,
+/// 1978), 0 Marquardt's.
 const FADE: f64 = 0.5;
-/// Damping below which a step is the full linear one in every digit that counts.
+/// Damping below which a step equals the full linear step to rounding.
 const LEAST_DAMPING: f64 = 1e-16;
-/// Part of a step at which the curvature of the residuals is looked at.
+/// Fraction of a step at which the curvature of the residuals is evaluated.
 const PROBE: f64 = 0.1;
-/// Longest correction for curvature, over the step itself; beyond, the residuals are not a parabola along the step.
+/// Largest ratio of the correction for curvature to the step; beyond it the residuals are not parabolic along the step.
 const MOST_BEND: f64 = 0.5;
-/// Share of the cost that no longer shows in its sum.
+/// Fraction of the cost that is lost in the rounding of its sum.
 const ROUNDING: f64 = 1e-15;
 
-/// Minimises from `start`, which is moved inside the bounds first.
+/// Minimizes from `start`, which is first clamped to the bounds.
 pub fn solve<R: Residuals>(problem: &R, start: &[f64], bounds: &Bounds, options: &Options) -> Solution {
     solve_knowing(problem, start, None, bounds, options)
 }
 
-/// Minimizes where the derivatives at the start are known, block by block.
+/// Minimizes with given derivatives at the start, block by block.
 pub fn solve_knowing<R: Residuals>(
     problem: &R,
     start: &[f64],
@@ -400,10 +398,10 @@ fn search(
     let mut cost = search.cost(&x, rows.iter().map(|r| &r.residual));
     let mut linear = search.linear(&x, &rows);
     let (mut damping, mut growth, mut quiet) = (options.damping, 2.0, 0);
-    // Whether a step was accepted since the lengths of the columns were last looked at, and any at all.
+    // Whether a step was accepted since the column lengths were last updated, and whether no step was accepted yet.
     let (mut moved_on, mut first) = (true, true);
-    // Where a number stops mattering its column fades, and a step measured by the column alone would leave for the flat far
-    // away; columns therefore fade slowly.
+    // When a parameter loses its influence, its column becomes short. A step scaled by that column alone would move far away to a flat
+    // region. The stored lengths therefore decrease slowly.
     let mut lengths = vec![0.0f64; n];
     while end.steps < options.steps && cost.is_finite() && !cancel::asked() {
         if std::mem::take(&mut moved_on) {
@@ -415,7 +413,7 @@ fn search(
         let arrived = system.left <= options.tolerance * cost;
         if arrived {
             end.converged = true;
-            // A last full step is free of charge where it helps: the criterion speaks of where it started from.
+            // A last full step is tried: the criterion applies to the point before the step.
             damping = LEAST_DAMPING;
         }
         if system.free.is_empty() {
@@ -476,14 +474,14 @@ fn search(
                 let size = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
                 let nothing = predicted.abs() <= ROUNDING * cost || straight.norm() <= ROUNDING * size(&x);
                 if arrived || nothing {
-                    // Nothing that arithmetic could still show.
+                    // A further reduction would be below rounding.
                     end.converged = true;
                     break;
                 }
                 damping = (damping * growth).max(LEAST_DAMPING);
                 growth *= 2.0;
                 if options.derivatives == Derivatives::Kept {
-                    // What the refused step showed is in the derivatives now.
+                    // The update has added the information of the rejected step to the derivatives.
                     linear = search.linear(&x, &rows);
                 }
             }
@@ -493,16 +491,16 @@ fn search(
     end
 }
 
-/// Factor by which the damping falls at most after a step that did what was predicted of it.
+/// Smallest factor on the damping after a step with the predicted reduction.
 const FASTEST: f64 = 1.0 / 3.0;
 
-/// The linear problem in the numbers that no bound holds, of columns scaled to length 1.
+/// The linear problem in the parameters that no active bound fixes, with columns scaled to length 1.
 struct System<'a> {
     right: &'a DVector<f64>,
     free: Vec<usize>,
     scaled: DMatrix<f64>,
     lengths: &'a [f64],
-    /// What a full linear step would take off the cost.
+    /// Reduction of the cost by a full linear step.
     left: f64,
 }
 
@@ -524,7 +522,7 @@ impl<'a> System<'a> {
         Self { right: &linear.right, free, scaled, lengths, left }
     }
 
-    /// In all numbers, from one in the free ones.
+    /// Expands a scaled step of the free parameters to all parameters.
     fn spread(&self, step: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(self.lengths.len());
         for (c, i) in self.free.iter().enumerate() {
@@ -533,7 +531,7 @@ impl<'a> System<'a> {
         all
     }
 
-    /// The damped step, with the triangular factor that it was solved by.
+    /// Computes the damped step, and the triangular factor of its linear system.
     fn step(&self, damping: f64) -> (DVector<f64>, DMatrix<f64>) {
         let (rows, k) = self.scaled.shape();
         let stacked = DMatrix::from_fn(rows + k, k, |r, c| {
@@ -554,7 +552,7 @@ impl<'a> System<'a> {
         (solved.map_or_else(|| DVector::zeros(self.lengths.len()), |step| self.spread(&step)), triangle)
     }
 
-    /// The correction that takes a gradient away.
+    /// Computes the correction that cancels a gradient.
     fn against(&self, gradient: &DVector<f64>, triangle: &DMatrix<f64>) -> Option<DVector<f64>> {
         let scaled = DVector::from_fn(self.free.len(), |c, _| -gradient[self.free[c]] / self.lengths[self.free[c]]);
         let half = triangle.tr_solve_upper_triangular(&scaled)?;
@@ -562,8 +560,8 @@ impl<'a> System<'a> {
     }
 }
 
-/// Broyden's update: the derivatives agree with what a step has just shown. The change is the smallest where every number is
-/// measured by what it does to the residuals.
+/// Applies Broyden's update: the derivatives then agree with the last step. The change is the smallest one, with every parameter scaled by
+/// its column length.
 fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, lengths: &[f64]) {
     let shares = DVector::from_fn(moved.len(), |i, _| moved[i] * lengths[i] * lengths[i]);
     let size = shares.dot(moved);
@@ -578,7 +576,7 @@ fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, leng
     }
 }
 
-/// Minimises from every start and keeps the lowest cost, the first of equals. `None` without starts.
+/// Minimizes from every start and returns the solution with the lowest cost, the first of equals. `None` without starts.
 pub fn solve_from<R: Residuals>(
     problem: &R,
     starts: &[Vec<f64>],
@@ -660,7 +658,7 @@ mod tests {
         let found = solve(&rosenbrock, &[-1.2, 1.0], &bounds, &Options::default());
         near(&found.x, &[0.5, 0.25], 1e-6);
         assert!(found.converged && found.x[0] <= 0.5);
-        // A start outside is moved in, and a number leaves its bound when the data want it to.
+        // A start outside is clamped, and a parameter leaves its bound when the data require it.
         let found = solve(&rosenbrock, &[0.7, -7.0], &bounds, &Options::default());
         near(&found.x, &[0.5, 0.25], 1e-6);
         let wide = Bounds { low: vec![0.0, 0.0], high: vec![9.0, 9.0] };
@@ -674,7 +672,7 @@ mod tests {
         let squares = solve(&mean, &[0.0], &Bounds::none(1), &Options::default());
         near(&squares.x, &[values.iter().sum::<f64>() / 6.0], 1e-9);
         let options = Options { loss: Loss::Huber(1.5), ..Options::default() };
-        // Five good samples against one pull of 1.5: sum of (x - v)/0.1 over five equals 1.5.
+        // Five good samples balance the bounded influence 1.5 of the outlier: the sum of (x - v)/0.1 over the five equals 1.5.
         near(&solve(&mean, &[0.0], &Bounds::none(1), &options).x, &[1.0 + 0.15 / 5.0], 1e-4);
     }
 
@@ -688,7 +686,7 @@ mod tests {
 
     #[test]
     fn the_lowest_of_several_starts_is_kept() {
-        // Two valleys; only the right one reaches zero.
+        // Two local minima; only the right one reaches zero.
         let valleys = Of(|x: &[f64]| vec![(x[0] * x[0] - 4.0) * 0.5, 0.1 * (x[0] - 2.0)]);
         let left = solve(&valleys, &[-3.0], &Bounds::none(1), &Options::default());
         assert!(left.x[0] < 0.0);
@@ -749,7 +747,7 @@ mod tests {
         let kept = Options { derivatives: Derivatives::Kept, damping: 1e-3, steps: 60, ..Options::default() };
         let found = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &kept);
         near(&found.x, &[3.0, 0.7], 1e-4);
-        // Derivatives of another point, a tenth off.
+        // Start with derivatives that are wrong by a tenth.
         let wrong = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &Options { steps: 0, ..kept.clone() });
         let known = vec![1.1 * &wrong.rows[0].jacobian];
         let found = solve_knowing(&curve, &[2.0, 1.0], Some(known), &Bounds::none(2), &kept);

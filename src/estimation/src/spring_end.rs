@@ -1,4 +1,4 @@
-//! A lookup spring that has taken up a stop: its end, beyond what its middle goes on to.
+//! Stop that a lookup spring has absorbed: the force at its end in excess of the extrapolated middle.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
@@ -6,10 +6,10 @@ use dashpot_core::Params;
 use dashpot_core::{element, list};
 use dashpot_records::restrict;
 
-/// Share of the reach of the spring that counts as its middle.
+/// Fraction of the spring's range that counts as its middle.
 const MIDDLE: f64 = 0.5;
 
-/// Slope of the middle, N/m.
+/// Computes the slope of the middle, N/m.
 fn middle(x: &[f64], force: &[f64]) -> f64 {
     let reach = x.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let mut inside = x.iter().zip(force).filter(|(x, _)| x.abs() <= MIDDLE * reach);
@@ -19,7 +19,7 @@ fn middle(x: &[f64], force: &[f64]) -> f64 {
     }
 }
 
-/// Force, N, by which the spring at its end in rebound (`side` = 1) or compression (−1) goes beyond that slope.
+/// Computes the excess force, N, at the spring's end in rebound (`side` = 1) or compression (−1) over the extrapolated middle.
 pub fn excess(base: &Params, side: f64) -> f64 {
     let (x, force) = (base.list(list!("spring_displacement")), base.list(list!("spring_force")));
     if !base.is_on(element!("parallel_spring")) || x.len() < 3 {
@@ -29,7 +29,7 @@ pub fn excess(base: &Params, side: f64) -> f64 {
     (side * (force[end] - force[anchor(x)]) - middle(x, force) * (x[end] - x[anchor(x)]).abs()).max(0.0)
 }
 
-/// Draws the end of the spring on straight from its middle.
+/// Extrapolates the end of the spring linearly from its middle.
 pub fn straighten(to: &mut Hypothesis, side: f64) {
     let (x, force) =
         (to.base.list(list!("spring_displacement")).to_vec(), to.base.list(list!("spring_force")).to_vec());

@@ -1,21 +1,21 @@
-//! A step of an FV curve at rest, read as dry friction and gas force.
+//! A step of an FV curve at rest, converted to dry friction and gas force.
 //!
-//! Records of constant speeds say nothing about the motion between rest and the slowest speed. There a free curve takes up friction and gas. Read
-//! as what they are, each of them can change by itself.
+//! Records of constant speeds contain no motion between rest and the slowest speed. There a free curve absorbs friction and gas. After the
+//! conversion, friction and gas can change independently.
 
 use crate::unknowns::anchor;
 use dashpot_core::{Params, element, list, number};
 
 /// Moves the step of the FV curve at rest to Coulomb friction and gas force.
 ///
-/// The forces at all other points of the curve stay. `None` where the curve has too few points or no step: friction below this fraction of
-/// the slowest force.
+/// The total force at all other points of the curve stays. `None` if the curve has too few points, or if its step is small: friction below
+/// the fraction `LEAST` of the slowest force.
 pub fn read_step(params: &Params) -> Option<Params> {
-    /// Fraction of the force at the slowest speed. Below it bleed and friction are of one size, and the curve may stay as it is.
+    /// Fraction of the force at the slowest speed. Below it bleed and friction are similar, and the curve may stay unchanged.
     const LEAST: f64 = 0.3;
     let (velocity, force) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     let zero = anchor(velocity);
-    // Force toward rest, on the line through the two slowest points of a side.
+    // Force extrapolated to rest, on the line through the two slowest points of a side.
     let toward_rest = |first: usize, second: usize| {
         let derivative = (force[second] - force[first]) / (velocity[second] - velocity[first]);
         force[first] - derivative * velocity[first]

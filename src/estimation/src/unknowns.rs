@@ -1,4 +1,4 @@
-//! What a fit may change, and how a vector of unknowns becomes a parameter set.
+//! Unknowns of a fit, and the conversion of their vector to a parameter set.
 
 use crate::scale::Scale;
 use dashpot_core::Params;
@@ -8,7 +8,7 @@ use dashpot_core::{list, number};
 /// A named list of unknowns over a base parameter set.
 #[derive(Debug, Clone)]
 pub struct Unknowns {
-    /// Everything that stays, and which elements are on.
+    /// Parameters that stay fixed, and the elements that are on.
     pub base: Params,
     /// One entry per component of the vector.
     pub list: Vec<Unknown>,
@@ -21,9 +21,9 @@ pub enum Unknown {
     Log(Number),
     /// A parameter itself.
     Linear(Number),
-    /// How far a parameter lies above another, as a share of it: a break-away peak above the level that it falls to.
+    /// Distance of a parameter above another, as a fraction of the other: a break-away peak above the Coulomb level.
     Above(Number, Number),
-    /// Rise of a curve from one point to the next, away from its fixed point at the origin.
+    /// Rise of a curve from one point to the next, away from its anchor near the origin.
     Rise {
         /// Which curve.
         curve: CurveName,
@@ -34,13 +34,13 @@ pub enum Unknown {
     Entry(List, usize),
 }
 
-/// Widest Stribeck velocity that a fit may take, m/s.
+/// Widest Stribeck velocity of a fit, m/s.
 const STRIBECK_WIDEST: f64 = 0.05;
 const WIDTHS: [Number; 2] = [number!("stribeck_velocity"), number!("stribeck_breakaway_velocity")];
 
 /// Highest break-away peak of a fit, as a fraction above the Coulomb level.
 ///
-/// Seals show 0.1 to 0.6, and a free one would turn dry friction into part of the FV curve.
+/// Seals show 0.1 to 0.6. An unbounded peak would turn dry friction into part of the FV curve.
 const HIGHEST_PEAK: f64 = 1.0;
 
 /// The curves whose points can be fitted.
@@ -53,7 +53,7 @@ pub enum CurveName {
 }
 
 impl CurveName {
-    /// The list of abscissae.
+    /// Returns the list of abscissae.
     pub fn abscissae(self) -> List {
         match self {
             CurveName::Fv => list!("fv_velocity"),
@@ -61,7 +61,7 @@ impl CurveName {
         }
     }
 
-    /// The list of forces.
+    /// Returns the list of forces.
     pub fn forces(self) -> List {
         match self {
             CurveName::Fv => list!("fv_force"),
@@ -70,25 +70,25 @@ impl CurveName {
     }
 }
 
-/// The point of a curve that stays at zero force: the one nearest the origin.
+/// Returns the point of a curve that stays at zero force: the one nearest the origin.
 pub fn anchor(abscissae: &[f64]) -> usize {
     (0..abscissae.len()).min_by(|a, b| abscissae[*a].abs().total_cmp(&abscissae[*b].abs())).unwrap_or(0)
 }
 
-/// The next point of a curve on the way to its anchor `zero`: a rise lifts its point above that one.
+/// Returns the next point of a curve toward its anchor `zero`. A rise is the difference of force between both points.
 pub fn towards_zero(point: usize, zero: usize) -> usize {
     if point > zero { point - 1 } else { point + 1 }
 }
 
 impl Unknowns {
-    /// Unknowns that rise to every point of a curve but its anchor.
+    /// Returns a rise for every point of a curve except its anchor.
     pub fn rises(base: &Params, curve: CurveName) -> Vec<Unknown> {
         let u = base.list(curve.abscissae());
         let zero = anchor(u);
         (0..u.len()).filter(|point| *point != zero).map(|point| Unknown::Rise { curve, point }).collect()
     }
 
-    /// The vector that stands for the base set.
+    /// Returns the vector of the base set.
     pub fn start(&self) -> Vec<f64> {
         self.list
             .iter()
@@ -107,7 +107,7 @@ impl Unknowns {
             .collect()
     }
 
-    /// Bounds of the vector: how far a search may go with a damper of this size.
+    /// Returns bounds of the vector for a damper of this size.
     pub fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
         let scale = Scale::from_params(&self.base);
         self.list
@@ -115,20 +115,20 @@ impl Unknowns {
             .map(|unknown| match unknown {
                 Unknown::Log(number) => {
                     let (low, high) = scale.reach(*number);
-                    // A Stribeck peak is a matter of creeping speeds; a wider one would be a second FV curve.
+                    // A Stribeck peak acts at creeping speeds; a wider one would be a second FV curve.
                     let high = if WIDTHS.contains(number) { high.min(STRIBECK_WIDEST) } else { high };
                     (libm::log(low.max(1e-6 * scale.of_number(*number))), libm::log(high))
                 }
                 Unknown::Above(..) => (0.0, HIGHEST_PEAK),
                 Unknown::Linear(number) => scale.reach(*number),
                 Unknown::Entry(list, _) => list.bounds(),
-                // A curve of as many rises as the table allows points stays inside the bounds of its forces.
+                // A curve with the largest number of rises stays inside the bounds of its forces.
                 Unknown::Rise { .. } => (0.0, 3e4 * scale.force()),
             })
             .unzip()
     }
 
-    /// The parameter set that a vector stands for.
+    /// Returns the parameter set of a vector.
     pub fn params(&self, theta: &[f64]) -> Params {
         let mut params = self.base;
         for curve in [CurveName::Fv, CurveName::Spring] {
@@ -155,7 +155,7 @@ impl Unknowns {
             for point in (0..zero).rev() {
                 f[point] = f[point + 1] - rise(point);
             }
-            // Bounds keep every entry inside the table; a refused list would leave the base curve in place.
+            // Bounds keep every entry inside the table; a rejected list would leave the base curve unchanged.
             let _ = params.set_list(curve.forces(), &f);
         }
         for (unknown, t) in self.list.iter().zip(theta) {
@@ -167,7 +167,7 @@ impl Unknowns {
                     values[*i] = *t;
                     let _ = params.set_list(*list, &values);
                 }
-                // After the parameter below it, which comes first in every list.
+                // Set after the parameter below it, which comes first in every list.
                 Unknown::Above(number, below) => {
                     let level = params.number(*below);
                     set_inside(&mut params, *number, level * (1.0 + t));
@@ -179,7 +179,7 @@ impl Unknowns {
     }
 }
 
-/// Sets a scalar, held inside its bounds: exp(ln(bound)) may lie a rounding outside.
+/// Sets a scalar, clamped to its bounds: exp(ln(bound)) may exceed a bound by rounding.
 fn set_inside(params: &mut Params, number: Number, value: f64) {
     let _ = params.set(number, number.inside(value));
 }

@@ -1,11 +1,12 @@
-//! Between which temperatures the tests of a campaign were measured.
+//! Range of temperatures at which the tests of a campaign were measured.
 
 use dashpot_records::Record;
 
-/// Span, K, from which a temperature channel says something: gas force differs by 1 % then and damping by less.
+/// Smallest span, K, for which a temperature channel is used: the gas force then differs by 1 % and damping by less.
 const VARIES: f64 = 3.0;
 
-/// The lowest and the highest temperature, °C; nothing where a record has no such channel, or where it hardly varies.
+/// Returns the lowest and the highest temperature, °C; `None` if a record lacks the channel, or if the temperature
+/// hardly varies.
 pub fn temperatures(records: &[&Record]) -> Option<(f64, f64)> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for record in records {

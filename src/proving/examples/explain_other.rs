@@ -1,7 +1,8 @@
-//! How often the intervals of `dashpot explain` hold the truth, on dampers of the second laboratory.
+//! Measures how often the intervals of `dashpot explain` contain the truth, on dampers of the second laboratory.
 //!
-//! `cargo run --release -p dashpot-proving --example explain_other -- COUNT FIRST_SEED [dimensions] [eyes]`. With `dimensions` the fit has the priors of bore, rod, chambers and oil;
-//! with `eyes` the drawing states the stiffness of the eyes as well. In place of the first seed may stand `split=calibrate` or `split=check`.
+//! `cargo run --release -p dashpot-proving --example explain_other -- COUNT FIRST_SEED [dimensions] [eyes]`. With `dimensions` the fit has
+//! the priors of bore, rod, chambers and oil; with `eyes` the drawing states the stiffness of the eyes as well. `split=calibrate` or
+//! `split=check` may replace the first seed.
 
 use dashpot_core::list;
 use dashpot_dimensions::{Entry, explain, forward};
@@ -14,15 +15,15 @@ use dashpot_records::Record;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// What became of the intervals of one quantity.
+/// Statistics of the intervals of one quantity.
 #[derive(Default)]
 struct Score {
     reported: usize,
     held: usize,
     bounds: usize,
-    /// Truth over value.
+    /// Ratio of truth to value.
     ratios: Vec<f64>,
-    /// Upper over lower end.
+    /// Ratio of upper to lower end.
     widths: Vec<f64>,
 }
 
@@ -55,7 +56,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let model = model_file::of_text(&model_file::write(&found), Path::new("model.toml"))?;
         let (v, f) = (model.params.list(list!("fv_velocity")), model.params.list(list!("fv_force")));
         let still = v.iter().zip(f).find(|(v, _)| **v == 0.0).map_or(0.0, |(_, f)| *f);
-        // The gas pressure itself is told from a drawing without it.
+        // The explained gas pressure does not use the gas pressure of the drawing.
         let explanation = explain(&model, &drawing.with(&all));
         contradictions += explanation.contradictions.len();
         for found in &explanation.contradictions {

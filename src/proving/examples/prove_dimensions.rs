@@ -1,7 +1,9 @@
-//! Whether dimensions make the names of oil, air and mount sharper, on dampers of the second laboratory.
+//! Tests whether dimensions help to distinguish oil, air and mount, on dampers of the second laboratory.
 //!
-//! `cargo run --release -p dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY] [only=DAMPER]`. Each damper is diagnosed without a drawing, with one of chambers, oil and
-//! gas, and with one that states the eyes as well (the ways none, chambers, eyes; `without` leaves one out). In place of the first seed may stand `split=calibrate` or `split=check`.
+//! `cargo run --release -p dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY] [only=DAMPER]`.
+//!
+//! Each damper is diagnosed without a drawing (`none`), with a drawing of chambers, oil and gas (`chambers`), and with the eyes as well
+//! (`eyes`). `without` omits one of these ways. `split=calibrate` or `split=check` may replace the first seed.
 
 use dashpot_diagnosis::Options;
 use dashpot_dimensions::{Entry, forward};
@@ -12,7 +14,7 @@ use dashpot_proving::outcome::judged;
 use dashpot_proving::split::first_seed;
 use std::collections::BTreeMap;
 
-/// Effects that replace each other: of the oil, of the air and of the mount.
+/// Effects that can replace each other: oil, air and mount.
 const NAMES: [&str; 3] = ["oil_compressibility", "aeration", "bushing"];
 const CHAMBERS: [Entry; 7] = [
     Entry::Bore,

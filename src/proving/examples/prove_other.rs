@@ -1,7 +1,10 @@
-//! Runs the second laboratory's cases: `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference]
-//! [fitted] [only=BLOCK,EFFECT,...] [OUT.jsonl]`. With `reference` each damper is compared with itself before anything was hidden in it; with
-//! `fitted` the model is what `dashpot fit` makes of the records, not one with series spring, Coulomb friction and gas alone. In place of the
-//! first seed stands `split=calibrate`, `split=check`, or `split=locked="what for"`, which opens seeds that nobody has seen and retires them.
+//! Runs the second laboratory's cases.
+//!
+//! `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference] [fitted] [only=BLOCK,EFFECT,...] [OUT.jsonl]`.
+//!
+//! With `reference` each damper is compared with itself before an effect was injected. With `fitted` the model is that of `dashpot fit`,
+//! instead of one with series spring, Coulomb friction and gas alone. `split=calibrate`, `split=check` or `split=locked="what for"` may
+//! replace the first seed. The locked split opens unused seeds and retires them.
 
 use dashpot_proving::laboratory::{Way, run, suite};
 use dashpot_proving::outcome::Outcome;

@@ -1,6 +1,9 @@
-//! Identifies semi-active dampers of the second laboratory over their current: `cargo run --release -p dashpot-proving --example
-//! prove_semi_active -- COUNT FIRST_SEED [OUT.jsonl]`. In place of the first seed stands `split=calibrate`, `split=check`, or
-//! `split=locked="what for"`, which opens seeds that nobody has seen and retires them.
+//! Identifies semi-active dampers of the second laboratory over their current.
+//!
+//! `cargo run --release -p dashpot-proving --example prove_semi_active -- COUNT FIRST_SEED [OUT.jsonl]`.
+//!
+//! `split=calibrate`, `split=check` or `split=locked="what for"` may replace the first seed. The locked split opens unused seeds and
+//! retires them.
 
 use dashpot_proving::semi_active::{Lag, SemiActiveOutcome, evaluate};
 use dashpot_proving::split::first_seed;

@@ -1,4 +1,4 @@
-//! What a drawing of a damper of the second laboratory says, with the errors of a caliper, and what is true of it.
+//! Drawing of a damper of the second laboratory, with errors of measurement, and the true values.
 
 use dashpot_dimensions::{Dimensions, Entry, orifice, read};
 use dashpot_other_lab::Kind;
@@ -10,7 +10,7 @@ pub struct Drawing {
     built: Built,
     kind: Kind,
     mount: f64,
-    /// Discharge coefficient and density that are true of it.
+    /// True discharge coefficient and density.
     discharge: f64,
     density: f64,
     errors: Vec<f64>,
@@ -19,7 +19,7 @@ pub struct Drawing {
 /// Bar and GPa in Pa.
 const BAR: f64 = 1e5;
 const GPA: f64 = 1e9;
-/// Pressure of the air in the laboratory, bar.
+/// Atmospheric pressure in the laboratory, bar.
 const AIR: f64 = 1.0;
 
 /// Entries of a drawing in the order of their errors, with the tolerance of each.
@@ -35,7 +35,7 @@ const ENTRIES: [(Entry, f64); 9] = [
     (Entry::AirContent, 0.5),
 ];
 
-/// Numbers between 0 and 1 from a seed (splitmix64).
+/// Returns a number between 0 and 1 from a seed and an index (splitmix64).
 fn uniform(seed: u64, place: u64) -> f64 {
     let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add((place + 1).wrapping_mul(0xbf58_476d_1ce4_e5b9));
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -43,14 +43,14 @@ fn uniform(seed: u64, place: u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// A number of the standard normal distribution.
+/// Returns a sample of the standard normal distribution.
 fn normal(seed: u64, place: u64) -> f64 {
     let radius = libm::sqrt(-2.0 * libm::log(1.0 - uniform(seed, 2 * place)));
     radius * libm::cos(std::f64::consts::TAU * uniform(seed, 2 * place + 1))
 }
 
 impl Drawing {
-    /// The drawing of a seed's damper; `None` where it has no chambers.
+    /// Makes the drawing of a seed's damper; `None` if the damper has no chambers.
     pub fn new(kind: Kind, seed: u64) -> Option<Drawing> {
         let plant = Plant::new(kind, seed);
         let errors = (0..ENTRIES.len() as u64).map(|place| normal(seed, 10 + place)).collect();
@@ -64,7 +64,7 @@ impl Drawing {
         })
     }
 
-    /// What is true of an entry, in the unit of its key.
+    /// Returns the true value of an entry, in the unit of its key.
     fn entry(&self, entry: Entry) -> f64 {
         let built = &self.built;
         match entry {
@@ -81,10 +81,10 @@ impl Drawing {
         }
     }
 
-    /// The drawing with some of its entries, each with an error within its tolerance. The laboratory's tubes are rigid.
+    /// Makes the drawing with some of its entries, each with an error within its tolerance. The laboratory's tubes are rigid.
     ///
     /// # Panics
-    /// Where the reader of dimensions does not read it.
+    /// If the reader of dimensions rejects the drawing.
     pub fn with(&self, entries: &[Entry]) -> Dimensions {
         let mut text = format!("design = \"{}\"\n", if self.kind == Kind::Monotube { "monotube" } else { "twin_tube" });
         for ((entry, tolerance), error) in ENTRIES.iter().zip(&self.errors).filter(|((e, _), _)| entries.contains(e)) {
@@ -97,7 +97,7 @@ impl Drawing {
         read::parse(&text, Path::new("drawing.toml")).expect("a drawing of the laboratory")
     }
 
-    /// What is true of a quantity of an explanation, in its unit; `force` is the largest of the FV table on its stroke.
+    /// Returns the true value of a quantity of an explanation, in its unit; `force` is the largest force of the FV table on its stroke.
     pub fn truth(&self, quantity: &str, force: f64) -> Option<f64> {
         let built = &self.built;
         let stroke = usize::from(quantity.starts_with("compression"));

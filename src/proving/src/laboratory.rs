@@ -1,5 +1,5 @@
-//! The second laboratory's campaigns as cases: measured, read back as files, base model identified, strengths found by the
-//! severity that they make.
+//! Campaigns of the second laboratory as cases: measured, read back from files, with an identified base model. The strength of an effect is
+//! found from its severity.
 
 use crate::EvaluationError;
 use crate::outcome::{Outcome, judged};
@@ -14,28 +14,28 @@ use dashpot_severity::case::{Measured, model_of};
 use dashpot_severity::measured::{base_model, write_and_read};
 use std::collections::BTreeMap;
 
-/// How near the severity must come.
+/// Largest logarithmic deviation from the wanted severity.
 const NEAR: f64 = 0.1;
-/// Most strengths tried.
+/// Largest number of strengths tried.
 const TRIES: usize = 8;
-/// Strengths a case may have: beyond them a law is no damper's any more.
+/// Range of strengths of a case: beyond it an effect is not that of any damper.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
-/// Which model is diagnosed, and against what.
+/// Options of a diagnosis: the diagnosed model and the reference.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Way {
-    /// Against the same damper before anything was hidden in it.
+    /// Whether the damper is compared with itself before an effect was injected.
     pub reference: bool,
-    /// The model that `fit` makes with all that it may use, as a user has it, in place of [`base_model`].
+    /// Whether the model is a fit with all elements, as a user has it, instead of [`base_model`].
     pub whole_fit: bool,
 }
 
-/// The campaign of a case as the diagnosis gets it; the strengths are those of the case.
+/// Measures the campaign of a case as the diagnosis gets it. The numbers of the case are strengths.
 ///
 /// # Errors
-/// What laboratory, reader or fit refuse.
+/// Errors of laboratory, reader or fit.
 pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError> {
     let campaign = case.run()?;
     let records = read(&campaign)?;
@@ -70,18 +70,18 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError
     Ok(measured)
 }
 
-/// Effects that a free FV curve, the base's own friction or the base's own springs take up nearly whole: no severity is in reach.
+/// Effects that a free FV curve, the base's own friction or its springs absorb almost completely: no severity is in reach.
 const TAKEN_UP: [&str; 6] =
     ["viscous_friction", "coulomb_friction", "series_compliance", "gas_preload", "parallel_spring", "force_offset"];
 
-/// Pairs of effects a round.
+/// Pairs of effects in each repetition.
 const PAIRS: usize = 8;
 
-/// Cases of the second laboratory at typical strengths.
+/// Returns cases of the second laboratory at typical strengths.
 ///
-/// They are every visible effect, everything outside the vocabulary, and as many without an effect, under white noise and under coloured
-/// noise with hum. Pairs of effects follow, and every effect again with the sampling, cycles and channels of some laboratory. Plants
-/// alternate. The suite repeats `repetitions` times, with seeds from `first_seed` on.
+/// They contain every visible effect, every effect outside the vocabulary, and as many cases without an effect. The latter have white
+/// noise, or colored noise with hum. Pairs of effects follow. Then every visible effect is repeated with the sampling, cycles and channels
+/// of some laboratory. The kinds of dampers alternate. The suite repeats `repetitions` times, with seeds from `first_seed` on.
 pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     let (known, unknown) = (dashpot_other_lab::effects::KNOWN, dashpot_other_lab::effects::UNKNOWN);
     let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
@@ -103,7 +103,7 @@ pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
         };
         all.extend((0..unknown.len()).map(|k| ("null_coloured", coloured(next(k)))));
         all.extend((0..PAIRS).map(|k| {
-            // Steps that share no divisor with each other lead through all effects, and never to one effect twice.
+            // Strides without a common divisor lead through all effects, and never pair an effect with itself.
             let a = (5 * (k + PAIRS * round) + 1) % hidden.len();
             let b = (a + 1 + (7 * k + round) % (hidden.len() - 1)) % hidden.len();
             ("pair", next(k).hiding(hidden[a], 1.0).hiding(hidden[b], 1.0))
@@ -121,7 +121,7 @@ pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
 /// Runs and scores one case.
 ///
 /// # Errors
-/// What laboratory, reader, fit or diagnosis refuse.
+/// Errors of laboratory, reader, fit or diagnosis.
 pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagnosis), EvaluationError> {
     let measured = measure(case, way.whole_fit)?;
     let reference = if way.reference { read(&case.reference().run()?)? } else { Vec::new() };
@@ -129,12 +129,12 @@ pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagn
     judged(block, case.seed, &case.effects, &measured, &options)
 }
 
-/// Replaces each severity of a case by the strength that makes it, each effect by itself.
+/// Replaces each severity of a case by the strength that gives it, each effect alone.
 ///
 /// A severity is the root mean square that a refit of the base model cannot absorb, in units of the noise.
 ///
 /// # Errors
-/// What laboratory, reader or fit refuse; a severity that no strength reaches.
+/// Errors of laboratory, reader or fit; a severity that no strength reaches.
 pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
     let neutral = Case { effects: Vec::new(), ..case.clone() }.run()?;
     let ground = SeverityContext::new(case, &neutral)?;
@@ -145,10 +145,10 @@ pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
     Ok(found)
 }
 
-/// Records as a user reads them: written to files and loaded.
+/// Reads records as a user does: written to files and loaded.
 ///
 /// # Errors
-/// What laboratory or reader refuse.
+/// Errors of laboratory or reader.
 pub fn read(campaign: &Campaign) -> Result<Vec<Record>, EvaluationError> {
     write_and_read(|path| Ok(campaign.write(path)?))
 }
@@ -160,17 +160,16 @@ fn seen(records: &[Record]) -> Vec<&Record> {
 fn base_of(case: &Case, records: &[&Record]) -> Result<Params, EvaluationError> {
     let mut base = base_model(records)?;
     if case.effects.iter().any(|(name, _)| name.starts_with("side_force_friction")) {
-        // A name of the kernel's own list.
         base.enable(element!("side_force_friction"), false);
     }
     Ok(base)
 }
 
-/// The damper without what is hidden, against which an effect is measured.
+/// The neutral damper's campaign, relative to which the severity of an effect is measured.
 struct SeverityContext {
     base: Params,
     noise: Vec<f64>,
-    /// What the base model leaves of it, in units of the noise.
+    /// Residual of the base model for that campaign, in units of the noise.
     own: Vec<f64>,
 }
 
@@ -198,7 +197,7 @@ impl SeverityContext {
         if from_neutral <= wanted * (1.0 + NEAR) {
             return Ok(from_neutral);
         }
-        // A refit may have stopped on the way that a fresh model does not have to go.
+        // The refit may have ended early; a newly identified model may fit better.
         Ok(self.left(&records, &base_of(case, &records)?)?.min(from_neutral))
     }
 
@@ -211,7 +210,7 @@ impl SeverityContext {
         Ok((square / left.len().max(1) as f64).sqrt())
     }
 
-    /// By halving between what is too weak and what is too strong, on a logarithmic scale.
+    /// Finds the strength of a severity by a bracketed search on a logarithmic scale.
     fn strength(&self, case: &Case, name: &str, wanted: f64) -> Result<f64, EvaluationError> {
         if wanted <= 0.0 {
             return Ok(0.0);
@@ -230,7 +229,7 @@ impl SeverityContext {
             }
             *(if off < 0.0 { &mut low } else { &mut high }) = Some((libm::log(strength), off));
             let next = match (low, high) {
-                // The trace is nearly straight on logarithms; kept inside what is known.
+                // The logarithm of the severity is nearly linear in that of the strength; the step stays inside the bracket.
                 (Some((a, fa)), Some((b, fb))) => a + (b - a) * (fa / (fa - fb)).clamp(0.15, 0.85),
                 (Some((a, fa)), None) => a - fa.max(-2.0),
                 (None, Some((b, fb))) => b - fb.min(3.0),

@@ -1,16 +1,15 @@
-//! The proving ground of the diagnosis: dampers with effects hidden in them at a stated severity, and how often the right
-//! name comes back.
+//! Evaluation of the diagnosis: dampers with effects injected at a stated severity, and the rate of correct names.
 //!
-//! The only place that knows both sides: the rig that hides and the laboratory that looks.
+//! Only this crate uses both sides: the rig that injects effects, and the diagnosis.
 //!
-//! | file | what |
+//! | file | contents |
 //! |---|---|
 //! | [`laboratory`] | campaigns of the second laboratory at a stated severity |
-//! | [`drawing`] | what a drawing of a damper of the second laboratory says |
-//! | [`semi_active`] | how well a semi-active damper of the second laboratory is identified |
-//! | [`outcome`] | what the diagnosis answered, beside the sealed truth |
+//! | [`drawing`] | the drawing of a damper of the second laboratory |
+//! | [`semi_active`] | accuracy of the identification of a semi-active damper of the second laboratory |
+//! | [`outcome`] | the result of the diagnosis, compared with the truth |
 //! | [`suite`] | the cases of the benchmark |
-//! | [`split`] | which seeds a figure may come from, and the ledger of those that were opened |
+//! | [`split`] | the seeds that a figure may come from, and the ledger of the opened ones |
 //! | [`score`] | the table of figures and the confusion matrix |
 
 pub mod drawing;
@@ -24,16 +23,16 @@ pub mod suite;
 /// Why a case cannot be run.
 #[derive(Debug, thiserror::Error)]
 pub enum EvaluationError {
-    /// It cannot be made.
+    /// The case cannot be made.
     #[error(transparent)]
     Severity(#[from] dashpot_severity::SeverityError),
-    /// No family is fitted to its records.
+    /// The fit of a family to its records fails.
     #[error("the family of the case's records: {0}")]
     Family(String),
-    /// The second laboratory refuses it.
+    /// The second laboratory rejects it.
     #[error(transparent)]
     Laboratory(#[from] dashpot_other_lab::LabError),
-    /// The diagnosis refuses it.
+    /// The diagnosis rejects it.
     #[error(transparent)]
     Diagnosis(#[from] dashpot_diagnosis::DiagnosisError),
 }

@@ -1,4 +1,4 @@
-//! What the diagnosis answered in one case, beside the sealed truth.
+//! Result of the diagnosis in one case, compared with the truth.
 
 use crate::EvaluationError;
 use dashpot_core::parameter::Element;
@@ -17,50 +17,50 @@ pub struct Outcome {
     pub seed: u64,
     /// Injected effects with their severities.
     pub injected: Vec<(String, f64)>,
-    /// Forms that the rig drew.
+    /// Forms of the injected effects that the rig selected.
     pub forms: Vec<String>,
-    /// The answer.
+    /// Verdict of the diagnosis.
     pub verdict: Verdict,
-    /// Names given, with their confidences, in order.
+    /// Named effects with their confidences, in order.
     pub named: Vec<(String, f64)>,
     /// Whether the fit has found all injected effects, in the diagnosed model or in the measurement.
     ///
-    /// Then the diagnosis is to name none.
+    /// In that case the diagnosis should name no effect.
     pub in_the_model: bool,
     /// Injected effects that are among the names, or that the fit has found and the diagnosis has kept.
     pub found: Vec<String>,
-    /// Effects whose removal from the simulator moves the force visibly, where the laboratory says so.
+    /// Effects whose removal from the simulator changes the force visibly, if the laboratory states them.
     pub true_set: Option<Vec<String>>,
     /// Whether there was a reference campaign.
     pub against_reference: bool,
-    /// For an answer without a name: the suspects.
+    /// Suspected effects of a result without a name.
     pub suspects: Vec<String>,
-    /// Error against the noise-free force of the left-out tests, before and after, N.
+    /// Error of the starting model relative to the noise-free force of the left-out tests, N.
     pub clean_before: f64,
-    /// After.
+    /// Error of the improved model relative to that force, N.
     pub clean_after: f64,
-    /// Share of the gap closed on left-out tests, as the diagnosis says.
+    /// Fraction of the gap that is closed on left-out tests, from the diagnosis.
     pub gap_closed: Option<f64>,
-    /// Seconds.
+    /// Duration of the diagnosis, s.
     pub seconds: f64,
-    /// The names tried in every round, likeliest first, with the figures behind each, whether it was given or not.
+    /// Effects tried in every iteration, likeliest first, with the evidence of each, named or not.
     pub evidence: Vec<Vec<(String, f64, Evidence)>>,
-    /// Effects that the diagnosis says these records cannot show.
+    /// Effects that these records cannot show, from the diagnosis.
     pub could_not_test: Vec<String>,
-    /// Where no name was given: the name given first once the proposed test was run as well; empty where there is none yet.
-    /// `None` where no test was proposed or the rig cannot run it.
+    /// For a result without a name: the effect named first after the proposed test was run as well; empty if there is still none. `None` if
+    /// no test was proposed or if the rig cannot run the test.
     pub with_proposed: Option<String>,
-    /// The name given first once all proposed sines have been run.
+    /// The effect named first after all proposed sines were run.
     pub with_all_proposed: Option<String>,
 }
 
 impl Outcome {
-    /// The first hidden effect, without its form.
+    /// Returns the first injected effect, without its form.
     pub fn truth(&self) -> Option<&str> {
         self.injected.first().map(|(name, _)| plain(name))
     }
 
-    /// Whether a name is true of the damper: of what is injected, or, without a reference to tell the two apart, of its true set.
+    /// Whether an effect is true of the damper: injected or, without a reference, in the true set.
     pub fn is_true(&self, name: &str) -> bool {
         self.is_injected(name) || !self.against_reference && self.true_set.iter().flatten().any(|effect| effect == name)
     }
@@ -71,7 +71,7 @@ impl Outcome {
     }
 }
 
-/// A name without its form.
+/// Returns the name of an effect without its form, the part after the colon.
 pub fn plain(name: &str) -> &str {
     name.split(':').next().unwrap_or(name)
 }
@@ -79,7 +79,7 @@ pub fn plain(name: &str) -> &str {
 /// Runs and scores one case.
 ///
 /// # Errors
-/// What rig, reader, fit or diagnosis refuse.
+/// Errors of rig, reader, fit or diagnosis.
 pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagnosis), EvaluationError> {
     let measured = case.measure()?;
     let (mut outcome, found) = judged(block, case.options.seed, &case.effects, &measured, &Options::default())?;
@@ -89,10 +89,10 @@ pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagn
     Ok((outcome, measured, found))
 }
 
-/// Diagnoses and scores what has been measured.
+/// Diagnoses and scores a measured case.
 ///
 /// # Errors
-/// What the diagnosis refuses.
+/// Errors of the diagnosis.
 pub fn judged(
     block: &'static str,
     seed: u64,
@@ -147,10 +147,10 @@ pub fn judged(
     Ok((outcome, found))
 }
 
-/// Amplitudes that the rig drives, m, and speeds, m/s.
+/// Smallest amplitude, m, and largest speed, m/s, of the rig.
 const DRIVES: (f64, f64) = (2e-4, 1.6);
 
-/// The names given first once the first sine that the diagnosis proposes, and once all of them, have been run too.
+/// Returns the effects named first after the first proposed sine, and after all proposed sines, were run too.
 fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<String>, Option<String>) {
     let point = |k: usize, (amplitude, frequency): (f64, f64), test: &NextTest| {
         let speed = std::f64::consts::TAU * amplitude * frequency;
@@ -170,7 +170,7 @@ fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<Stri
     (with_first, with_all)
 }
 
-/// The name given first once tests beyond the plan have been run; empty where there is none yet, `None` without tests.
+/// Returns the effect named first after tests beyond the plan were run; empty if none is named, `None` without tests.
 fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<String> {
     if more.is_empty() {
         return None;
@@ -181,7 +181,7 @@ fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<Str
     Some(found.findings.first().map_or(String::new(), |f| f.effect.to_owned()))
 }
 
-/// Root mean square error against the noise-free force of the left-out tests, before and after.
+/// Computes the root mean square error relative to the noise-free force of the left-out tests, before and after.
 fn against_clean(measured: &Measured, found: &Diagnosis) -> (f64, f64) {
     let records: Vec<&Record> = measured.clean.iter().collect();
     let clean = dashpot_diagnosis::mean_cycles(&records);

@@ -1,4 +1,4 @@
-//! The benchmark's table.
+//! Table of the benchmark's figures.
 
 use crate::outcome::{Outcome, plain};
 use dashpot_diagnosis::Verdict;
@@ -25,12 +25,12 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(values[values.len() / 2])
 }
 
-/// Share of the gap against noise-free force that is closed.
+/// Computes the closed fraction of the gap to the noise-free force.
 fn closed(o: &Outcome) -> f64 {
     1.0 - o.clean_after / o.clean_before.max(1e-9)
 }
 
-/// The figures in lines.
+/// Formats the figures as lines.
 pub fn table(all: &[Outcome]) -> String {
     let mut out = String::new();
     let of = |block: &str| all.iter().filter(|o| o.block == block).collect::<Vec<_>>();
@@ -150,7 +150,7 @@ pub fn table(all: &[Outcome]) -> String {
     out
 }
 
-/// Expected calibration error and precision of the confident.
+/// Formats the expected calibration error, and the precision of confident names.
 fn calibration(all: &[Outcome]) -> String {
     let given: Vec<(f64, bool)> = all.iter().flat_map(|o| o.named.iter().map(|(n, c)| (*c, o.is_true(n)))).collect();
     let mut error = 0.0;
@@ -172,7 +172,7 @@ fn calibration(all: &[Outcome]) -> String {
     )
 }
 
-/// Hidden effects by the name given first; only what occurs.
+/// Formats the confusion matrix: injected effects by the effect named first, nonzero entries only.
 pub fn confusion(all: &[Outcome]) -> String {
     let mut counts: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
     for o in all.iter().filter(|o| o.block == "single" || o.block == "unknown" || o.block.starts_with("null")) {

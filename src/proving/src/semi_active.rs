@@ -1,4 +1,4 @@
-//! A semi-active damper of the second laboratory, identified over its current: how well the family predicts what it did not see.
+//! A semi-active damper of the second laboratory, identified over its current: accuracy of the family's predictions for excluded data.
 
 use crate::EvaluationError;
 use dashpot_core::Input;
@@ -22,63 +22,63 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
 
-/// Samples a second at which responses are compared.
+/// Samples per second of the compared responses.
 const RATE: f64 = 10_000.0;
-/// Grid of a response, s.
+/// Grid of a response: start and end, s, and number of intervals.
 const GRID: (f64, f64, usize) = (-0.01, 0.09, 1000);
 
-/// Time to 63 % of the way, s: of the plant and of the identified model.
+/// Time to 63 % of a step, s, of the plant and of the identified model.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Lag {
     /// Current before and after the step, A.
     pub step_a: [f64; 2],
-    /// Of the plant.
+    /// Time of the plant, s.
     pub plant_s: f64,
-    /// Of the model.
+    /// Time of the model, s.
     pub model_s: f64,
 }
 
 impl Lag {
-    /// How far the model is off, as a fraction.
+    /// Returns the relative error of the model.
     pub fn error(&self) -> f64 {
         self.model_s / self.plant_s - 1.0
     }
 }
 
-/// What one damper showed.
+/// Result of the evaluation of one damper.
 #[derive(Debug, Clone, Serialize)]
 pub struct SemiActiveOutcome {
     /// Seed of the damper, its steps and its noise.
     pub seed: u64,
-    /// Error of the family without a current over the one of the fit of that current alone, at the worst current.
+    /// Ratio of the error of the family fitted without a current to the error of a fit of that current alone, at the worst current.
     pub worst_ratio: f64,
     /// That ratio at each current inside the grid.
     pub ratios: Vec<f64>,
-    /// Largest error of the family without a current, in percent of the largest force of each test.
+    /// Largest error of the family fitted without a current, in percent of the largest force of each test.
     pub left_out_percent: f64,
-    /// Mean error over the random current that was left out, as a fraction of the largest force.
+    /// Mean error over the left-out test with random current, as a fraction of the largest force.
     pub random_error: f64,
-    /// Where the valve stands, in terms of the current at which it would rest there.
+    /// Lags of the valve's position, expressed as its steady-state current.
     pub valve: Vec<Lag>,
-    /// The force at constant speed.
+    /// Lags of the force at constant speed.
     pub force: Vec<Lag>,
-    /// Parts of the actuator that were found, and the numbers with their intervals.
+    /// Parts of the actuator that were found, and its parameters with their intervals.
     pub actuator: String,
-    /// Time that the fit took, s.
+    /// Duration of the fit, s.
     pub seconds: f64,
 }
 
 impl SemiActiveOutcome {
-    /// The largest error of the valve's lag, as a fraction.
+    /// Returns the largest relative error of the valve's lag.
     pub fn worst_lag(&self) -> f64 {
         self.valve.iter().map(|lag| lag.error().abs()).fold(0.0, f64::max)
     }
 }
 
-/// The records of tests, measured and read back from files.
+/// Measures tests and reads their records back from files.
 ///
 /// # Errors
-/// What laboratory or reader reject.
+/// Errors of laboratory or reader.
 pub fn measure(
     plant: &SemiActivePlant,
     tests: &[SemiActiveTest],
@@ -97,20 +97,20 @@ pub fn measure(
     Ok(write_and_read(write)?)
 }
 
-/// Measures, fits and compares the damper of a seed by the whole protocol.
+/// Measures, fits and evaluates the damper of a seed with the whole protocol.
 ///
 /// # Errors
-/// What laboratory, reader or fit reject.
+/// Errors of laboratory, reader or fit.
 pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
     let plant = SemiActivePlant::new(seed);
     let tests = protocol(seed, plant.most);
     evaluate_tests(&plant, &tests, seed)
 }
 
-/// Measures, fits and compares a damper by some tests.
+/// Measures, fits and evaluates a damper with some tests.
 ///
 /// # Errors
-/// What laboratory, reader or fit reject.
+/// Errors of laboratory, reader or fit.
 pub fn evaluate_tests(
     plant: &SemiActivePlant,
     tests: &[SemiActiveTest],
@@ -152,18 +152,18 @@ fn describe(found: &FamilyFit) -> String {
     format!("{}; {}", parts.join(", "), numbers.join(", "))
 }
 
-/// The level that a step command has in a run at constant current.
+/// Replaces the steps of a test's command by one constant current.
 fn constant(test: &SemiActiveTest, level: f64) -> SemiActiveTest {
     SemiActiveTest { command: Command::Levels(vec![[0.0, level]]), ..test.clone() }
 }
 
-/// Times to 63 % of the valve's way and of the force's, without noise, of the plant and of the model.
+/// Computes the times to 63 % of the steps of valve position and force, without noise, of the plant and of the model.
 fn lags(plant: &SemiActivePlant, damper: &Definition, seed: u64) -> Result<(Vec<Lag>, Vec<Lag>), EvaluationError> {
     let clean = Protocol { noise_percent: 0.0, sample_rate_hz: RATE, ..Protocol::default() };
     let grid: Vec<f64> = (0..=GRID.2).map(|k| GRID.0 + (GRID.1 - GRID.0) * k as f64 / GRID.2 as f64).collect();
     let map = plant.stage_map();
     let family = prepared_family(damper).map_err(|error| EvaluationError::Family(error.to_string()))?;
-    // The three pairs of levels at the speed that they share.
+    // The three pairs of levels at their common speed.
     let tests: Vec<SemiActiveTest> = steps(seed).into_iter().filter(|test| test.name.ends_with("_300mm_s")).collect();
     let (mut valves, mut forces) = (Vec::new(), Vec::new());
     for test in &tests {
@@ -216,7 +216,7 @@ fn lags(plant: &SemiActivePlant, damper: &Definition, seed: u64) -> Result<(Vec<
     Ok((valves, forces))
 }
 
-/// The current at which the main stage rests at a place.
+/// Returns the current at which a position of the main stage is the steady state.
 fn current_of(map: &[[f64; 2]], stage: f64) -> f64 {
     let right = map.partition_point(|[place, _]| *place < stage).min(map.len() - 1).max(1);
     let ([x0, i0], [x1, i1]) = (map[right - 1], map[right]);

@@ -1,30 +1,30 @@
-//! Splits of the seeds: one to set numbers by, one for development, one locked for published figures.
+//! Splits of the seeds: one for calibration, one for development, one locked for published figures.
 //!
-//! A seed that anybody has looked at flatters whoever looked. Seeds of the locked split are handed out by the ledger, which keeps those that
-//! were opened; they are never handed out again.
+//! Figures on seeds that were used in development are biased. The ledger issues the seeds of the locked split and records the opened ones;
+//! it never issues a seed twice.
 
 use std::path::{Path, PathBuf};
 
 /// A part of all seeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Split {
-    /// The numbers in `calibration.toml` and the temperatures of the search are set by it.
+    /// Seeds for the values in `calibration.toml` and the temperatures of the search.
     Calibrate,
-    /// What is looked at while working.
+    /// Seeds for development.
     Check,
-    /// Opened once for a published figure.
+    /// Seeds that are opened once for a published figure.
     Locked,
 }
 
-/// Seeds of a split.
+/// Number of seeds of a split.
 const SIZE: u64 = 1_000_000;
-/// Seeds that one opening of the locked split takes: more than any suite has cases.
+/// Number of seeds of one opening of the locked split: larger than any suite.
 const OPENING: u64 = 10_000;
-/// What was opened before there were splits lies below.
+/// First seed of the splits: smaller seeds were used before the splits existed.
 const OLD: u64 = SIZE;
 
 impl Split {
-    /// By its name.
+    /// Returns the split of a name.
     pub fn named(name: &str) -> Option<Split> {
         match name {
             "calibrate" => Some(Split::Calibrate),
@@ -34,7 +34,7 @@ impl Split {
         }
     }
 
-    /// Its first seed.
+    /// Returns its first seed.
     pub fn first_seed(self) -> u64 {
         match self {
             Split::Calibrate => OLD,
@@ -44,7 +44,7 @@ impl Split {
     }
 }
 
-/// The seeds of the locked split that were opened, in a file that is part of the project.
+/// Record of the opened seeds of the locked split, in a file that is part of the project.
 #[derive(Debug)]
 pub struct Ledger {
     path: PathBuf,
@@ -52,10 +52,11 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Reads the project's own. Its folder is asked for at run time: compiled in, it would tell in every package where that was built.
+    /// Reads the project's own ledger. Its folder is determined at run time: a compiled-in path would reveal the build folder in every
+    /// package.
     ///
     /// # Errors
-    /// Where cargo did not start this program, and where the file cannot be read.
+    /// If cargo did not start this program, or if the file cannot be read.
     pub fn of_the_project() -> std::io::Result<Ledger> {
         let folder = std::env::var_os("CARGO_MANIFEST_DIR").ok_or_else(|| {
             std::io::Error::new(std::io::ErrorKind::NotFound, "run this with cargo, which says where the project is")
@@ -63,24 +64,24 @@ impl Ledger {
         Ledger::read(&Path::new(&folder).join("ledger.toml"))
     }
 
-    /// Reads one.
+    /// Reads a ledger.
     ///
     /// # Errors
-    /// Where the file cannot be read.
+    /// If the file cannot be read.
     pub fn read(path: &Path) -> std::io::Result<Ledger> {
         Ok(Ledger { path: path.to_owned(), text: std::fs::read_to_string(path)? })
     }
 
-    /// First seeds of all openings.
+    /// Returns the first seeds of all openings.
     pub fn opened(&self) -> Vec<u64> {
         let first = |line: &str| line.strip_prefix("first_seed = ").and_then(|v| v.trim().parse().ok());
         self.text.lines().filter_map(first).collect()
     }
 
-    /// Opens seeds that nobody has seen, and retires them: the entry is written before the first case is run. Gives the first of them.
+    /// Opens unused seeds and retires them: the entry is written before the first case runs. Returns the first seed.
     ///
     /// # Errors
-    /// Where the file cannot be replaced.
+    /// If the file cannot be replaced.
     pub fn open(&mut self, for_what: &str) -> std::io::Result<u64> {
         let first = self.opened().into_iter().map(|s| s + OPENING).fold(Split::Locked.first_seed(), u64::max);
         let what = for_what.replace(['"', '\\'], " ");
@@ -93,10 +94,11 @@ impl Ledger {
     }
 }
 
-/// The first seed that the arguments of an example ask for by `split=NAME`; `None` where none does. The locked split is opened by it.
+/// Returns the first seed that the arguments of an example request by `split=NAME`; `None` without such an argument. A request for the
+/// locked split opens seeds.
 ///
 /// # Errors
-/// An unknown split, a locked one without a purpose, a ledger that cannot be written.
+/// An unknown split, the locked split without a purpose, a ledger that cannot be written.
 pub fn first_seed(args: &[String]) -> Result<Option<u64>, String> {
     let Some(asked) = args.iter().find_map(|a| a.strip_prefix("split=")) else { return Ok(None) };
     let (name, purpose) = asked.split_once('=').unwrap_or((asked, ""));

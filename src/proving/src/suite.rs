@@ -3,7 +3,7 @@
 use dashpot_rig::{EFFECTS, Plan, UNKNOWN_EFFECTS};
 use dashpot_severity::case::Case;
 
-/// A case with the block that it belongs to.
+/// A case with its block of the suite.
 #[derive(Debug, Clone)]
 pub struct Entry {
     /// Block.
@@ -16,30 +16,30 @@ pub struct Entry {
 pub const BLOCKS: [&str; 9] =
     ["single", "null_white", "null_coloured", "null_form", "unknown", "pair", "poor", "whole_fit", "null_whole_fit"];
 
-/// Effects that a fit with all elements has itself.
+/// Effects that a fit with all elements contains already.
 const FITTED: [&str; 2] = ["stribeck_friction", "side_force_friction"];
 
-/// How many cases of each kind.
+/// Numbers of cases of each kind.
 #[derive(Debug, Clone, Copy)]
 pub struct Size {
     /// Seeds per effect and severity.
     pub seeds: u64,
     /// Severities of single effects.
     pub severities: &'static [f64],
-    /// Cases of each kind with nothing hidden.
+    /// Cases of each kind without injected effects.
     pub nothing: u64,
     /// Seeds per unknown effect and severity.
     pub unknown: u64,
-    /// Pairs.
+    /// Number of pairs of effects.
     pub pairs: u64,
-    /// Cases on poor plans.
+    /// Number of cases with sparse plans.
     pub poor: u64,
-    /// Severities of single effects that are left to a fit with all elements, one seed each; as many cases with nothing hidden.
+    /// Severities of single effects for a fit with all elements, one seed each, with as many cases without effects.
     pub whole_fit: &'static [f64],
 }
 
 impl Size {
-    /// Hundreds of cases.
+    /// Suite of hundreds of cases.
     pub const FULL: Size = Size {
         seeds: 3,
         severities: &[0.5, 1.0, 2.0, 4.0],
@@ -49,7 +49,7 @@ impl Size {
         poor: 40,
         whole_fit: &[1.0, 2.0, 4.0],
     };
-    /// Some ten minutes: the figures in the README.
+    /// Suite of some ten minutes, for the figures in the README.
     pub const MEDIUM: Size = Size {
         seeds: 1,
         severities: &[0.5, 1.0, 2.0, 4.0],
@@ -59,12 +59,12 @@ impl Size {
         poor: 15,
         whole_fit: &[2.0],
     };
-    /// A few minutes.
+    /// Suite of a few minutes.
     pub const SHORT: Size =
         Size { seeds: 1, severities: &[1.5], nothing: 4, unknown: 1, pairs: 4, poor: 4, whole_fit: &[] };
 }
 
-/// All cases of a size, from a first seed on; no two share a seed.
+/// Returns all cases of a size, from a first seed on. Each case has its own seed.
 pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
     let mut seed = first_seed;
     let mut next = || {

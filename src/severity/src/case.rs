@@ -1,4 +1,4 @@
-//! A case: what is hidden, at which severity, measured how, and which model is diagnosed.
+//! A case: the injected effects with their severities, the measurement, and the model that is diagnosed.
 
 use crate::SeverityError;
 use crate::context;
@@ -10,49 +10,50 @@ use dashpot_records::Record;
 use dashpot_records::measurement_correction::correct_record;
 use dashpot_rig::{CHECK_PREFIX, InjectedCampaign, InjectedCase, Matrix, Options, Plan, TestPoint, Truth};
 
-/// What is asked for.
+/// Specification of a case.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Names with their severities; `name:form` asks for a form.
+    /// Names of the injected effects with their severities; `name:form` selects a form.
     pub effects: Vec<(String, f64)>,
-    /// The tests.
+    /// Plan of the tests.
     pub plan: Plan,
     /// Seed, noise, channels.
     pub options: Options,
-    /// Whether the base model's FV curve runs straight between its points, whatever the damper's own does.
+    /// Whether the base model's FV curve is piecewise linear, independent of the damper's own curve.
     pub linear_curve: bool,
-    /// Whether the base model is the one that `fit` makes with all that it may use, as a user has it.
+    /// Whether the base model is a fit with all elements, as a user has it.
     pub whole_fit: bool,
 }
 
-/// A case that has been measured and whose base model has been identified.
+/// A measured case with its identified base model.
 pub struct Measured {
-    /// The records, noisy, as a user reads them.
+    /// The noisy records, as a user reads them.
     pub records: Vec<Record>,
-    /// Force without noise at each record's samples, N.
+    /// The records without noise, at the same samples.
     pub clean: Vec<Record>,
-    /// Tests that no refit sees.
+    /// Whether each test is excluded from all refits.
     pub left_out: Vec<bool>,
     /// The identified base model.
     pub base: Params,
-    /// Measurement errors that the fit found, and that were corrected in the records as a verb does.
+    /// Measurement errors that the fit found; the records are corrected for them, as by the command line.
     pub taken_out: Vec<&'static str>,
-    /// Strengths of what is hidden.
+    /// Strengths of the injected effects.
     pub strengths: Vec<f64>,
-    /// What is hidden.
+    /// The injected effects and the parameters of the damper.
     pub truth: Truth,
-    /// Effects whose removal from the simulator moves the force visibly; `None` for the own rig, whose dampers have only what is injected.
+    /// Effects whose removal from the simulator changes the force visibly; `None` for the own rig, whose dampers have only the injected
+    /// effects.
     pub true_set: Option<Vec<String>>,
 }
 
 impl Case {
-    /// Nothing hidden, 2 % noise.
+    /// Makes a case without injected effects, with 2 % noise.
     pub fn nothing(seed: u64) -> Case {
         let options = Options { seed, noise_percent: 2.0, threads: Some(1), ..Options::default() };
         Case { effects: Vec::new(), plan: Plan::Diagnosis, options, linear_curve: false, whole_fit: false }
     }
 
-    /// One more effect hidden.
+    /// Injects one more effect.
     #[must_use]
     pub fn hiding(mut self, effect: &str, severity: f64) -> Case {
         self.effects.push((effect.to_owned(), severity));
@@ -79,18 +80,19 @@ impl Case {
         Ok(case.run_matrix(&matrix, watch)?)
     }
 
-    /// The strengths that make the severities, each effect by itself; together they are what they are.
+    /// Finds the strength for each severity, each effect alone. The severity of all effects together is not controlled.
     ///
     /// # Errors
-    /// What rig, reader or fit refuse; a severity that no strength reaches.
+    /// Errors of rig, reader or fit; a severity that no strength reaches.
     pub fn strengths(&self) -> Result<Vec<f64>, SeverityError> {
         self.strengths_watched(&|_, _| ())
     }
 
-    /// The strengths that make the severities; `watch` gets the tests measured, and their number, of every strength that is tried.
+    /// Finds the strength for each severity. `watch` receives the number of tests measured and their total for every strength that is
+    /// tried.
     ///
     /// # Errors
-    /// As [`Case::strengths`].
+    /// Those of [`Case::strengths`].
     pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, SeverityError> {
         let mut strengths = vec![0.0; self.effects.len()];
         if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
@@ -106,7 +108,7 @@ impl Case {
                 Ok(self.at(&alone, &[], watch)?.campaign)
             });
             strengths[k] = match found {
-                // A poor plan may not show the effect however strong it is: then it is as strong as it typically is.
+                // A sparse plan may not show the effect at any strength. The effect then gets its typical strength, 1.
                 Err(SeverityError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
                 other => other?,
             };
@@ -117,7 +119,7 @@ impl Case {
     /// Finds the strengths, measures, and identifies the base model.
     ///
     /// # Errors
-    /// What rig, reader or fit refuse; a severity that no strength reaches.
+    /// Errors of rig, reader or fit; a severity that no strength reaches.
     pub fn measure(&self) -> Result<Measured, SeverityError> {
         self.measure_at(self.strengths()?, &[])
     }
@@ -125,7 +127,7 @@ impl Case {
     /// Measures at known strengths, with tests beyond the plan, and identifies the base model.
     ///
     /// # Errors
-    /// What rig, reader or fit refuse.
+    /// Errors of rig, reader or fit.
     pub fn measure_at(&self, strengths: Vec<f64>, more: &[TestPoint]) -> Result<Measured, SeverityError> {
         let hidden = self.at(&strengths, more, &|_, _| ())?;
         let noisy = read(&hidden.campaign)?;
@@ -155,7 +157,7 @@ impl Case {
 }
 
 impl Measured {
-    /// Takes what the fit found the measurement to be off by out of the records, as the verbs do.
+    /// Corrects the records for the measurement errors that the fit found, as the command line does.
     pub fn take_out(&mut self, measured: &[dashpot_identification::Measured]) {
         let off = to_measurement_error(measured);
         for record in self.records.iter_mut().chain(&mut self.clean) {
@@ -165,9 +167,10 @@ impl Measured {
     }
 }
 
-/// The model that is diagnosed, with the measurement errors that its fit found.
+/// Identifies the model that is diagnosed, with the measurement errors that its fit found.
 ///
-/// It is what `fit` makes with all that it may use, as a user has it; or [`base_model`], for which the records stay as they are.
+/// With `whole_fit` it is a fit with all elements, as a user has it. Otherwise it is [`base_model`], for which the records are not
+/// corrected.
 pub fn model_of(
     records: &[&Record],
     whole_fit: bool,

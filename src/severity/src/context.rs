@@ -1,9 +1,9 @@
-//! Severity: what refitting the base model cannot absorb of an effect, in units of the noise; and the strength that makes
-//! it.
+//! Severity of an effect: the part that a refit of the base model cannot absorb, in units of the noise. The search finds the strength for a
+//! severity.
 //!
-//! The neutral damper too leaves something, since the base model's form is not quite its own. Severity is the root mean
-//! square of the difference between what the two leave: a difference of two such figures would count where the effect
-//! happens to point along what is left anyway.
+//! The neutral damper has a residual too, since the base model does not have exactly its form. Severity is the root mean square of the
+//! difference of both residuals. A difference of two root mean squares would depend on the direction of the effect relative to the neutral
+//! residual.
 
 use crate::SeverityError;
 use crate::measured::{base_model, read, without_noise};
@@ -13,29 +13,28 @@ use dashpot_diagnosis::refitted;
 use dashpot_records::Record;
 use dashpot_rig::{CHECK_PREFIX, Campaign};
 
-/// How near the severity must come.
+/// Largest logarithmic deviation from the wanted severity.
 const NEAR: f64 = 0.08;
-/// Most strengths tried.
+/// Largest number of strengths tried.
 const TRIES: usize = 7;
-/// Strengths a case may have.
+/// Range of strengths of a case.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the rig's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
 /// The neutral damper's campaign, relative to which the severity of an effect is measured.
 pub struct SeverityContext {
-    /// The base model refitted to it.
+    /// The base model refitted to that campaign.
     base: Params,
     /// Noise of each record, N.
     noise: Vec<f64>,
-    /// What the base model leaves of it, in units of the noise.
+    /// Residual of the base model for that campaign, in units of the noise.
     own: Vec<f64>,
 }
 
-/// The base model identified from records, with friction by side force or without.
+/// Identifies the base model from records, with or without side force friction.
 fn identified(records: &[&Record], knows_side_force: bool) -> Result<Params, SeverityError> {
     let mut base = base_model(records)?;
-    // A name of the kernel's own list.
     base.enable(element!("side_force_friction"), knows_side_force);
     Ok(base)
 }
@@ -45,10 +44,10 @@ fn seen(records: &[Record]) -> Vec<&Record> {
 }
 
 impl SeverityContext {
-    /// From the neutral damper's campaign; `knows_side_force` where the model diagnosed has friction by side force.
+    /// Makes the context from the neutral damper's campaign; `knows_side_force` if the diagnosed model has side force friction.
     ///
     /// # Errors
-    /// What reader or fit refuse.
+    /// Errors of reader or fit.
     pub fn new(neutral: &Campaign, percent: f64, knows_side_force: bool) -> Result<SeverityContext, SeverityError> {
         let clean = read(&without_noise(neutral))?;
         let records = seen(&clean);
@@ -64,14 +63,14 @@ impl SeverityContext {
         Ok(SeverityContext { base, noise, own })
     }
 
-    /// Severity of a campaign; where it is not above `wanted`, no less than it.
+    /// Computes the severity of a campaign; it is exact only if it does not exceed `wanted`.
     ///
-    /// The refit goes on from the neutral damper's model. Where that leaves more than is wanted, a model identified from
-    /// nothing is refitted as well, and what leaves less counts: friction in the FV curve behind the series spring is an
-    /// elastic contact, which a model with friction beside them never turns into step by step.
+    /// The refit starts from the neutral damper's model. If its result exceeds `wanted`, a newly identified model is refitted as well, and
+    /// the smaller residual counts. An example is friction in the FV curve behind the series spring, which acts like an elastic contact. A
+    /// refit of a model with parallel friction never reaches that form step by step.
     ///
     /// # Errors
-    /// What reader or fit refuse.
+    /// Errors of reader or fit.
     pub fn severity(&self, campaign: &Campaign, wanted: f64) -> Result<f64, SeverityError> {
         let clean = read(&without_noise(campaign))?;
         let records = seen(&clean);
@@ -83,7 +82,7 @@ impl SeverityContext {
         Ok(self.left(&records, &afresh)?.min(from_neutral))
     }
 
-    /// What refitting a model leaves beyond what it leaves of the neutral damper.
+    /// Refits a model and computes the root mean square difference of its residual from that of the neutral damper.
     fn left(&self, records: &[&Record], model: &Params) -> Result<f64, SeverityError> {
         let (_, left) = refitted(records, &self.noise, model).ok_or(SeverityError::NotFinite)?;
         if left.len() != self.own.len() {
@@ -93,10 +92,10 @@ impl SeverityContext {
         Ok((of_effect / left.len().max(1) as f64).sqrt())
     }
 
-    /// The strength at which an effect has the severity asked for.
+    /// Finds the strength at which an effect has the wanted severity.
     ///
     /// # Errors
-    /// What rig or reader refuse; a severity out of reach.
+    /// Errors of rig or reader; a severity out of reach.
     pub fn strength(
         &self,
         effect: &str,
@@ -106,7 +105,7 @@ impl SeverityContext {
         if wanted <= 0.0 {
             return Ok(0.0);
         }
-        // The trace grows steadily with strength: regula falsi on logarithms, inside what is known.
+        // The severity grows continuously with strength: regula falsi on logarithms, inside the bracket.
         let (mut low, mut high) = (None::<(f64, f64)>, None::<(f64, f64)>);
         let mut strength: f64 = 0.3;
         let mut best = (f64::INFINITY, strength, 0.0);

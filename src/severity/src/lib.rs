@@ -1,13 +1,13 @@
 //! Dampers of the virtual rig with effects injected at a stated severity.
 //!
-//! Severity is what refitting the base model cannot absorb, in units of the noise; any other measure would count effects that no data can
-//! show.
+//! Severity is the part of an effect that a refit of the base model cannot absorb, in units of the noise. Any other measure would count
+//! effects that no data can show.
 //!
-//! | file | what |
+//! | file | contents |
 //! |---|---|
-//! | [`case`] | a case: what is injected at which severity, and which model is diagnosed |
-//! | [`request`] | the strengths of the effects that a user asks for |
-//! | [`context`] | the strength that makes a severity |
+//! | [`case`] | a case: the injected effects with their severities, and the model that is diagnosed |
+//! | [`request`] | the strengths of the effects that a user requests |
+//! | [`context`] | the strength that gives a severity |
 //! | [`measured`] | a campaign of the rig as a user has it |
 
 pub mod case;
@@ -18,7 +18,7 @@ pub mod request;
 /// Why a case cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum SeverityError {
-    /// The rig refuses it.
+    /// The rig rejects it.
     #[error(transparent)]
     Rig(#[from] dashpot_rig::RigError),
     /// Its records cannot be read back.
@@ -27,29 +27,29 @@ pub enum SeverityError {
     /// The base model cannot be fitted.
     #[error(transparent)]
     Fit(#[from] dashpot_identification::FitError),
-    /// No folder for the records.
+    /// A folder for the records cannot be made.
     #[error("no folder for the records: {0}")]
     Folder(#[from] std::io::Error),
     /// The model gives no finite force.
     #[error("the base model gives no finite force for the case's records")]
     NotFinite,
-    /// Samples that cannot be compared.
+    /// The samples differ from those of the neutral damper.
     #[error("the case's records have other samples than those of the neutral damper")]
     OtherSamples,
-    /// No strength makes this severity with these tests.
+    /// No strength gives this severity with these tests.
     #[error("{effect} reaches a severity of {reached:.2} with these tests, not {wanted}: the model absorbs the rest")]
     OutOfReach {
         /// The effect.
         effect: String,
         /// The largest severity found.
         reached: f64,
-        /// The severity asked for.
+        /// The wanted severity.
         wanted: f64,
     },
-    /// A severity on tests that are no plan of the rig's.
+    /// A severity is requested with tests outside the rig's plans.
     #[error("a severity needs one of the rig's plans; with tests of your own (--matrix), give strengths (--strength)")]
     OwnTests,
-    /// A severity without noise.
+    /// A severity is requested without noise.
     #[error("a severity is in units of the noise, and there is none; give --noise, or strengths (--strength)")]
     NoNoise,
 }

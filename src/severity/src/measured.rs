@@ -1,4 +1,4 @@
-//! A campaign of the virtual rig as a user has it: read from files, with a model identified from it.
+//! A campaign of the virtual rig as a user has it: read from files, with an identified model.
 
 use crate::SeverityError;
 use dashpot_core::parameter::Element;
@@ -8,11 +8,11 @@ use dashpot_records::{self as records, Record};
 use dashpot_rig::Campaign;
 use std::path::Path;
 
-/// Elements of the model that is diagnosed: the thesis's, without the break-away peak.
+/// Elements of the model that is diagnosed: those of the thesis's model without the break-away peak.
 pub const BASE: [Element; 4] =
     [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
 
-/// The model that is diagnosed: identified from the records by the usual way, with a weak linear spring to start from.
+/// Identifies the model that is diagnosed: an ordinary fit of the records, with a weak linear spring as a start.
 pub fn base_model(records: &[&Record]) -> Result<Params, SeverityError> {
     let options =
         FitOptions { elements: Some(BASE.map(|element| element.name().to_owned()).to_vec()), ..FitOptions::default() };
@@ -46,12 +46,12 @@ pub fn without_noise(campaign: &Campaign) -> Campaign {
     clean
 }
 
-/// The records as a user reads them: written to files and loaded.
+/// Reads the records as a user does: written to files and loaded.
 pub fn read(campaign: &Campaign) -> Result<Vec<Record>, SeverityError> {
     write_and_read(|path| Ok(campaign.write(path)?))
 }
 
-/// The records of a campaign that is written into a folder, as a user reads them.
+/// Reads the records of a campaign from a folder into which `write` writes them.
 pub fn write_and_read<E: From<SeverityError>>(write: impl FnOnce(&Path) -> Result<(), E>) -> Result<Vec<Record>, E> {
     let folder = tempfile::tempdir().map_err(SeverityError::Folder)?;
     let path = folder.path().join("campaign");

@@ -1,34 +1,34 @@
-//! What somebody asks to hide in a neutral damper, and the strengths that make it: for the command and for Python.
+//! Effects that a user requests for a neutral damper, and their strengths: for the command line and for Python.
 
 use crate::SeverityError;
 use crate::case::Case;
 use dashpot_rig::{NOTHING, Options, Plan, RigError};
 
-/// Names, `name:form` for one physical form, each with a number where one is given.
+/// Requested effects by name, with `name:form` for one physical form, each with its number if given.
 pub type RequestedEffects = Vec<(String, Option<f64>)>;
 
-/// What the numbers are.
+/// Meaning of the numbers of requested effects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Numbers {
-    /// Severities: what refitting the model cannot absorb, in units of the noise.
+    /// Severities: the part that a refit of the model cannot absorb, in units of the noise.
     Severities,
-    /// Physical strengths, 1 being a typical strong case.
+    /// Physical strengths; 1 is a typical strong case.
     Strengths,
 }
 
-/// Strength of a typical strong case, which is meant where no number is given.
+/// Strength of a typical strong case, the default without a number.
 const TYPICAL: f64 = 1.0;
 
 fn refused(problem: String) -> SeverityError {
     RigError::Option { option: "hide", problem }.into()
 }
 
-/// Names with their strengths; none where `nothing` is asked for. Severities need a `plan` of the rig, by whose tests they are found: there is
-/// none where the tests are of somebody's own. `watch` is told the tests measured, and their number, of every strength that is tried.
+/// Converts requested effects to names with strengths; empty for `nothing`. Severities need a `plan` of the rig, whose tests determine the
+/// strengths. `watch` receives the number of tests measured and their total for every strength that is tried.
 ///
 /// # Errors
-/// `nothing` beside an effect, a number that is none, severities without plan or noise, a severity that no strength reaches, and what the rig
-/// refuses.
+/// `nothing` together with an effect, an invalid number, severities without plan or noise, a severity that no strength reaches, and errors
+/// of the rig.
 pub fn strengths(
     asked: RequestedEffects,
     numbers: Numbers,

@@ -1,4 +1,4 @@
-//! Where the numbers of a model contradict the drawing, and by how much.
+//! Contradictions between the parameters of a model and the drawing.
 
 use super::model::{Identified, Standing};
 use super::report::{Contradiction, Explanation, digits};
@@ -10,19 +10,19 @@ use crate::uncertain::Uncertain;
 use dashpot_core::number;
 use dashpot_records::Sentence;
 
-/// Adds what contradicts: numbers whose interval does not meet that of the drawing.
+/// Adds the contradictions: parameters whose interval does not overlap that of the drawing.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let all = expectations(drawing);
     let column = all.iter().find(|e| e.number == number!("oil_stiffness"));
     let has_column = model.number(number!("oil_stiffness")) != Standing::Off;
     for expectation in &all {
         let Standing::Known(own) = model.number(expectation.number) else { continue };
-        // A column of one length at every place is a form, and no measurement.
+        // A zero shortening is a form of the column (constant length), not an estimate.
         if expectation.number == number!("oil_shortening") && own.value == 0.0 {
             continue;
         }
         let is_series = expectation.number == number!("series_stiffness");
-        // Without an oil column the series spring holds eyes and oil: it may be softer than the eyes.
+        // Without an oil column the series spring includes eyes and oil: it may be softer than the eyes.
         let is_below = own.high < expectation.expected.low && (!is_series || has_column);
         if is_below || own.low > expectation.expected.high {
             to.contradictions.push(contradiction(own, expectation, drawing));
@@ -54,7 +54,7 @@ fn contradiction(own: Uncertain, expectation: &Expectation, drawing: &Dimensions
     Contradiction { parameter: expectation.number.name(), model, dimensions, ratio: model / dimensions, unit, text }
 }
 
-/// The entries with their values, as a drawing says them.
+/// Formats the entries with their values, as in a drawing.
 fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     let rows = ENTRIES.iter().filter(|row| expectation.from.contains(&row.key));
     let value = |key: &str| {
@@ -70,7 +70,7 @@ fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     Sentence::as_it_is(all.join(", "))
 }
 
-/// A number as it was written, without the digits of its way through SI.
+/// Formats a number as in the file, without rounding digits from the conversion to SI.
 fn plain(value: f64) -> String {
     let text = format!("{value:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()

@@ -1,24 +1,24 @@
-//! How far the form of the model makes each quantity wrong: factors that hold in 95 of 100 dampers.
+//! Error of each quantity due to the form of the model: factors that hold in 95 of 100 dampers.
 //!
-//! They are measured on dampers of the second laboratory. They are set by the calibration seeds of `cargo run --release -p dashpot-proving --example explain_other`, and checked on others
-//! (docs/book/src/dimensions.md). A factor that is too small makes intervals that miss; one that is too large makes intervals that say
-//! nothing.
+//! They were measured on dampers of the second laboratory, with the calibration seeds of
+//! `cargo run --release -p dashpot-proving --example explain_other`. Other seeds checked them (docs/book/src/dimensions.md). A factor that
+//! is too small gives intervals that miss the truth; one that is too large gives useless intervals.
 
-/// Gas pressure: gas warms in the tests, and the zero of the load cell is a gas force.
+/// Error of the gas pressure: the gas warms in the tests, and a zero offset of the load cell acts like a gas force.
 pub(super) const GAS_PRESSURE: f64 = 1.15;
-/// Gas volume, by a stiffness between slow and fast.
+/// Error of the gas volume, computed from a stiffness between slow and fast.
 pub(super) const GAS_VOLUME: f64 = 1.6;
-/// Modulus of oil and tube by the stiffness of the oil column.
+/// Error of the modulus of oil and tube, computed from the stiffness of the oil column.
 pub(super) const MODULUS: f64 = 1.6;
-/// Modulus by the series stiffness, which holds the eyes too.
+/// Error of the modulus, computed from the series stiffness, which includes the eyes.
 pub(super) const SERIES_MODULUS: f64 = 1.6;
-/// Stiffness of eyes under the forces of the tests: rubber hardens.
+/// Error of the stiffness of eyes under the forces of the tests: rubber hardens.
 pub(super) const EYES: f64 = 2.0;
-/// Air by its stroke.
+/// Error of the air content, computed from the stroke of the aeration element.
 pub(super) const AIR: f64 = 2.5;
-/// Bleed passage by the part of the FV curve that grows with the square of the speed.
+/// Error of the bleed passage, computed from the quadratic part of the FV curve.
 pub(super) const BLEED: f64 = 1.3;
-/// Blow-off passage by what the bleed leaves of the flow at the largest force.
+/// Error of the blow-off passage, computed from the flow at the largest force less the flow through the bleed.
 pub(super) const BLOW_OFF: f64 = 1.5;
-/// Leak by the steepest part of the FV curve about standstill.
+/// Error of the leak, computed from the steepest part of the FV curve near zero velocity.
 pub(super) const LEAK: f64 = 2.0;

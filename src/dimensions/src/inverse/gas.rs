@@ -1,4 +1,4 @@
-//! Pressure and volume of the gas, by the force and the stiffness that it has.
+//! Pressure and volume of the gas, from its force and stiffness.
 
 use super::errors;
 use super::model::{Identified, Standing};
@@ -11,7 +11,7 @@ use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
 use dashpot_records::sentence::Template;
 
-/// Pa of a bar and m³ of a cm³.
+/// Units in SI: bar in Pa and cm³ in m³.
 const BAR: f64 = 1e5;
 const CM3: f64 = 1e-6;
 
@@ -21,7 +21,7 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     volume(model, drawing, pressure, to);
 }
 
-/// The gas force where the model has one.
+/// Adds the pressure from the gas force, if the model has one, and returns it.
 fn pressure(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
     const NAME: &str = "gas_pressure";
     let gap = |why: Template, parameters: Vec<&'static str>| Gap {

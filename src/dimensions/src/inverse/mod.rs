@@ -1,4 +1,4 @@
-//! Inverse: what an identified model says of gas, oil and valves of its damper, with 95 % intervals.
+//! Inverse formulas: gas, oil and valves of a damper from an identified model, with 95 % intervals.
 
 mod contradictions;
 mod errors;
@@ -17,7 +17,7 @@ use dashpot_records::Sentence;
 
 /// Explains a model by a drawing.
 ///
-/// Intervals hold those of the model file, of the drawing and of the handbooks' oil data, and the error of the model's form.
+/// Intervals include those of the model file, the drawing and the handbooks' oil data, and the error of the model's form.
 pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {
     let mut to = Explanation::default();
     let model = model::Identified(model);

@@ -1,18 +1,18 @@
-//! The identified numbers of a model file, as uncertain ones.
+//! Identified parameters of a model file with their intervals.
 
 use crate::uncertain::Uncertain;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use dashpot_identification::model_file::{Interval, ModelFile};
 
-/// What a model file says of one of its numbers.
+/// Status of a parameter in a model file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Standing {
-    /// The element that has the number is off.
+    /// The element of the parameter is off.
     Off,
-    /// The records left it open, or the file does not state it.
+    /// The records do not determine the parameter, or the file does not state it.
     Open,
-    /// It has an interval, or counts as exact where a file of no fit states it.
+    /// The parameter has an interval. A stated parameter without an interval counts as exact.
     Known(Uncertain),
 }
 
@@ -20,7 +20,7 @@ pub(super) enum Standing {
 pub(super) struct Identified<'a>(pub &'a ModelFile);
 
 impl Identified<'_> {
-    /// What the model says of a number.
+    /// Returns the status of a parameter.
     pub fn number(&self, number: Number) -> Standing {
         let Identified(file) = self;
         if number.row().element().is_some_and(|element| !file.params.is_on(element)) {
@@ -38,10 +38,10 @@ impl Identified<'_> {
         }
     }
 
-    /// Whether the fit of the model had a prior of the dimensions for a parameter: its notes say so.
+    /// Whether the fit of the model had a prior from the dimensions for a parameter, according to its notes.
     pub fn had_prior(&self, name: &str) -> bool {
         let said = [format!("{name} was expected at"), format!("{name} contradicts the dimensions")];
-        // That of a damper over a setting begins with the setting.
+        // The notes of an adjustable damper begin with the setting.
         let is_said = |note: &str, said: &str| note.starts_with(said) || note.contains(&format!(": {said}"));
         self.0.identification.notes.iter().any(|note| said.iter().any(|said| is_said(note, said)))
     }
@@ -51,7 +51,7 @@ impl Identified<'_> {
         self.0.params.is_on(element!("fv_curve")) && self.0.params.number(number!("fv_form")) == 0.0
     }
 
-    /// Forces of one stroke over the speed, both positive and without the force at standstill, slowest first.
+    /// Returns the forces of one stroke over the speed, both positive and without the force at zero velocity, slowest first.
     pub fn branch(&self, stroke: f64) -> Vec<(f64, Uncertain)> {
         let Identified(file) = self;
         let (velocities, forces) = (file.params.list(list!("fv_velocity")), file.params.list(list!("fv_force")));
@@ -71,7 +71,7 @@ impl Identified<'_> {
                 let [low, high] = ends.get(k).map_or([0.0; 2], |[low, high]| {
                     if stroke > 0.0 { [half(*low), half(*high)] } else { [half(*high), half(*low)] }
                 });
-                // A point whose interval reaches zero is a small force, not one of the other sign.
+                // A point whose interval reaches zero counts as a small force of its sign.
                 let low = (value - low).max(SMALLEST * value);
                 (velocity.abs(), Uncertain { value, low, high: value + high })
             })
@@ -81,10 +81,10 @@ impl Identified<'_> {
     }
 }
 
-/// Least force at the lower end of a point's interval, as a fraction of the point.
+/// Smallest lower end of a point's interval, as a fraction of the point's force.
 const SMALLEST: f64 = 0.05;
 
-/// Force of an FV table at standstill.
+/// Interpolates the force of an FV table at zero velocity.
 fn at_standstill(velocities: &[f64], forces: &[f64]) -> f64 {
     let right = velocities.partition_point(|v| *v < 0.0);
     match (right.checked_sub(1), velocities.get(right)) {

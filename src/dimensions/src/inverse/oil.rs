@@ -1,4 +1,4 @@
-//! Moduli of the oil and the air in it, by the stiffness of the oil column.
+//! Moduli of the oil and its air content, from the stiffness of the oil column.
 
 use super::errors;
 use super::model::{Identified, Standing};
@@ -12,9 +12,9 @@ use dashpot_core::number;
 use dashpot_records::Sentence;
 use dashpot_records::sentence::Template;
 
-/// Pa of a GPa.
+/// GPa in Pa.
 const GPA: f64 = 1e9;
-/// Entries of the chamber that yields in rebound, and of those that yield in compression of a twin tube.
+/// Entries of the chamber that is compressed in rebound, and of both chambers that are compressed in compression of a twin tube.
 const CHAMBER: &[Entry] = &[Entry::Bore, Entry::Rod, Entry::ReboundChamber];
 const BOTH_CHAMBERS: &[Entry] = &[Entry::Bore, Entry::Rod, Entry::ReboundChamber, Entry::CompressionChamber];
 
@@ -34,25 +34,25 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     air(model, drawing, effective, to);
 }
 
-/// A stiffness, what it follows from, and how far the form of the model makes it wrong.
+/// A column stiffness with its inputs, and the error factor due to the form of the model.
 struct Column {
     inputs: Vec<Uncertain>,
-    /// Stiffness of the column, of the inputs.
+    /// Computes the stiffness of the column from the inputs.
     stiffness: fn(&[f64]) -> f64,
     from: Vec<&'static str>,
-    /// Entries of the chamber that yields.
+    /// Entries of the compressed chamber.
     chamber: &'static [Entry],
-    /// Modulus of a stiffness, by the entries of the chamber.
+    /// Computes the modulus from a stiffness and the entries of the chamber.
     modulus: fn(f64, &[f64]) -> f64,
     error: f64,
     note: Option<Template>,
-    /// Whether it is a lower bound alone.
+    /// Whether the result is only a lower bound.
     is_bound: bool,
 }
 
-/// The column's stiffness: by the oil column of the model, by its series spring less the eyes, or as a bound by its series spring.
+/// Returns the column stiffness: from the model's oil column, from its series spring less the eyes, or as a bound from its series spring.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
-    // A twin tube's column is the softest part of it in compression; in rebound the eyes hide it.
+    // In compression a twin tube's column is the softest element in series; in rebound the eyes are softer.
     if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
         (drawing.design, model.number(number!("oil_stiffness")), model.number(number!("oil_compression")))
         && ratio.value != 1.0
@@ -110,7 +110,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
     }
 }
 
-/// What is left of a spring when one in line with it is taken out; infinite where that one is the softer.
+/// Computes the stiffness of a series spring without one of its parts; infinite if the part is the softer one.
 fn in_line_with(whole: f64, part: f64) -> f64 {
     if whole < part { 1.0 / (1.0 / whole - 1.0 / part) } else { f64::INFINITY }
 }
@@ -149,7 +149,7 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     }
 }
 
-/// The oil's own modulus with its air, the tube taken out.
+/// Adds the modulus of the oil with its air, without the tube's compliance.
 fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "oil_modulus";
     let needed = [Entry::Bore, Entry::TubeWall];
@@ -172,7 +172,7 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
 
 const NAME_OF_EFFECTIVE: &str = "oil_modulus_effective";
 
-/// Free air: by the stroke that it yields, or by what it takes from the oil's modulus.
+/// Adds the content of free air: from the stroke of the aeration element, or from the reduction of the oil's modulus.
 fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "air_content";
     let chamber = [Entry::GasPressure, Entry::ReboundChamber];

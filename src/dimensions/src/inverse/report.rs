@@ -1,38 +1,38 @@
-//! What an explanation says: quantities, gaps and contradictions, as JSON and in lines.
+//! Report of an explanation: quantities, gaps and contradictions, as JSON and as lines.
 
 use crate::phrases::QUANTITIES;
 use crate::uncertain::Interval;
 use dashpot_records::Sentence;
 use serde::Serialize;
 
-/// A quantity of the damper that the model tells.
+/// A quantity of the damper that follows from the model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Quantity {
     /// Name.
     pub name: &'static str,
-    /// Value; `None` where only a bound is known.
+    /// Value; `None` if only a bound is known.
     pub value: Option<f64>,
-    /// Lower end of the 95 % interval; `None` where it has none.
+    /// Lower end of the 95 % interval; `None` if unbounded.
     pub low: Option<f64>,
-    /// Upper end; `None` where it has none.
+    /// Upper end; `None` if unbounded.
     pub high: Option<f64>,
     /// Unit.
     pub unit: &'static str,
-    /// Parameters of the model and entries of the drawing that it follows from.
+    /// Parameters of the model and entries of the drawing from which it follows.
     pub from: Vec<&'static str>,
-    /// Factor by which the model's form may be off in 95 of 100 dampers; it is in the interval.
+    /// Error factor due to the model's form in 95 of 100 dampers; the interval includes it.
     pub model_error: f64,
-    /// What else is to know, or nothing.
+    /// Further remark, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<Sentence>,
 }
 
-/// A quantity that cannot be told.
+/// A quantity that cannot be determined.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Gap {
     /// Name.
     pub name: &'static str,
-    /// Why.
+    /// Reason.
     pub why: Sentence,
     /// Entries of the drawing that are missing.
     pub entries: Vec<&'static str>,
@@ -40,41 +40,41 @@ pub struct Gap {
     pub parameters: Vec<&'static str>,
 }
 
-/// A number of the model that the drawing contradicts.
+/// A parameter of the model that contradicts the drawing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Contradiction {
     /// Parameter of the model.
     pub parameter: &'static str,
-    /// What the model has.
+    /// Value of the model.
     pub model: f64,
-    /// What the drawing gives.
+    /// Value that the drawing implies.
     pub dimensions: f64,
-    /// The one over the other.
+    /// Ratio of the model's value to that of the drawing.
     pub ratio: f64,
     /// Unit of both.
     pub unit: &'static str,
-    /// In a sentence.
+    /// Message.
     pub text: Sentence,
 }
 
-/// What a model says of its damper.
+/// Physical quantities of a damper, explained from its model.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Explanation {
-    /// What is told.
+    /// Determined quantities.
     pub quantities: Vec<Quantity>,
-    /// What cannot be told, and why.
+    /// Quantities that cannot be determined, with the reasons.
     pub unknown: Vec<Gap>,
-    /// Where drawing and model contradict each other.
+    /// Contradictions between drawing and model.
     pub contradictions: Vec<Contradiction>,
 }
 
 impl Explanation {
-    /// The quantity of a name.
+    /// Returns the quantity of a name.
     pub fn find(&self, name: &str) -> Option<&Quantity> {
         self.quantities.iter().find(|quantity| quantity.name == name)
     }
 
-    /// In lines for a terminal.
+    /// Formats the explanation as lines for a terminal.
     pub fn lines(&self) -> Vec<String> {
         let mut lines: Vec<String> = self.quantities.iter().map(Quantity::line).collect();
         lines.extend(self.unknown.iter().map(Gap::line));
@@ -86,12 +86,12 @@ impl Explanation {
     }
 }
 
-/// What the quantity of a name is called.
+/// Returns the English name of a quantity.
 fn noun(name: &'static str) -> &'static str {
     QUANTITIES.iter().find(|(known, _)| *known == name).map_or(name, |(_, noun)| *noun)
 }
 
-/// A number with three digits that count.
+/// Formats a number with three significant digits.
 pub fn digits(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || !size.is_finite() {
@@ -102,7 +102,7 @@ pub fn digits(value: f64) -> String {
 }
 
 impl Quantity {
-    /// From an interval in the quantity's own unit.
+    /// Makes a quantity from an interval in its own unit.
     pub(super) fn new(
         name: &'static str,
         unit: &'static str,
@@ -111,12 +111,12 @@ impl Quantity {
         model_error: f64,
     ) -> Quantity {
         let Interval { value, low, high } = found;
-        // Where one end is open, a value in the middle would say more than is known.
+        // If one end is unbounded, a central value would claim too much.
         let value = value.filter(|_| low.is_some() && high.is_some());
         Quantity { name, value, low, high, unit, from, model_error, note: None }
     }
 
-    /// What it is called, in English.
+    /// Returns its English name.
     pub fn noun(&self) -> &'static str {
         noun(self.name)
     }
@@ -137,7 +137,7 @@ impl Quantity {
 }
 
 impl Gap {
-    /// What the quantity is called, in English.
+    /// Returns the English name of the quantity.
     pub fn noun(&self) -> &'static str {
         noun(self.name)
     }

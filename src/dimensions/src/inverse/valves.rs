@@ -1,7 +1,8 @@
-//! Bleed, leak and blow-off, by the FV curve of each stroke.
+//! Bleed, leak and blow-off, from the FV curve of each stroke.
 //!
-//! Below the knee the passages have the force a w + b w² (Merritt, Hydraulic Control Systems, 1967, chapter 3): b is that of an orifice,
-//! 1/a what leaks at creeping speed. What the bleed does not pass at the largest force passes the blow-off valve.
+//! Below the knee the passages have the force a w + b w² at the piston speed w (Merritt, Hydraulic Control Systems, 1967, chapter 3). The
+//! coefficient b belongs to an orifice; 1/a is proportional to the leak at creeping speed. At the largest force, the flow in excess of the
+//! bleed passes the blow-off valve.
 
 use super::errors;
 use super::model::Identified;
@@ -14,15 +15,15 @@ use crate::phrases;
 use crate::uncertain::{Uncertain, through};
 use dashpot_records::sentence::Template;
 
-/// m² of a mm², and m³/(s Pa) of a cm³/(s bar).
+/// Units in SI: mm² in m² and cm³/(s bar) in m³/(s Pa).
 const MM2: f64 = 1e-6;
 const CM3_PER_BAR: f64 = 1e-11;
-/// Fall of the slope, relative to the steepest, from which a valve has opened.
+/// Ratio of the slope to the steepest slope below which a valve has opened.
 const KNEE: f64 = 0.9;
-/// Most points of the bleed that count: more say the same.
+/// Largest number of bleed points that are used: more points add no information.
 const POINTS: usize = 8;
 
-/// One stroke.
+/// A stroke with the names of its quantities.
 struct Stroke {
     sign: f64,
     names: [&'static str; 3],
@@ -40,7 +41,7 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     }
 }
 
-/// Number of points up to the end of the steepest segment: beyond it a valve has opened.
+/// Returns the number of points up to the end of the steepest segment: beyond it a valve has opened.
 fn bleed_points(points: &[(f64, Uncertain)]) -> usize {
     let ends = std::iter::once((0.0, 0.0)).chain(points.iter().map(|(w, h)| (*w, h.value)));
     let slopes: Vec<f64> =
@@ -55,7 +56,7 @@ fn bleed_points(points: &[(f64, Uncertain)]) -> usize {
     slopes.len()
 }
 
-/// a and b of a w + b w² by least squares of relative errors, neither negative.
+/// Fits h = `a` w + `b` w² by least squares of relative errors. Neither coefficient is negative.
 fn bleed_law(speeds: &[f64], forces: &[f64]) -> (f64, f64) {
     // With y = h/h = 1 the columns are w/h and w²/h.
     let sums = speeds.iter().zip(forces).fold([0.0; 5], |s, (w, h)| {
@@ -75,7 +76,7 @@ fn bleed_law(speeds: &[f64], forces: &[f64]) -> (f64, f64) {
 }
 
 impl Stroke {
-    /// Area on which the pressure difference of the stroke's valves acts, and by which the piston drives their flow.
+    /// Returns the effective piston area of the stroke: the valves' pressure difference acts on it, and it displaces their flow.
     fn area(&self, design: Option<Design>, bore: f64, rod: f64) -> f64 {
         if self.sign < 0.0 && design == Some(Design::TwinTube) { area(rod) } else { annulus(bore, rod) }
     }
@@ -174,7 +175,7 @@ impl Stroke {
     }
 }
 
-/// A quantity of which an end may be open: then the value is no number that counts.
+/// Removes the value of a quantity without an upper end, and adds a note.
 fn bounded(quantity: Quantity, note: Template) -> Quantity {
     if quantity.high.is_some() { quantity } else { Quantity { value: None, note: Some(note.into()), ..quantity } }
 }

@@ -1,8 +1,9 @@
-//! The actuator of a damper over a setting as an estimation problem: forces under a setting that changes within the test.
+//! Estimation problem of the actuator of an adjustable damper, from forces under a setting that changes within the test.
 //!
-//! The damper at constant settings is given. Free are numbers of the actuator, how far the force at each setting of the grid is off in each
-//! direction, and how far between two of them: what the family misses there must not become a part of the response. [When](super::command_time)
-//! within a sample the command changes is not known, and widens the intervals.
+//! The damper at constant settings is given. Free parameters are those of the actuator, and relative errors of the family's force. The
+//! errors apply at each setting of the grid and midway between two settings, in each direction. Without them, an error of the family would
+//! become a part of the response. The [instant](super::command_time) within a sample at which the command changes is unknown, and widens
+//! the intervals.
 
 use super::command_time::{STEP, shifted};
 use super::response::run_commanded;
@@ -17,18 +18,18 @@ use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::sync::OnceLock;
 
-/// Which ways of the valve a number holds for.
+/// Directions of the valve for which a parameter holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ways {
-    /// Neither: there is none.
+    /// The parameter does not exist.
     Neither,
-    /// Both share one.
+    /// Both directions share one value.
     Shared,
-    /// Each has its own.
+    /// Each direction has its own value.
     Each,
 }
 
-/// Which numbers an actuator has.
+/// Set of parameters of an actuator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ActuatorForm {
     /// Time constants.
@@ -47,47 +48,48 @@ impl ActuatorForm {
         ActuatorForm { lag: Ways::Neither, dead_time: false, rate: Ways::Neither, hysteresis: false };
 }
 
-/// A number of an actuator: the entries of the axis that it sets, and how.
+/// A parameter of an actuator: the entries of the axis that it sets, and its scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActuatorNumber {
     /// Names of the entries.
     pub entries: &'static [&'static str],
-    /// Whether the free number is the logarithm.
+    /// Whether the free parameter is the logarithm of the entry.
     pub is_log: bool,
-    /// Where the free number starts.
+    /// Start of the free parameter.
     pub start: f64,
-    /// Step of a difference.
+    /// Step of a finite difference.
     pub step: f64,
     /// Bounds.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation of what valves show.
+    /// Mean and standard deviation of its distribution over valves.
     pub prior: (f64, f64),
 }
 
-/// Response of a proportional damper valve, s. Published ones rise in 5 to 30 ms (Savaresi et al., Semi-Active Suspension Control Design for Vehicles,
-/// 2010, chapter 2); the spread holds a magneto-rheological coil and a slow pilot stage.
+/// Response time of a proportional damper valve, s. Published ones rise in 5 to 30 ms (Savaresi et al., Semi-Active Suspension Control
+/// Design for Vehicles, 2010, chapter 2). The spread includes a magneto-rheological coil and a slow pilot stage.
 const TIME: f64 = 0.01;
 const TIME_SPREAD: f64 = 1.0;
 /// Dead time of driver and pilot stage, s: a few milliseconds, seldom ten.
 const DEAD_TIME: (f64, f64) = (0.003, 0.004);
 /// Hysteresis of solenoid valves as a fraction of their range: friction and magnetic remanence make one to six percent.
 const HYSTERESIS: (f64, f64) = (0.02, 0.03);
-/// A rate limit crosses the range in some tens of milliseconds.
+/// Time in which a typical rate limit crosses the range, s: some tens of milliseconds.
 const CROSSES: f64 = 0.03;
 const RATE_SPREAD: f64 = 1.0;
-/// Standard deviation of the error of the force at a level, as a fraction of it.
+/// Standard deviation of the error of the force at a setting, as a fraction of the force.
 const LEVEL_SPREAD: f64 = 0.05;
-/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of it. A family that is further off is none.
+/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of the force. A larger error means an
+/// unusable family.
 const MOST_BETWEEN: f64 = 0.3;
-/// Standard deviations within which a force between neighbors is free.
+/// Bound of the error of a force between neighbors, in standard deviations.
 const WITHIN: f64 = 2.0;
-/// Spread of a force that is held: far below what any record shows.
+/// Standard deviation of the error of a fixed force: far below the resolution of any record.
 const HELD_SPREAD: f64 = 1e-6;
-/// Largest hysteresis as a fraction of the range. The kernel takes a quarter.
+/// Largest hysteresis as a fraction of the range. The kernel accepts a quarter.
 const MOST_HYSTERESIS: f64 = 0.24;
 
 impl ActuatorNumber {
-    /// The numbers of a form over a grid with this range.
+    /// Returns the parameters of a form for a grid with this range.
     pub fn of_form(form: ActuatorForm, range: f64) -> Vec<ActuatorNumber> {
         let mut numbers = Vec::new();
         let time = |entries| {
@@ -147,48 +149,48 @@ impl ActuatorNumber {
         numbers
     }
 
-    /// The value that a free number stands for.
+    /// Converts the free parameter to the value of the entries.
     pub fn value(&self, free: f64) -> f64 {
         if self.is_log { libm::exp(free) } else { free }
     }
 }
 
-/// What is given of a damper whose actuator is identified.
+/// Given data for the identification of an actuator.
 pub struct ActuatorContext<'a> {
-    /// The damper over constant settings.
+    /// The damper at constant settings.
     pub definition: &'a Definition,
-    /// What the rig adds, at `rig_theta`.
+    /// The measurement errors of the rig, at `rig_theta`.
     pub rig: &'a Hypothesis,
-    /// The numbers of `rig`.
+    /// The parameters of `rig`.
     pub rig_theta: &'a [f64],
     /// Tests whose setting changes.
     pub tests: &'a [Test],
     /// Time between two samples of the record of each test, s.
     pub sample_times: &'a [f64],
-    /// Standard deviation of the error of the force midway between neighbors of the grid, as a fraction of it.
+    /// Standard deviation of the error of the force midway between neighbors of the grid, as a fraction of the force.
     pub gap_spreads: &'a [f64],
 }
 
-/// An actuator with its free numbers.
+/// Least-squares problem of an actuator with its free parameters.
 pub struct ActuatorProblem<'a> {
     context: &'a ActuatorContext<'a>,
     numbers: Vec<ActuatorNumber>,
 }
 
-/// Where a refit of an actuator ended.
+/// Result of a refit of an actuator.
 #[derive(Debug, Clone)]
 pub struct ActuatorRefit {
     /// The form.
     pub form: ActuatorForm,
-    /// Its numbers.
+    /// Its parameters.
     pub numbers: Vec<ActuatorNumber>,
-    /// Values of the free numbers, and behind them the errors of the force at each level and between neighbors, as fractions.
+    /// Values of the free parameters, followed by the relative errors of the force at each setting and between neighbors.
     pub theta: Vec<f64>,
     /// Standard deviations of those errors.
     spreads: Vec<f64>,
-    /// Derivatives and weighted residuals of each test, computed less measured.
+    /// Derivatives and weighted residuals of each test, computed minus measured.
     pub blocks: Vec<(DMatrix<f64>, Vec<f64>)>,
-    /// Half the squares of the distance from the priors, each over its variance.
+    /// Negative log prior: half the sum of the squared distances from the priors' means, each over its variance.
     pub negative_log_prior: f64,
 }
 
@@ -199,7 +201,7 @@ pub struct ActuatorPoint {
     moved: OnceLock<Option<Vec<(Box<Family>, f64)>>>,
 }
 
-/// The family with numbers of the actuator; `None` where the kernel rejects them.
+/// Returns the family with these parameters of the actuator; `None` if the kernel rejects them.
 fn family_with(definition: &Definition, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Box<Family>> {
     let axis = axis_with(&definition.axis, numbers, x)?;
     let mut family = Box::new(Family::OFF);
@@ -207,7 +209,7 @@ fn family_with(definition: &Definition, numbers: &[ActuatorNumber], x: &[f64]) -
     Some(family)
 }
 
-/// The axis with numbers of the actuator.
+/// Returns the axis with these parameters of the actuator; `None` if the axis rejects them.
 pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Axis> {
     let mut axis = *axis;
     for (number, value) in numbers.iter().zip(x) {
@@ -218,7 +220,7 @@ pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<A
     Some(axis)
 }
 
-/// Weights of the levels at a setting in one direction: a straight line between the settings of the grid.
+/// Computes the weights of the grid's force errors at a setting in one direction, by linear interpolation.
 fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2] {
     let right = restrict(grid.partition_point(|value| *value <= setting), 1, grid.len() - 1);
     let (low, high) = (grid[right - 1], grid[right]);
@@ -227,22 +229,22 @@ fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2]
     [(first + right - 1, 1.0 - part), (first + right, part)]
 }
 
-/// Derivatives that are wanted of the forces.
+/// Derivatives of the forces to compute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Wanted {
-    /// None.
+    /// No derivatives.
     Forces,
-    /// Over the errors of the force at each setting and direction, and between neighbors.
+    /// Derivatives with respect to the errors of the force at each setting and direction, and between neighbors.
     Levels,
 }
 
-/// Form of an error of interpolation: nought at both neighbors and 1 midway.
+/// Computes the shape of an interpolation error: zero at both neighbors and 1 midway.
 fn bump([(_, left), (_, right)]: [(usize, f64); 2]) -> f64 {
     4.0 * left * right
 }
 
 impl<'a> ActuatorProblem<'a> {
-    /// The problem of an actuator of a form.
+    /// Makes the problem of an actuator of a form.
     pub fn new(context: &'a ActuatorContext<'a>, form: ActuatorForm) -> ActuatorProblem<'a> {
         let (low, high) = context.definition.axis.range();
         ActuatorProblem { context, numbers: ActuatorNumber::of_form(form, high - low) }
@@ -252,9 +254,9 @@ impl<'a> ActuatorProblem<'a> {
         self.context.definition.axis.grid()
     }
 
-    /// Forces at the scored samples of the test of a block, and the derivatives that are wanted of them.
+    /// Computes the forces at the scored samples of the test of a block, and the wanted derivatives.
     ///
-    /// The command comes `later` than counted, in samples.
+    /// The command is delayed by `later` samples.
     fn forces(&self, block: usize, family: &Family, x: &[f64], wanted: Wanted, later: f64) -> (Vec<f64>, DMatrix<f64>) {
         let test = &self.context.tests[block];
         let (grid, levels) = (self.grid(), &x[self.numbers.len()..]);
@@ -288,7 +290,7 @@ impl<'a> ActuatorProblem<'a> {
         if wanted == Wanted::Forces {
             return (forces, columns);
         }
-        // A filtered force channel takes several steps a sample.
+        // A filtered force channel has several steps for each sample.
         let every = ((length - 1) / (test.segment.input.len() - 1).max(1)).max(1);
         let at = |row: usize, level: usize| columns[((row + test.segment.from) * every, level)];
         let scored = DMatrix::from_fn(forces.len(), count, at);
@@ -301,7 +303,7 @@ impl<'a> ActuatorProblem<'a> {
         residual.iter().all(|r| r.is_finite()).then_some(residual)
     }
 
-    /// Refits the numbers from a start; without one from what valves show.
+    /// Refits the parameters from a start; without a start, from the typical valve.
     pub fn refit(
         &self,
         form: ActuatorForm,
@@ -312,8 +314,8 @@ impl<'a> ActuatorProblem<'a> {
         self.refit_with(form, start, (steps, tolerance), LEVEL_SPREAD)
     }
 
-    /// Refits the numbers with the forces of the family as they are, then with all. Forces that are free from far away take a part of the
-    /// response up: with one step of the command, 30 ms came out as 61 ms.
+    /// Refits the parameters with the forces of the family fixed, then with all parameters free. From a distant start, free force errors
+    /// absorb a part of the response. With one step of the command, 30 ms came out as 61 ms.
     pub fn refit_from_far(
         &self,
         form: ActuatorForm,
@@ -334,10 +336,11 @@ impl<'a> ActuatorProblem<'a> {
     ) -> Option<ActuatorRefit> {
         let most_between = if spread_of_levels == HELD_SPREAD { HELD_SPREAD } else { MOST_BETWEEN };
         let gaps = self.context.gap_spreads.iter().map(|spread| restrict(*spread, HELD_SPREAD, most_between));
-        // One for each direction.
+        // One set of gaps for each direction.
         let spreads: Vec<f64> =
             std::iter::repeat_n(spread_of_levels, 2 * self.grid().len()).chain(gaps.clone()).chain(gaps).collect();
-        // A form error is the same at all samples of a step, which the sum of squares counts one by one: a prior alone would not hold it.
+        // A form error is equal at all samples of a step, but the sum of squares counts each sample. A prior alone would be too weak, so
+        // bounds apply.
         let most: Vec<f64> = spreads
             .iter()
             .enumerate()
@@ -372,7 +375,7 @@ impl<'a> ActuatorProblem<'a> {
         if !found.cost.is_finite() {
             return None;
         }
-        // What lies between settings is bounded, and no evidence for or against a form.
+        // Errors between settings are bounded. They are no evidence for or against a form.
         let counted = found.x.iter().zip(&priors).take(self.numbers.len() + 2 * self.grid().len());
         let distances = counted.map(|(x, prior)| ((x - prior.mean) / prior.spread).powi(2));
         let negative_log_prior = 0.5 * distances.sum::<f64>();
@@ -389,7 +392,8 @@ impl<'a> ActuatorProblem<'a> {
 }
 
 impl ActuatorProblem<'_> {
-    /// Derivatives of the weighted residuals of each test over the instant within a sample at which the command changes, in samples.
+    /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change within a sample, in
+    /// samples.
     pub fn timing_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let family = family_with(self.context.definition, &self.numbers, x)?;
         let of_test = |block: usize| {
@@ -405,13 +409,13 @@ impl ActuatorProblem<'_> {
 }
 
 impl ActuatorRefit {
-    /// Precisions of the priors of all numbers.
+    /// Returns the precisions of the priors of all free parameters.
     pub fn precisions(&self) -> Vec<f64> {
         let own = self.numbers.iter().map(|number| number.prior.1);
         own.chain(self.spreads.iter().copied()).map(|spread| 1.0 / (spread * spread)).collect()
     }
 
-    /// A start for another form: numbers of the same entries, and the levels.
+    /// Makes a start for another form: values of the common entries, and the force errors.
     pub fn start_of(&self, form: ActuatorForm, range: f64) -> Vec<f64> {
         let own = |number: &ActuatorNumber| {
             let known =

@@ -1,4 +1,4 @@
-//! The search for the most probable actuator: none, a lag, one for each way, with dead time, rate limit or hysteresis.
+//! Search for the most probable actuator: none, a lag, one lag for each direction, with dead time, rate limit or hysteresis.
 
 use super::actuator::{ActuatorContext, ActuatorForm, ActuatorProblem, ActuatorRefit, Ways};
 use crate::cancel;
@@ -7,49 +7,51 @@ use crate::structure::evidence::{Evidence, mean_square};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Prior log odds of a lag: every valve has one, but the records of slow loggers do not see it.
+/// Prior log odds of a lag: every valve has one, but records of slow loggers do not resolve it.
 const LAG: f64 = 1.0;
-/// Prior log odds that rising and falling take different times.
+/// Prior log odds that rising and falling have different time constants.
 const EACH_WAY: f64 = -0.5;
 /// Prior log odds of a dead time.
 const DEAD_TIME: f64 = 0.0;
 /// Prior log odds of hysteresis over the setting.
 const HYSTERESIS: f64 = -1.0;
-/// Prior log odds of a rate limit, which is hard to tell from a lag.
+/// Prior log odds of a rate limit, which is hard to distinguish from a lag.
 const RATE: f64 = -2.0;
-/// Rise of the log posterior below which a move is not made.
+/// Smallest rise of the log posterior for which a move is made.
 const RISE: f64 = 0.5;
-/// Time behind a change of the command in which the force shows the valve, s. It is five of the longest time constants that dampers usually have,
-/// 30 ms (Savaresi et al. 2010, chapter 2). Over a whole test with 60 N of noise two times of 10 and 18 ms were taken for one of 18.
+/// Time after a change of the command in which the force depends on the valve, s. It is five times the longest typical time constant of
+/// dampers, 30 ms (Savaresi et al. 2010, chapter 2). With the whole test and 60 N of noise, the search found one time constant of 18 ms
+/// instead of 10 and 18 ms.
 const RESPONSE: f64 = 0.15;
 /// Starts of the time constant, s.
 const STARTS: [f64; 3] = [0.003, 0.012, 0.08];
-/// Steps and tolerance of a refit that is compared, and of the result.
+/// Steps and tolerance of a refit for comparison, and of the final refit.
 const COMPARE: (usize, f64) = (8, 1e-3);
 const FINE: (usize, f64) = (20, 1e-5);
 
-/// A part of an actuator, and how probable it is.
+/// A part of an actuator, and its log odds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActuatorPart {
     /// Name in files: `lag`, `lag_each_way`, `dead_time`, `rate_limit`, `hysteresis`.
     pub name: &'static str,
     /// Whether the most probable actuator has it.
     pub is_present: bool,
-    /// Log posterior with it less that without it.
+    /// Log posterior of the actuator with the part minus that without it.
     pub log_odds: f64,
 }
 
 /// The most probable actuator.
 pub struct ActuatorSearch {
-    /// Its numbers.
+    /// Its refit.
     pub best: ActuatorRefit,
-    /// What it has and has not.
+    /// All parts, present or absent.
     pub parts: Vec<ActuatorPart>,
-    /// Derivatives of the residuals over the instant within a sample at which the command changes: see [`ActuatorProblem::timing_derivatives`].
+    /// Derivatives of the residuals with respect to the instant of the command change within a sample: see
+    /// [`ActuatorProblem::timing_derivatives`].
     pub timing: Vec<Vec<f64>>,
 }
 
-/// A form with one part more or less.
+/// Adds a part to a form or removes it.
 fn toggled(form: ActuatorForm, part: &str) -> Option<ActuatorForm> {
     let with = match part {
         "lag" if form.lag == Ways::Neither => ActuatorForm { lag: Ways::Shared, ..form },
@@ -68,7 +70,7 @@ fn toggled(form: ActuatorForm, part: &str) -> Option<ActuatorForm> {
     Some(with)
 }
 
-/// What most valves are: a lag, one for each way, and each with a dead time.
+/// Forms of most valves: a shared lag or one for each direction, without and with a dead time.
 const VALVES: [ActuatorForm; 4] = {
     let lag = ActuatorForm { lag: Ways::Shared, ..ActuatorForm::NONE };
     let each = ActuatorForm { lag: Ways::Each, ..ActuatorForm::NONE };
@@ -92,9 +94,9 @@ fn log_prior(form: ActuatorForm) -> f64 {
     PARTS.iter().zip(odds).map(|(part, odds)| if has(form, part) { odds } else { 0.0 }).sum()
 }
 
-/// Scored samples of a test at which the valve may be on its way; all where that is nowhere.
+/// Returns the scored samples of a test at which the valve may respond; all samples if there are none.
 ///
-/// A settled force says nothing of the valve, and its noise would hide what the samples behind a step say.
+/// A steady force contains no information about the valve. Its noise would mask the samples after a step.
 fn responding(test: &Test) -> Vec<usize> {
     let segment = &test.segment;
     let Some(commands) = &segment.setting else { return (0..test.allowed.len()).collect() };
@@ -110,7 +112,7 @@ fn responding(test: &Test) -> Vec<usize> {
     if found.is_empty() { (0..test.allowed.len()).collect() } else { found }
 }
 
-/// Log posterior of an actuator by the samples of each test that show the valve.
+/// Computes the log posterior of an actuator from the samples of each test at which the valve responds.
 fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext, places: &[Vec<usize>]) -> f64 {
     let of_test = |((test, (_, residual)), places): ((&Test, &(_, Vec<f64>)), &Vec<usize>)| {
         let samples = places.iter().filter_map(|k| Some((*residual.get(*k)?, *test.allowed.get(*k)?)));
@@ -127,7 +129,7 @@ fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext, places: &[Vec
     evidence.log_evidence() + log_prior(refit.form)
 }
 
-/// Finds the most probable actuator; `None` where nothing makes a finite force.
+/// Finds the most probable actuator; `None` if no form gives a finite force.
 pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync)) -> Option<ActuatorSearch> {
     let (low, high) = context.definition.axis.range();
     let range = high - low;
@@ -163,7 +165,8 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     };
     let (mut best_posterior, mut best) = fit(ActuatorForm::NONE, None)?;
     known.insert(ActuatorForm::NONE, Some((best_posterior, best.clone())));
-    // Where rising and falling differ, one lag for both looks worse than none, and no single part leads to the right form.
+    // If rising and falling differ, a shared lag is less probable than none. A search that changes single parts would then miss the right
+    // form.
     let mut from = best.clone();
     for form in VALVES {
         let found = fit(form, Some(&from));

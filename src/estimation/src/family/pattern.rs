@@ -1,4 +1,4 @@
-//! Which numbers of a damper may depend on its setting, and how probable that is before any record is seen.
+//! Parameters of a damper that may depend on its setting, and the prior odds that they do.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::structure::component::weight;
@@ -6,25 +6,26 @@ use crate::unknowns::{CurveName, Unknown};
 use dashpot_core::family::Axis;
 use dashpot_core::parameter::Number;
 
-/// Prior log odds that the FV curve depends on the setting: that is what an adjuster and a valve are for.
+/// Prior log odds that the FV curve depends on the setting: an adjuster or a valve serves to change it.
 const CURVE: f64 = 2.0;
-/// Prior log odds for a number that only says how energy is taken: friction of a magneto-rheological valve, say.
+/// Prior log odds for a parameter of a dissipative effect, such as the friction of a magneto-rheological valve.
 const DISSIPATED: f64 = -1.5;
-/// Prior log odds for a number that stores energy: gas, springs and oil are beside the valve.
+/// Prior log odds for a parameter that stores energy: gas, springs and oil are outside the valve.
 const STORED: f64 = -3.0;
-/// Numbers that the FV curve of a further setting counts: curves of one valve differ by little more than a factor on each stroke.
+/// Number of parameters that the FV curve counts at a further setting. Curves of one valve differ by little more than a factor on each
+/// stroke.
 const FURTHER_CURVE: f64 = 2.0;
 
-/// What may depend on the setting as a whole.
+/// A quantity that may depend on the setting as a whole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Site {
     /// The forces of the FV curve.
     Curve,
-    /// A number.
+    /// A scalar parameter.
     Number(Number),
 }
 
-/// The site of a free number; `None` where it cannot depend on the setting.
+/// Returns the site of a free parameter; `None` if the parameter cannot depend on the setting.
 pub fn site_of(free: &Free) -> Option<Site> {
     match free {
         Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }) => Some(Site::Curve),
@@ -35,7 +36,7 @@ pub fn site_of(free: &Free) -> Option<Site> {
     }
 }
 
-/// Whether a number stores energy; `None` where it cannot depend on a setting.
+/// Whether a parameter stores energy; `None` if the parameter cannot depend on a setting.
 fn stores_energy(number: Number) -> Option<bool> {
     let mut axis = Axis::NONE;
     axis.set_grid(&[0.0, 1.0]).ok()?;
@@ -44,7 +45,7 @@ fn stores_energy(number: Number) -> Option<bool> {
     Some(stores)
 }
 
-/// The sites of a hypothesis, each once, in the order of its numbers.
+/// Returns the sites of a hypothesis, each once, in the order of its parameters.
 pub fn sites(template: &Hypothesis) -> Vec<Site> {
     let mut all = Vec::new();
     for site in template.numbers.iter().filter_map(|number| site_of(&number.free)) {
@@ -55,12 +56,12 @@ pub fn sites(template: &Hypothesis) -> Vec<Site> {
     all
 }
 
-/// Which numbers of a hypothesis vary where these sites do.
+/// Returns for each parameter of a hypothesis whether it varies, given the sites that vary.
 pub fn varies(template: &Hypothesis, sites: &[Site]) -> Vec<bool> {
     template.numbers.iter().map(|number| site_of(&number.free).is_some_and(|site| sites.contains(&site))).collect()
 }
 
-/// The sites that vary under a pattern.
+/// Returns the sites that vary under a pattern.
 pub fn varying_sites(template: &Hypothesis, varies: &[bool]) -> Vec<Site> {
     let is_varying = |site: &Site| {
         template.numbers.iter().zip(varies).any(|(number, varies)| *varies && site_of(&number.free) == Some(*site))
@@ -68,7 +69,7 @@ pub fn varying_sites(template: &Hypothesis, varies: &[bool]) -> Vec<Site> {
     sites(template).into_iter().filter(is_varying).collect()
 }
 
-/// Log prior odds of a pattern.
+/// Computes the log prior odds of a pattern.
 pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
     let odds = |site: &Site| match site {
         Site::Curve => CURVE,
@@ -78,7 +79,7 @@ pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
     varying_sites(template, varies).iter().map(odds).sum()
 }
 
-/// Free numbers of a family, weakly informed ones counted half.
+/// Counts the free parameters of a family; weakly informed ones count half.
 pub fn numbers(template: &Hypothesis, varies: &[bool], settings: usize) -> f64 {
     let further = settings.saturating_sub(1) as f64;
     let of_curve = if varying_sites(template, varies).contains(&Site::Curve) { FURTHER_CURVE * further } else { 0.0 };

@@ -1,7 +1,7 @@
-//! First-order estimate of what a family would become if other numbers depended on the setting.
+//! First-order estimate of a family in which other parameters depend on the setting.
 //!
-//! The derivatives over the numbers of the template at each setting make the linear least-squares problem of every pattern of shared and
-//! varying numbers, so that all patterns one step away are judged without a refit.
+//! The derivatives with respect to the template's parameters at each setting define the linear least-squares problem of every pattern of
+//! shared and varying parameters. So all patterns one step away are judged without a refit.
 
 use super::pattern::{Site, varies};
 use super::problem::{FamilyHypothesis, SettingTests};
@@ -11,35 +11,35 @@ use crate::refit::weights;
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps of a number within which a linear estimate is trusted.
+/// Largest change, in steps of a parameter, for which a linear estimate is trusted.
 const TRUSTED: f64 = 5.0;
-/// Solutions of the bounded linear problem, each with the numbers fixed that left their bounds before.
+/// Largest number of solutions of the bounded linear problem. Each fixes the parameters that left their bounds before.
 const ITERATIONS: usize = 6;
-/// Weight of the present value where neither records nor prior say anything of a number, in units of its step.
+/// Weight of the present value if neither records nor prior determine a parameter, in units of its step.
 const RIDGE: f64 = 1e-9;
 
 /// The linear problem of a refitted family.
 pub struct Linearization<'a> {
     structure: &'a FamilyStructure,
     settings: &'a [SettingTests],
-    /// Numbers of the template at each setting.
+    /// Parameters of the template at each setting.
     thetas: Vec<Vec<f64>>,
-    /// Derivatives over them.
+    /// Derivatives with respect to these parameters.
     jacobians: Vec<DMatrix<f64>>,
     /// Weighted normal matrices and right sides of each setting.
     normals: Vec<(DMatrix<f64>, DVector<f64>)>,
 }
 
-/// A family as a linearization predicts it.
+/// A family predicted by a linearization.
 pub struct Prediction {
-    /// The family, starting from the predicted numbers.
+    /// The family, starting from the predicted parameters.
     pub hypothesis: FamilyHypothesis,
     /// Predicted log posterior.
     pub log_posterior: f64,
 }
 
 impl<'a> Linearization<'a> {
-    /// Of a refitted family.
+    /// Linearizes a refitted family.
     pub fn new(structure: &'a FamilyStructure, settings: &'a [SettingTests]) -> Linearization<'a> {
         let hypothesis = &structure.hypothesis;
         let columns = hypothesis.columns();
@@ -66,7 +66,7 @@ impl<'a> Linearization<'a> {
         Linearization { structure, settings, thetas, jacobians, normals }
     }
 
-    /// The family where these sites vary and all others are shared; `None` where the linear problem has no solution.
+    /// Predicts the family in which these sites vary and all others are shared; `None` if the linear problem has no solution.
     pub fn predict(&self, sites: &[Site]) -> Option<Prediction> {
         let from = &self.structure.hypothesis;
         let varies = varies(&from.template, sites);
@@ -88,7 +88,7 @@ impl<'a> Linearization<'a> {
         Some(Prediction { hypothesis, log_posterior })
     }
 
-    /// The numbers of the linear problem, inside their bounds and near the present ones.
+    /// Solves the linear problem for parameters inside their bounds and near the present ones.
     fn solve(&self, hypothesis: &FamilyHypothesis, columns: &[Vec<usize>]) -> Option<Vec<f64>> {
         let numbers = hypothesis.numbers();
         let n = numbers.len();

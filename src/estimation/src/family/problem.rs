@@ -19,35 +19,35 @@ pub struct SettingTests {
     pub tests: Vec<Test>,
 }
 
-/// A damper at several settings: an ordinary hypothesis of which some numbers have a value at each setting.
+/// A damper at several settings: an ordinary hypothesis in which some parameters have a value at each setting.
 #[derive(Debug, Clone)]
 pub struct FamilyHypothesis {
-    /// The damper at one setting, with its free numbers.
+    /// The damper at one setting, with its free parameters.
     pub template: Hypothesis,
-    /// Whether each free number has a value at each setting; else all settings share it.
+    /// Whether each free parameter has a value at each setting; else all settings share one value.
     pub varies: Vec<bool>,
-    /// Where the numbers start at each setting. A shared number starts from its value at the first.
+    /// Start of the parameters at each setting. A shared parameter starts from its value at the first setting.
     pub starts: Vec<Vec<f64>>,
 }
 
-/// Where a refit of a family ended.
+/// Result of a refit of a family.
 #[derive(Debug, Clone)]
 pub struct FamilyRefit {
-    /// The numbers, in the order of [`FamilyHypothesis::numbers`].
+    /// The parameters, in the order of [`FamilyHypothesis::numbers`].
     pub theta: Vec<f64>,
-    /// Weighted residuals of each setting, measured less computed.
+    /// Weighted residuals of each setting, measured minus computed.
     pub residuals: Vec<Residual>,
-    /// Derivatives of the weighted computed forces of each setting over all numbers of the family.
+    /// Derivatives of the weighted computed forces of each setting with respect to all parameters of the family.
     pub jacobians: Vec<DMatrix<f64>>,
 }
 
 impl FamilyHypothesis {
-    /// Number of settings.
+    /// Returns the number of settings.
     pub fn settings(&self) -> usize {
         self.starts.len()
     }
 
-    /// Index in the family's vector of each free number at each setting.
+    /// Returns the index in the family's vector of each free parameter at each setting.
     pub fn columns(&self) -> Vec<Vec<usize>> {
         let settings = self.settings();
         let mut columns = vec![Vec::with_capacity(self.varies.len()); settings];
@@ -61,17 +61,17 @@ impl FamilyHypothesis {
         columns
     }
 
-    /// Length of the family's vector.
+    /// Returns the length of the family's vector.
     pub fn len(&self) -> usize {
         self.varies.iter().map(|varies| if *varies { self.settings() } else { 1 }).sum()
     }
 
-    /// Whether nothing is free.
+    /// Whether the family has no free parameters.
     pub fn is_empty(&self) -> bool {
         self.varies.is_empty()
     }
 
-    /// The vector that the family starts from.
+    /// Returns the start of the family as a vector.
     pub fn start(&self) -> Vec<f64> {
         let mut start = vec![0.0; self.len()];
         for (column, values) in self.columns().iter().zip(&self.starts).rev() {
@@ -82,7 +82,7 @@ impl FamilyHypothesis {
         start
     }
 
-    /// The free numbers of the family, one for each component of its vector.
+    /// Returns the free parameters of the family, one for each component of its vector.
     pub fn numbers(&self) -> Vec<Number> {
         let start = self.start();
         let mut numbers = Vec::with_capacity(start.len());
@@ -94,43 +94,43 @@ impl FamilyHypothesis {
         numbers
     }
 
-    /// All free numbers as one hypothesis, for what asks for numbers and their priors alone; it makes no forces.
+    /// Returns all free parameters as one hypothesis, for functions that need only parameters and priors. The hypothesis gives no forces.
     pub fn joint(&self) -> Hypothesis {
         Hypothesis { base: self.template.base, numbers: self.numbers(), heating: None, priors: PriorSet::default() }
     }
 
-    /// The numbers of the template at a setting.
+    /// Returns the parameters of the template at a setting.
     pub fn theta_at(&self, theta: &[f64], setting: usize) -> Vec<f64> {
         self.columns()[setting].iter().map(|place| theta[*place]).collect()
     }
 
-    /// Parameters of the damper at a setting.
+    /// Returns the parameter set of the damper at a setting.
     pub fn params_at(&self, theta: &[f64], setting: usize) -> Params {
         self.template.params(&self.theta_at(theta, setting))
     }
 
-    /// The family from another start.
+    /// Returns the family with another start.
     pub fn starting_at(mut self, theta: &[f64]) -> FamilyHypothesis {
         let starts = (0..self.settings()).map(|setting| self.theta_at(theta, setting)).collect();
         self.starts = starts;
         self
     }
 
-    /// Without one of its settings, from where the others stand.
+    /// Returns the family without one of its settings, with the starts of the others.
     pub fn without_setting(&self, setting: usize) -> FamilyHypothesis {
         let mut less = self.clone();
         less.starts.remove(setting);
         less
     }
 
-    /// The [covariance](crate::deviations::sandwich) of all free numbers at a refit, and how well each is determined.
+    /// Computes the [covariance](crate::deviations::sandwich) of all free parameters at a refit, and the degree of determination of each.
     pub fn covariance(&self, refit: &FamilyRefit, settings: &[SettingTests]) -> Option<(DMatrix<f64>, Vec<f64>)> {
         let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
         let residual_at = |theta: &[f64]| self.residual_by(Accuracy::Derivatives, settings, theta);
         sandwich_of(&self.joint(), &self.joint_refit(refit), &tests, &residual_at)
     }
 
-    /// Residuals of all settings, one after the other; `None` where one makes no finite force.
+    /// Computes the residuals of all settings, concatenated; `None` if a setting gives no finite force.
     fn residual_by(&self, accuracy: Accuracy, settings: &[SettingTests], theta: &[f64]) -> Option<Residual> {
         let of = |(place, of): (usize, &SettingTests)| {
             self.template.residual_by(accuracy, &of.tests, &self.theta_at(theta, place))
@@ -139,7 +139,7 @@ impl FamilyHypothesis {
         Some(Residual::from_iterator(all.iter().map(|of| of.len()).sum(), all.iter().flat_map(|of| of.iter().copied())))
     }
 
-    /// Refits the family from where it starts; `None` where it makes no finite force.
+    /// Refits the family from its start; `None` if the family gives no finite force.
     pub fn refit(&self, settings: &[SettingTests], effort: Effort) -> Option<FamilyRefit> {
         let numbers = self.numbers();
         let problem = Problem { family: self, settings, columns: self.columns(), length: self.len(), effort };
@@ -156,7 +156,7 @@ impl FamilyHypothesis {
         Some(refit)
     }
 
-    /// A refit as that of [`FamilyHypothesis::joint`], with the rows of all settings one after the other.
+    /// Converts a refit to that of [`FamilyHypothesis::joint`], with the rows of all settings concatenated.
     pub fn joint_refit(&self, refit: &FamilyRefit) -> Refit {
         let rows = refit.residuals.iter().map(|r| r.len()).sum();
         let (mut residual, mut jacobian) = (DVector::zeros(rows), DMatrix::zeros(rows, self.len()));
@@ -169,7 +169,7 @@ impl FamilyHypothesis {
         Refit::from_point(&self.joint(), refit.theta.clone(), residual, jacobian)
     }
 
-    /// A refit as that of the ordinary damper at a setting, whose derivatives are over the numbers of the template.
+    /// Converts a refit to that of the ordinary damper at a setting. Its derivatives are with respect to the template's parameters.
     pub fn refit_at(&self, refit: &FamilyRefit, setting: usize) -> Refit {
         let columns = &self.columns()[setting];
         let theta = self.theta_at(&refit.theta, setting);
@@ -203,7 +203,7 @@ impl Residuals for Problem<'_> {
         self.settings.len()
     }
 
-    /// Computed less measured: the sign in which the derivatives of the computed forces are those of the residuals.
+    /// Computes the residuals as computed minus measured: their derivatives are then those of the computed forces.
     fn residuals(&self, block: usize, joint: &Vec<f64>) -> Option<Vec<f64>> {
         let tests = &self.settings[block].tests;
         let residual = self.family.template.residual_by(self.effort.residuals, tests, &self.theta(joint, block))?;
@@ -230,7 +230,7 @@ mod tests {
     use crate::unknowns::{CurveName, Unknown};
     use crate::vocabulary::base_numbers;
 
-    /// A damper at two settings whose FV curves differ, and everything else does not.
+    /// A damper at two settings that differ in their FV curves alone.
     #[test]
     fn residuals_of_a_family_are_those_of_each_setting_at_its_own_numbers() {
         let base = Params::new();
@@ -253,14 +253,14 @@ mod tests {
         let at = |theta: &[f64]| family.residual_by(Accuracy::Full, &settings, theta).unwrap();
         let truth = at(&theta);
         assert!(truth.len() == 320 && truth.amax() < 1e-9, "{}", truth.amax());
-        // The numbers of the first setting move its residuals alone.
+        // Parameters of the first setting change its residuals alone.
         let columns = family.columns();
         let mut moved = theta.clone();
         columns[0].iter().filter(|place| !columns[1].contains(place)).for_each(|place| moved[*place] += 10.0);
         let moved = at(&moved);
         let [first, second] = [0, 160].map(|from| moved.rows(from, 160).amax());
         assert!(first > 0.1 && second < 1e-9, "{first} {second}");
-        // As its derivatives say, which the intervals come from.
+        // The covariance for the intervals follows from the derivatives of the refit.
         let refit = family.refit(&settings, Effort { steps: 0, ..Effort::SCREEN }).unwrap();
         assert!(family.covariance(&refit, &settings).is_some_and(|(_, known)| known.len() == theta.len()));
     }

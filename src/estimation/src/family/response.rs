@@ -1,28 +1,29 @@
-//! A damper over a setting, run along a segment whose setting changes.
+//! Simulation of an adjustable damper along a segment whose setting changes.
 
 use crate::segment::Segment;
 use dashpot_core::Input;
 use dashpot_core::family::Family;
 use dashpot_core::input::Path;
 
-/// Parts of a sample while the valve is on its way. A step holds the setting that it ends at, so that a valve on its way is half a step early for
-/// what takes time to follow: with whole samples of 1 ms a lag came out 0.3 ms too long.
+/// Parts of a sample while the valve moves. A step uses the setting at its end, so a moving valve leads slower states by half a step. With
+/// whole samples of 1 ms, an identified lag was 0.3 ms too long.
 const PARTS: u32 = 4;
-/// Fraction of the range of the grid that a valve on its way moves by in a sample.
+/// Change of the valve's position within a sample, as a fraction of the grid's range, above which the valve counts as moving.
 const MOVING: f64 = 1e-3;
 
-/// Forces at the samples of a segment, and where the valve stands there. The run begins at the equilibrium of the first sample.
+/// Computes the forces and the valve's positions at the samples of a segment. The simulation begins at the equilibrium of the first sample.
 pub fn run(family: &Family, segment: &Segment) -> (Vec<f64>, Vec<f64>) {
     run_commanded(family, segment, segment.setting.as_deref())
 }
 
-/// The input within a step.
+/// Returns the input within a step.
 fn part_of(input: &Input, path: &Path, theta: f64) -> Input {
     let point = path.point(theta);
     Input { displacement: Some(point.x), velocity: point.v, ..*input }
 }
 
-/// Forces and stands of the valve under other commands than those of the segment, one for the step that ends at each sample.
+/// Computes forces and valve positions under other commands than those of the segment. Each command holds for the step that ends at its
+/// sample.
 pub fn run_commanded(family: &Family, segment: &Segment, commands: Option<&[f64]>) -> (Vec<f64>, Vec<f64>) {
     let command = |sample: usize| commands.and_then(|all| all.get(sample)).copied();
     let count = segment.input.len();

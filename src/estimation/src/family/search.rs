@@ -1,8 +1,8 @@
 //! The search for the most probable family.
 //!
-//! Each setting is searched as an ordinary damper first. Each structure found there, with every number varying, is a start that loses what
-//! need not vary. From each, moves let one number vary or be shared, remove an effect, or add one that a setting asked for, as long as the
-//! log posterior rises. The most probable end is the result.
+//! Each setting is first searched as an ordinary damper. Each structure found in these searches gives a start in which every parameter
+//! varies; those that need not vary are then shared. From each start, moves let one parameter vary or be shared, remove an effect, or add
+//! one from the search of a setting. Moves end when the log posterior no longer rises. The most probable end is the result.
 
 use super::pattern::{Site, sites};
 use super::prediction::Linearization;
@@ -17,31 +17,33 @@ use crate::structure::search::StructureSearch;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Rise of the log posterior below which a move is not made.
+/// Smallest rise of the log posterior for which a move is made.
 const RISE: f64 = 0.5;
-/// How far a predicted family may lie behind the present one to be refitted.
+/// Largest distance of a predicted log posterior below the present one for which the family is refitted.
 const PREDICTED: f64 = 3.0;
-/// Predicted families that are refitted at most in each iteration.
+/// Largest number of predicted families that are refitted in each iteration.
 const REFITTED: usize = 3;
-/// Log posterior below the best of a setting within which an effect is tried in the family.
+/// Largest distance of the log posterior below the best of a setting for which an effect is tried in the family.
 const ASKED_FOR: f64 = 15.0;
-/// Effects that are tried at most.
+/// Largest number of effects that are tried beyond those of the best structures.
 const EFFECTS: usize = 16;
-/// Moves at most.
+/// Largest number of moves.
 const MOVES: usize = 24;
 
-/// Whether something depends on the setting, and how probable that is.
+/// Dependence of a quantity on the setting, with its log odds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dependence {
-    /// What.
+    /// The quantity.
     pub site: Site,
     /// Whether it varies in the most probable family.
     pub varies: bool,
-    /// Log posterior of the family with it varying, less that with it shared; the other one is a first-order estimate.
+    /// Log posterior of the family in which the quantity varies, minus that in which it is shared. The less probable one is a first-order
+    /// estimate.
     pub log_odds: f64,
 }
 
-/// Searches for the most probable family. `found` holds the search of each setting alone; `None` where nothing makes a finite force.
+/// Searches for the most probable family. `found` contains the search of each setting alone. Returns `None` if no start gives a finite
+/// force.
 pub fn search_family(
     settings: &[SettingTests],
     found: &[StructureSearch],
@@ -66,7 +68,7 @@ pub fn search_family(
     Some(likelier_at_rest(best, settings))
 }
 
-/// The likelier of both forms of the FV curve at rest, which have the same numbers.
+/// Returns the likelier of both forms of the FV curve at rest, which have the same number of parameters.
 fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let other = with_other_form(&now.hypothesis.template).and_then(|template| {
         let hypothesis = FamilyHypothesis { template, ..now.hypothesis.clone() };
@@ -79,7 +81,7 @@ fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilySt
     }
 }
 
-/// Moves as long as the posterior rises.
+/// Makes moves as long as the posterior rises.
 fn climb(start: FamilyStructure, settings: &[SettingTests], asked_for: &[&Structure]) -> FamilyStructure {
     let mut best = start;
     let mut tried = BTreeSet::new();
@@ -96,7 +98,7 @@ fn climb(start: FamilyStructure, settings: &[SettingTests], asked_for: &[&Struct
     best
 }
 
-/// Shares all numbers at once whose sharing is predicted to raise the posterior.
+/// Shares all parameters at once for which sharing is predicted to raise the posterior.
 fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let varying = start.varying();
     let linear = Linearization::new(&start, settings);
@@ -116,7 +118,7 @@ fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     }
 }
 
-/// The sites that vary when one is toggled.
+/// Returns the sites that vary after one is toggled.
 fn toggled(varying: &[Site], site: Site) -> Vec<Site> {
     if varying.contains(&site) {
         varying.iter().copied().filter(|other| *other != site).collect()
@@ -125,7 +127,7 @@ fn toggled(varying: &[Site], site: Site) -> Vec<Site> {
     }
 }
 
-/// The family with one more or one less number that varies, where that is more probable.
+/// Lets one more or one fewer parameter vary, if the result is more probable.
 fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStructure> {
     let varying = from.varying();
     let linear = Linearization::new(from, settings);
@@ -142,14 +144,14 @@ fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStr
     better(from, refitted.collect())
 }
 
-/// The family with one effect less, where that is more probable.
+/// Removes one effect, if the result is more probable.
 fn remove(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStructure> {
     let less =
         (0..from.components.len()).into_par_iter().filter_map(|place| from.without(place, settings, Effort::JUDGE));
     better(from, less.collect())
 }
 
-/// The family with one more effect, where that is more probable.
+/// Adds one effect, if the result is more probable.
 fn add(
     from: &FamilyStructure,
     settings: &[SettingTests],
@@ -169,7 +171,7 @@ fn add(
         }
     }
     let more = list.into_par_iter().flat_map_iter(|(source, effect)| {
-        // Shared by all settings, and with its numbers at each of them.
+        // Try the effect with parameters that all settings share, and with parameters at each setting.
         [false, true].into_iter().filter_map(move |varies| {
             let (hypothesis, components) = with_effect(from, source, effect, varies)?;
             FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)
@@ -183,7 +185,7 @@ fn better(from: &FamilyStructure, among: Vec<FamilyStructure>) -> Option<FamilyS
     (best.log_posterior > from.log_posterior + RISE).then_some(best)
 }
 
-/// Structures of single settings with an effect that some setting asked for, the most wanted first.
+/// Returns structures of single settings with effects to try in the family, those with the largest gain first.
 fn asked_for(found: &[StructureSearch]) -> Vec<&Structure> {
     let mut by_form: BTreeMap<Form, (f64, &Structure)> = BTreeMap::new();
     let mut note = |form: Form, gain: f64, structure| {
@@ -209,7 +211,7 @@ fn asked_for(found: &[StructureSearch]) -> Vec<&Structure> {
     all.into_iter().take(beyond).map(|(_, structure)| structure).collect()
 }
 
-/// What depends on the setting and what does not, with its log odds.
+/// Returns for each site whether it depends on the setting, with its log odds.
 pub fn dependences(of: &FamilyStructure, settings: &[SettingTests]) -> Vec<Dependence> {
     let varying = of.varying();
     let linear = Linearization::new(of, settings);

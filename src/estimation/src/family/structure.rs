@@ -1,4 +1,4 @@
-//! A family with its effects, refitted, and how probable it is.
+//! A refitted family with its effects and its log posterior.
 
 use super::pattern::{Site, log_prior as log_prior_of_pattern, numbers, varies, varying_sites};
 use super::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
@@ -12,11 +12,11 @@ use crate::structure::prior_odds::log_prior;
 /// A refitted family.
 #[derive(Clone)]
 pub struct FamilyStructure {
-    /// Its free numbers, starting where the refit ended.
+    /// Its free parameters, starting from the result of the refit.
     pub hypothesis: FamilyHypothesis,
     /// Its effects.
     pub components: Vec<Component>,
-    /// Where its refit ended.
+    /// Result of its refit.
     pub refit: FamilyRefit,
     /// Its residuals.
     pub evidence: Evidence,
@@ -24,7 +24,7 @@ pub struct FamilyStructure {
     pub log_posterior: f64,
 }
 
-/// Residuals of a family, as evidence. A family is as plausible as the damper at its least plausible setting.
+/// Computes the evidence of a family from its residuals. Its negative log prior is that of the least plausible setting.
 pub fn evidence(
     hypothesis: &FamilyHypothesis,
     theta: &[f64],
@@ -49,13 +49,14 @@ pub fn evidence(
     all
 }
 
-/// Log prior of a family: of its effects, and of what depends on the setting.
+/// Computes the log prior of a family: that of its effects plus that of its dependence on the setting.
 pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> f64 {
     let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
     log_prior(&effects, &hypothesis.template.priors) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
 }
 
-/// What the numbers need not cost since more is known of this damper than of others: of one that varies, at each setting.
+/// Computes the deduction from the parameters' cost for those better known on this damper than on others. A varying parameter counts at
+/// each setting.
 fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
     let FamilyHypothesis { template, varies, .. } = hypothesis;
     let scale = Scale::from_params(&template.base);
@@ -67,7 +68,7 @@ fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
 }
 
 impl FamilyStructure {
-    /// Fits a family from where it starts; `None` where it makes no finite force.
+    /// Fits a family from its start; `None` if the family gives no finite force.
     pub fn fit(
         hypothesis: FamilyHypothesis,
         components: Vec<Component>,
@@ -81,12 +82,12 @@ impl FamilyStructure {
         Some(FamilyStructure { hypothesis, components, refit, evidence, log_posterior })
     }
 
-    /// What depends on the setting.
+    /// Returns the sites that depend on the setting.
     pub fn varying(&self) -> Vec<Site> {
         varying_sites(&self.hypothesis.template, &self.hypothesis.varies)
     }
 
-    /// Without one of its effects, refitted.
+    /// Removes one of its effects and refits.
     pub fn without(&self, place: usize, settings: &[SettingTests], effort: Effort) -> Option<FamilyStructure> {
         let varying = self.varying();
         let from = &self.hypothesis;

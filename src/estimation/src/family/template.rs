@@ -1,4 +1,4 @@
-//! Families made of structures that were found at single settings.
+//! Families made from structures that were found at single settings.
 
 use super::pattern::{site_of, sites, varies};
 use super::problem::{FamilyHypothesis, SettingTests};
@@ -17,7 +17,7 @@ use dashpot_core::parameter::{Number, table};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
-/// Velocities of the FV table that all settings share: those of the tests of all settings, or those of a structure with more points.
+/// Returns the velocities of the FV table that all settings share: from the tests of all settings, or from a structure with more points.
 pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
     let segments: Vec<Segment> = settings.iter().flat_map(|s| &s.tests).map(|t| t.segment.clone()).collect();
     let plain = first_guess::velocities(&segments);
@@ -26,7 +26,7 @@ pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
         return plain;
     }
     let (Some(first), Some(last)) = (plain.first(), plain.last()) else { return own };
-    // Faster tests of other settings end the table.
+    // Faster tests of other settings extend the ends of the table.
     if let Some(end) = own.first_mut() {
         *end = end.min(*first);
     }
@@ -37,8 +37,8 @@ pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
     own
 }
 
-/// A family with the effects of one structure, of which every number varies that can. Numbers start from the structure of each setting where it
-/// has them; then each setting is refitted by itself.
+/// Makes a family with the effects of one structure, in which every parameter varies that can. Parameters start from the structure of each
+/// setting if it contains them. Each setting is then refitted by itself.
 pub fn varying_family(
     from: &Structure,
     at_settings: &[&Structure],
@@ -73,7 +73,8 @@ pub fn varying_family(
     Some((FamilyHypothesis { template, varies, starts: starts? }, from.components.clone()))
 }
 
-/// The family with one more effect as a structure of one setting has it. All settings share its numbers, or each has its own where that can be.
+/// Adds one effect to the family from a structure of one setting. All settings share its parameters, or with `varies` each setting has its
+/// own where possible.
 pub fn with_effect(
     family: &FamilyStructure,
     source: &Structure,

@@ -1,20 +1,20 @@
-//! A tilted cross-head or eye: a share of the axial force loads the guides, and their friction adds to it.
+//! A tilted cross-head or eye: a fraction of the axial force loads the guides, and their friction adds to the force.
 
 use dashpot_core::Input;
 
-/// Speed within which friction in the guides turns over, m/s.
+/// Speed within which the friction of the guides reverses, m/s.
 const TURNS: f64 = 2e-3;
 
-/// Which force loads the guides.
+/// Force that loads the guides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Load {
-    /// All of it, the gas force too.
+    /// The whole force, including the gas force.
     Whole,
-    /// What motion adds to the force at rest: the tilt came after, or a force at rest was nulled.
+    /// The force relative to that at rest: the tilt came later, or the force at rest was set to zero.
     BeyondRest,
 }
 
-/// Adds friction as a share of the load; the share may grow `along` the displacement, 1/m.
+/// Adds friction as a fraction of the load. With `along` the fraction is proportional to the displacement, and `share` has the unit 1/m.
 pub(super) fn guide(share: f64, along: bool, load: Load, inputs: &[Input], forces: &mut [f64]) {
     let rest = match load {
         Load::Whole => 0.0,
@@ -26,7 +26,7 @@ pub(super) fn guide(share: f64, along: bool, load: Load, inputs: &[Input], force
     }
 }
 
-/// Mean of the forces on both sides of where the motion turns.
+/// Computes the mean of the forces on both sides of each reversal of the motion.
 fn at_rest(inputs: &[Input], forces: &[f64]) -> f64 {
     let turns = inputs.windows(2).zip(forces.windows(2)).filter(|(i, _)| i[0].velocity * i[1].velocity <= 0.0);
     let (sum, count) = turns.fold((0.0, 0.0), |(sum, count), (_, f)| (sum + 0.5 * (f[0] + f[1]), count + 1.0));

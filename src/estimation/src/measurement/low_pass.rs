@@ -1,11 +1,11 @@
-//! A force channel behind the low-pass filter of its amplifier.
+//! Low-pass filter of a force channel's amplifier.
 
 use super::second_order::SecondOrder;
 
 /// ζ of Bessel's filter of the second order, which delays all frequencies alike.
 const DAMPING: f64 = 0.866_025_403_784_438_6;
 
-/// Late by τ = 2 ζ/ω at low frequency.
+/// Filters forces with a delay of τ = 2 ζ/ω at low frequency.
 pub fn low_pass(tau: f64, dt: &[f64], forces: &mut [f64]) {
     if tau <= 0.0 {
         return;

@@ -1,6 +1,6 @@
-//! What the rig adds to a record that the damper did not do: skew between channels, load-cell zero, drift.
+//! Measurement errors that the rig adds to a record: skew between channels, load-cell zero, drift.
 //!
-//! These belong to the measurement. They are taken out of the comparison and never put into the model.
+//! The comparison of forces corrects them; the model of the damper does not contain them.
 
 mod force_loop;
 mod guide;
@@ -19,41 +19,41 @@ pub use low_pass::low_pass;
 pub use motion::{earlier, finer};
 use resonance::resonance;
 
-/// An artefact of the measurement.
+/// A measurement error of the rig.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Artefact {
     /// The force channel lags the motion channels, s.
     Delay,
-    /// It passes a low-pass filter that makes it late by so much, s.
+    /// A low-pass filter delays the force channel by this time, s.
     LowPass,
     /// A mass between load cell and damper moves with the damper's end, kg.
     Mass,
-    /// The gain of the load cell moves with the campaign's clock, 1/s.
+    /// The gain of the load cell drifts with the campaign's clock, 1/s.
     GainDrift,
     /// The load cell does not read zero without load, N.
     Offset,
-    /// Its zero was set anew after this time on the campaign's clock, s: a step, N.
+    /// The zero was set anew at this time on the campaign's clock, s: a step, N.
     Step(u32),
-    /// The zero of the load cell moves with the campaign's clock, N/s.
+    /// The zero of the load cell drifts with the campaign's clock, N/s.
     Drift,
-    /// It settles while the rig warms up, within this time on the campaign's clock, s: the whole way, N.
+    /// The zero drifts exponentially while the rig warms up, with this time constant on the campaign's clock, s: the total drift, N.
     WarmUp(u32),
-    /// Friction as a share of the force, as of a tilted cross-head that loads the guides.
+    /// Friction as a fraction of the force, as from a tilted cross-head that loads the guides.
     Guide(Load),
-    /// The growth of that share with displacement, 1/m.
+    /// Growth of that fraction with displacement, 1/m.
     GuideAlong(Load),
-    /// A rate-independent loop over force, as a fraction of the force.
+    /// Rate-independent hysteresis of the load cell, as a fraction of the force.
     ///
-    /// The load cell reverses within this force, N.
+    /// After a reversal its sign changes within this force, N.
     Loop(u32),
-    /// A resonance at this frequency, Hz, in phase with the force and across, as shares of it.
+    /// A resonance at this frequency, Hz, in phase with the force, as a fraction of the force.
     Ring(u32),
     /// A resonance at this frequency, Hz, in quadrature: in phase with the rate of the force, as a fraction of it.
     RingAcross(u32),
 }
 
 impl Artefact {
-    /// Name in the vocabulary; a gain that drifts is looked for in fits alone.
+    /// Returns the name in the vocabulary; only fits search for a gain drift.
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
@@ -67,7 +67,7 @@ impl Artefact {
         }
     }
 
-    /// Name of its one number.
+    /// Returns the name of its parameter.
     pub fn parameter(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "delay",
@@ -82,7 +82,7 @@ impl Artefact {
         }
     }
 
-    /// Unit of its number.
+    /// Returns the unit of its parameter.
     pub fn unit(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "s",
@@ -95,7 +95,7 @@ impl Artefact {
         }
     }
 
-    /// Sizes that a rig shows.
+    /// Returns the range of values that rigs show.
     pub fn bounds(self) -> (f64, f64) {
         let most = match self {
             Artefact::Delay | Artefact::LowPass => 5e-3,
@@ -109,7 +109,7 @@ impl Artefact {
         (if matches!(self, Artefact::LowPass | Artefact::Mass) { 0.0 } else { -most }, most)
     }
 
-    /// Position between the damper and the record: mechanical parts, then the load cell, then its gain, then its zero.
+    /// Returns the position between the damper and the record: mechanical parts, then the load cell, then its gain, then its zero.
     pub fn position_in_channel(self) -> u8 {
         match self {
             Artefact::Mass | Artefact::Guide(_) | Artefact::GuideAlong(_) => 0,
@@ -141,7 +141,7 @@ impl Artefact {
         }
     }
 
-    /// Force that one unit of its number adds all through a test; `None` where it is no constant.
+    /// Returns the constant force of one unit of the parameter in a test; `None` if the force is not constant.
     pub fn per_value(self, segment: &Segment) -> Option<f64> {
         match self {
             Artefact::Delay

@@ -1,12 +1,12 @@
-//! The motion of a test at other times than its samples: what a late or filtered force channel is a force of.
+//! Motion of a test between its samples, as needed for a delayed or filtered force channel.
 
 use crate::segment::Segment;
 use dashpot_core::Input;
 use dashpot_records::restrict;
 
-/// The motion at which the damper was when it made a force that is read so late: that of τ before.
+/// Shifts the motion of a test by a delay τ: each sample gets the motion at a time τ earlier.
 ///
-/// The motion is smooth and may be interpolated; the force, where friction turns over within a sample, may not.
+/// The motion is smooth and may be interpolated. The force may not, since friction can reverse within a sample.
 pub fn earlier(segment: &Segment, tau: f64) -> Segment {
     let n = segment.input.len();
     let mut delayed = segment.clone();
@@ -36,7 +36,7 @@ pub fn earlier(segment: &Segment, tau: f64) -> Segment {
     delayed
 }
 
-/// The motion at `parts` times as many samples.
+/// Returns the motion at `parts` times as many samples.
 pub fn finer(segment: &Segment, parts: usize) -> Segment {
     let mut fine = segment.clone();
     (fine.dt, fine.input) = (Vec::new(), Vec::new());
@@ -57,12 +57,13 @@ pub fn finer(segment: &Segment, parts: usize) -> Segment {
             fine.input.push(Input { displacement, velocity, ..*input });
         }
     }
-    // Nobody measured a force there.
+    // No force was measured at the added samples.
     fine.force = vec![f64::NAN; fine.input.len()];
     fine
 }
 
-/// Displacement and velocity `ahead` of a sample, of which the next is `h` away: Hermite's cubic, beyond them straight on.
+/// Interpolates displacement and velocity at a time `ahead` after a sample; the next sample is `h` later. Between the samples the curve is
+/// a Hermite cubic, outside a straight line.
 fn between(before: &Input, after: &Input, h: f64, ahead: f64) -> (Option<f64>, f64) {
     let (Some(x0), Some(x1)) = (before.displacement, after.displacement) else {
         let share = (ahead / h).clamp(0.0, 1.0);

@@ -1,14 +1,14 @@
-//! Something that resonates in the path of the force: a frame, a cross-head, oil in a hose.
+//! A resonance in the force path: a frame, a cross-head, oil in a hose.
 
 use super::second_order::SecondOrder;
 
-/// Damping ratio: so wide a peak reaches to the next frequency that is tried.
+/// Damping ratio: the peak is wide enough to reach the next frequency that is tried.
 const DAMPING: f64 = 0.15;
 
 /// Adds a fraction of the response of a resonance at `frequency`, Hz, to the force.
 ///
-/// With `across` that is its rate over ω; otherwise its acceleration over ω², which is in phase with the force below resonance. y follows
-/// the force by the second order.
+/// The output y follows the force as a second-order system. With `across` the response is its rate over ω. Otherwise the response is its
+/// acceleration over ω², which is in phase with the force below resonance.
 pub(super) fn resonance(share: f64, frequency: f64, across: bool, dt: &[f64], forces: &mut [f64]) {
     let omega = std::f64::consts::TAU * frequency;
     SecondOrder { omega, damping: DAMPING }.follow(dt, forces, |force, y, rate| {

@@ -1,18 +1,18 @@
-//! y'' + 2 ζ ω y' + ω² y = ω² F, exact for a force that runs straight between samples.
+//! Second-order filter y'' + 2 ζ ω y' + ω² y = ω² F, exact for a force that is linear between samples.
 
 /// A filter of the second order.
 pub(super) struct SecondOrder {
-    /// Its own frequency, rad/s.
+    /// Natural frequency, rad/s.
     pub omega: f64,
     /// Damping ratio ζ, below 1.
     pub damping: f64,
 }
 
-/// Share of a step by which another counts as equal to it: what that is off is as small a share of the force.
+/// Relative difference below which two steps count as equal. The relative error of the force is as small.
 const ALIKE: f64 = 1e-9;
 
 impl SecondOrder {
-    /// Lets the filter follow the forces; `then` gets each force, the filter's output and its rate there.
+    /// Filters the forces; `then` receives each force, the filter's output and the rate of the output.
     pub fn follow(&self, dt: &[f64], forces: &mut [f64], mut then: impl FnMut(&mut f64, f64, f64)) {
         let SecondOrder { omega, damping } = *self;
         let (falls, turns) = (damping * omega, omega * (1.0 - damping * damping).sqrt());
@@ -21,14 +21,14 @@ impl SecondOrder {
         let (mut y, mut rate) = (last, 0.0);
         let (mut at, mut stays, mut sin, mut cos) = (f64::NAN, 1.0, 0.0, 1.0);
         for (force, h) in forces.iter_mut().zip(dt).skip(1) {
-            // Most samples are equally far apart but for rounding, and the functions cost more than all else here.
+            // Most samples are equally spaced except for rounding, and the transcendental functions dominate the cost.
             if !((h - at).abs() <= ALIKE * h) {
                 at = *h;
                 stays = libm::exp(-falls * h);
                 (sin, cos) = libm::sincos(turns * h);
             }
             let slope = (*force - last) / h;
-            // What is behind the ramp that the force is on, and its rate.
+            // Deviation of the output and of its rate from the steady response to the present ramp of the force.
             let (off, off_rate) = (y - (last - late * slope), rate - slope);
             let after = stays * (off * cos + (off_rate + falls * off) / turns * sin);
             let after_rate = stays * (off_rate * cos - (falls * off_rate + omega * omega * off) / turns * sin);

@@ -1,36 +1,35 @@
-//! How far the model may miss a sample before that counts: noise, form of the FV curve, timing.
+//! Allowed error of the model in each sample: noise, form of the FV curve, timing.
 
 use crate::segment::Segment;
 
-/// Error that is allowed whatever the noise: no curve through a dozen points is better than this share of the largest
-/// force.
+/// Allowed error independent of noise, as a fraction of the largest force: no curve through a dozen points is more accurate.
 const FORM: f64 = 0.002;
 /// Small timing error as a fraction of a sample.
 ///
-/// It makes that fraction of the change from sample to sample. In that fraction of cases it puts a sample on the other side of a jump,
-/// where friction reverses within a sample.
+/// The force error is that fraction of the change from sample to sample. Where friction reverses within a sample, the force jumps, and that
+/// fraction of the samples lies on the wrong side of the jump.
 const TIMING: f64 = 0.05;
 
-/// The typical one, N: of a sample beside which the force does not change.
+/// Computes the typical allowed error, N: that of a sample at which the force is constant.
 pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }
 
-/// Allowed error of each sample of a mean cycle, N.
+/// Computes the allowed error of each sample of a mean cycle, N.
 ///
-/// `noise` is the variance of a sample's mean, `times` its factor at each sample, `mean_noise` what a jump must exceed.
+/// `noise` is the variance of a sample's mean, and `times` its factor at each sample. A jump counts only above `mean_noise`.
 pub fn in_cycle(segment: &Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
     let n = times.len();
     allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)
 }
 
-/// Allowed error of each scored sample of a road signal, N.
+/// Computes the allowed error of each scored sample of a road signal, N.
 pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
     let n = segment.force.len() - segment.from;
     allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))
 }
 
-/// `beside` is the place of the neighbour 0 to 4 of a sample: two before to two after.
+/// Computes the allowed errors, N; `beside(i, k)` is the index of neighbor k of sample i, from 0 (two before) to 4 (two after).
 fn allowed(
     segment: &Segment,
     noise: f64,

@@ -1,4 +1,4 @@
-//! A test whose setting changes: short steps of the model while the valve answers a command, long ones between.
+//! A test whose setting changes: short steps of the model during the response of the valve to a command, long steps otherwise.
 
 use super::Test;
 use super::road::ROAD;
@@ -8,20 +8,20 @@ use dashpot_core::Input;
 use dashpot_records::smoothing::Motion;
 use dashpot_records::{Record, SettingPattern, SettingSignal};
 
-/// Largest step of the model where nothing changes, s: between two steps the internal state advances.
+/// Largest step of the model at constant command, s: the internal state advances between two steps.
 const STEP: f64 = 2e-3;
-/// Largest step of the model while the valve answers a command, s: a fraction of its response.
+/// Largest step of the model during the response of the valve to a command, s: a fraction of the response time.
 const ANSWER_STEP: f64 = 5e-4;
-/// Time for which a valve may answer a change of its command, s.
+/// Longest response of a valve to a change of its command, s.
 const ANSWER: f64 = 0.3;
-/// One of so many samples counts where the valve has answered.
+/// Stride of the scored samples after the response of the valve.
 const SCORED: usize = 5;
-/// Most steps of a test. A record of more samples has longer ones.
+/// Largest number of steps of a test. A record with more samples has longer steps.
 const MOST: usize = 40_000;
-/// Part of the test that leads in.
+/// Divisor of the number of samples that gives the length of the lead-in.
 const LEAD: usize = 20;
 
-/// Samples that become steps of the model, and whether the valve answers a command there.
+/// Selects the samples that become steps of the model, each with a flag for the response of the valve to a command.
 fn picks(record: &Record, signal: &SettingSignal, stride: usize) -> Vec<(usize, bool)> {
     let n = record.time.len();
     let fine = ((ANSWER_STEP / step(record)) as usize).max(n.div_ceil(MOST)).max(1);
@@ -40,13 +40,13 @@ fn picks(record: &Record, signal: &SettingSignal, stride: usize) -> Vec<(usize, 
     picks
 }
 
-/// Time between samples, s.
+/// Computes the time between samples, s.
 fn step(record: &Record) -> f64 {
     let n = record.time.len();
     ((record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64).max(1e-9)
 }
 
-/// Command of each step between picked samples: the mean over those that it passes.
+/// Computes the command of each step between picked samples: the mean over the samples of the step.
 fn commands(signal: &SettingSignal, picks: &[(usize, bool)]) -> Vec<f64> {
     let first = picks.first().map(|(first, _)| signal.command(*first));
     let mean = |pair: &[(usize, bool)]| {
@@ -57,7 +57,7 @@ fn commands(signal: &SettingSignal, picks: &[(usize, bool)]) -> Vec<f64> {
     first.into_iter().chain(picks.windows(2).map(mean)).collect()
 }
 
-/// The test of a record whose setting changes.
+/// Makes the test of a record whose setting changes.
 pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSignal) -> Test {
     let n = record.time.len();
     let stride = ((STEP / step(record)) as usize).max(n.div_ceil(MOST)).max(1);
@@ -77,10 +77,11 @@ pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSign
     }
 }
 
-/// The test with a step of the model that ends where the command changes from level to level.
+/// Splits the steps of a test at the times at which the command changes from level to level.
 ///
-/// A change lies anywhere between two samples and is counted in their middle. The mean command over that step spreads it over a sample, behind
-/// a dead time over two: a valve that answers at once would not fit, and its lag would come out shorter by a sixteenth of a sample.
+/// A change may lie anywhere between two samples; the split assumes the middle. A mean command over that step would spread the change over
+/// a sample, with half a sample of dead time. An instantaneous valve would then not fit, and its lag would come out shorter by a sixteenth
+/// of a sample.
 fn with_steps_until_changes(
     mut test: Test,
     record: &Record,
@@ -101,7 +102,7 @@ fn with_steps_until_changes(
             let middle = 0.5 * (before + after);
             steps.push((middle - at, between(ends, after - before), force, signal.values[change - 1]));
             at = middle;
-            // It counts nothing: nothing was measured there.
+            // The added step is not scored: it has no measured force.
             if k < from { first += 1 } else { test.allowed.push(f64::INFINITY) }
         }
         steps.push((record.time[pair[1]] - at, old_input[k + 1], old_force[k + 1], signal.values[pair[1]]));
@@ -115,10 +116,10 @@ fn with_steps_until_changes(
     test
 }
 
-/// What the damper sees in the middle between two samples `dt` apart.
+/// Interpolates the input of the damper in the middle between two samples `dt` apart.
 fn between([a, b]: [Input; 2], dt: f64) -> Input {
     let middle = |a: f64, b: f64| 0.5 * (a + b);
-    // The cubic through both ends with their velocities.
+    // The cubic Hermite interpolation between both ends with their velocities.
     let displacement =
         a.displacement.zip(b.displacement).map(|(x, y)| middle(x, y) + dt / 8.0 * (a.velocity - b.velocity));
     Input {
@@ -155,7 +156,7 @@ mod tests {
         let mean: f64 = dt.iter().zip(setting).map(|(dt, s)| dt * s).sum::<f64>() / record.time[n - 1];
         let true_mean = (1..n).map(|k| signal.command(k)).sum::<f64>() / (n - 1) as f64;
         assert!((mean - true_mean).abs() < 1e-9, "{mean} {true_mean}");
-        // The command changes within no step, and every other step is as it was.
+        // The command changes within no step; the other steps stay unchanged.
         assert!(setting.iter().all(|s| *s == 0.2 || *s == 1.4), "a command between the levels");
         let switched = setting.iter().position(|s| *s == 1.4).unwrap();
         let time: f64 = dt[..switched].iter().sum();

@@ -1,7 +1,7 @@
-//! The motion that runs ahead of a mean cycle, so that what the damper remembers is its own.
+//! The lead-in: motion before a mean cycle that brings the internal state of the damper to its steady state.
 //!
-//! A rig has run a test for many cycles before the first that counts. On a soft mount or a soft oil column the mean of the
-//! force goes on moving for as long as the slow valves take to bleed the spring, which at 25 Hz may be ten cycles.
+//! A rig has run a test for many cycles before the first scored one. On a soft mount or a soft oil column, the mean force changes until the
+//! slow valves have relaxed the spring. At 25 Hz this may take ten cycles.
 
 use super::Test;
 use crate::segment::Segment;
@@ -11,35 +11,35 @@ use rayon::prelude::*;
 
 /// Shortest lead-in of the motion, s, and its shortest and longest length in cycles.
 ///
-/// A longer internal state begins at rest in the middle of the stroke, as it does on a rig.
+/// A slower internal state starts in equilibrium at the middle of the stroke, as on a rig.
 const TIME: f64 = 0.15;
 const CYCLES: (f64, f64) = (1.5, 3.5);
 /// Fraction of a cycle just before the scored samples in which the lead-in uses every sample.
 ///
-/// Before that it uses one of `COARSER`: an error there has died out.
+/// Before that it uses one of [`COARSER`] samples: the resulting error has decayed.
 const FINE: f64 = 0.25;
 const COARSER: usize = 4;
-/// Most cycles that it is made longer by.
+/// Largest number of cycles by which the lead-in is extended.
 const MORE: usize = 20;
-/// What may be left of the start, in allowed errors.
+/// Largest residual influence of the initial state, in allowed errors.
 const LEFT: f64 = 0.1;
-/// Ratio of one cycle's change to the one's before from which the damper warms or drifts, which no run-in ends.
+/// Ratio of one cycle's change to the previous change above which the damper warms or drifts: no lead-in ends such a change.
 const SLOWEST: f64 = 0.95;
 
-/// Initial length of the lead-in of a cycle of `count` samples, in samples.
+/// Computes the initial length of the lead-in of a cycle of `count` samples, in samples.
 pub fn initial_length(period: f64, count: usize) -> usize {
     let half_cycles = (2.0 * (TIME / period).clamp(CYCLES.0, CYCLES.1)).round();
     (0.5 * half_cycles * count as f64) as usize
 }
 
-/// Sample indices, from the start of the lead-in, of a lead-in of `lead` samples and its cycle of `count`.
+/// Selects sample indices, counted from the start of the lead-in, for a lead-in of `lead` samples and its cycle of `count`.
 pub fn places(lead: usize, count: usize) -> Vec<usize> {
     let near = (FINE * count as f64) as usize;
     let is_taken = |k: &usize| *k + near >= lead || (lead - near - k).is_multiple_of(COARSER);
     (0..lead + count).filter(is_taken).collect()
 }
 
-/// The tests with a run-in as long as the damper remembers.
+/// Extends the lead-in of each test until the internal state of the damper reaches its steady state.
 pub fn as_long_as_remembered(tests: Vec<Test>, params: &Params) -> Vec<Test> {
     let Ok(model) = Model::new(params) else { return tests };
     tests
@@ -54,7 +54,7 @@ pub fn as_long_as_remembered(tests: Vec<Test>, params: &Params) -> Vec<Test> {
         .collect()
 }
 
-/// The scored cycle run through `places`, of which the first `lead` samples lead in.
+/// Repeats the scored cycle over the indices `places`, of which the first `lead` samples are the lead-in.
 fn led_in(test: &Test, places: &[usize], lead: usize) -> Segment {
     let (whole, count) = (&test.segment, test.count());
     let turned = |k: usize| whole.from + (k + count - lead % count) % count;
@@ -68,14 +68,14 @@ fn led_in(test: &Test, places: &[usize], lead: usize) -> Segment {
     }
 }
 
-/// How many cycles the run-in must be longer, for the force to be that of a motion that has gone on.
+/// Returns the number of further cycles of lead-in after which the force is that of the steady state.
 fn further_cycles(test: &Test, model: &Model) -> usize {
     let count = test.count();
     if test.frequency <= 0.0 || count <= COARSER {
         return 0;
     }
     let usual = initial_length(1.0 / test.frequency, count);
-    // The cycle that would count, and those after it, at the same phases in each.
+    // The cycle that would be scored, and those after it, at equal phases.
     let from = usual % count;
     let places: Vec<usize> =
         (0..usual + (MORE + 2) * count).filter(|k| ((k + count - from) % count).is_multiple_of(COARSER)).collect();
@@ -87,7 +87,7 @@ fn further_cycles(test: &Test, model: &Model) -> usize {
         .windows(2)
         .map(|pair| pair[0].iter().zip(pair[1]).map(|(a, b)| (b - a).abs()).fold(0.0, f64::max))
         .collect();
-    // Changes that shrink by r from cycle to cycle sum up to the last one's r/(1 − r).
+    // Changes that shrink by a ratio r from cycle to cycle have the sum of a geometric series, 1/(1 − r) times the first.
     let is_run_in = |pair: &[f64]| {
         let ratio = if pair[0] > 0.0 { pair[1] / pair[0] } else { 0.0 };
         ratio > SLOWEST || pair[0] / (1.0 - ratio) < LEFT * test.segment.scale
@@ -104,7 +104,7 @@ mod tests {
 
     const COUNT: usize = 100;
 
-    /// A cycle of 1 mm that starts anywhere in it, with the usual run-in.
+    /// A cycle of 1 mm that starts at an arbitrary phase, with the initial lead-in.
     fn cycle(frequency: f64) -> Test {
         let dt = 1.0 / (frequency * COUNT as f64);
         let input = |k: usize| {
@@ -144,7 +144,7 @@ mod tests {
         let mut params = Params::new();
         params.enable(element!("series_compliance"), true);
         params.set(number!("series_stiffness"), stiffness).unwrap();
-        // Three times as hard in rebound as in compression: its mean force moves until the spring has taken it up.
+        // The damper is three times as stiff in rebound as in compression: its mean force changes until the spring carries it.
         params.set_list(list!("fv_velocity"), &[-2.0, 0.0, 2.0]).unwrap();
         params.set_list(list!("fv_force"), &[-6e3, 0.0, 18e3]).unwrap();
         params

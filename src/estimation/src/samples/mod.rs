@@ -1,7 +1,7 @@
-//! The samples that a diagnosis looks at: the mean cycle of every test, and how far noise lets it be trusted.
+//! Samples for a diagnosis: the mean cycle of every test, and its accuracy under noise.
 //!
-//! Averaging over cycles at equal phase takes most of the noise out and leaves the damper in. A long test is cut into a
-//! few stretches first, so that what changes while it runs (heating, drift) stays visible from stretch to stretch.
+//! Averaging over cycles at equal phase removes most of the noise and preserves the damper's force. A long test is first cut into a few
+//! stretches, so that slow changes (heating, drift) stay visible from stretch to stretch.
 
 mod allowed;
 mod changing;
@@ -25,7 +25,7 @@ use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
 use road::Extent;
 
-/// Duration from which a test is cut into stretches, s, the fewest cycles of one, and the most of them.
+/// Shortest duration, s, of a test that is cut into stretches; fewest cycles of a stretch; largest number of stretches.
 const LONG: f64 = 20.0;
 const STRETCH_CYCLES: usize = 3;
 const MOST_STRETCHES: usize = 4;
@@ -33,7 +33,7 @@ const MOST_STRETCHES: usize = 4;
 /// One test, or one stretch of a long one.
 #[derive(Debug, Clone)]
 pub struct Test {
-    /// Place of its record in the list given.
+    /// Index of its record in the given list.
     pub record: usize,
     /// Motion and mean measured force; `scale` is the typical allowed error.
     pub segment: Segment,
@@ -41,40 +41,40 @@ pub struct Test {
     pub allowed: Vec<f64>,
     /// Noise of one sample of the mean, N.
     pub mean_noise: f64,
-    /// Independent samples that one scored sample stands for: 1 for white noise.
+    /// Fraction of independent samples among the scored ones: 1 for white noise.
     pub independence: f64,
-    /// Growth of the force from cycle to cycle, as a share of it, in standard deviations.
+    /// Significance of the relative growth of the force from cycle to cycle, in standard deviations.
     pub growth: f64,
     /// Independent deviations from which the noise was estimated.
     pub noise_freedom: f64,
     /// Frequency, Hz; 0 without cycles.
     pub frequency: f64,
-    /// Tests that it counts as: a stretch of a road counts as a part of several, see [`road`].
+    /// Number of tests that it represents: a stretch of a road represents a part of several, see [`road`].
     pub weight: f64,
 }
 
 impl Test {
-    /// Number of scored samples.
+    /// Returns the number of scored samples.
     pub fn count(&self) -> usize {
         self.segment.force.len() - self.segment.from
     }
 
-    /// Number of independent ones among them.
+    /// Returns the number of independent samples among the scored ones.
     pub fn independent_count(&self) -> f64 {
         self.count() as f64 * self.independence
     }
 
-    /// Error that noise and the form of curves through a dozen points leave in one sample of the mean, N.
+    /// Computes the error of one sample of the mean, N, due to noise and to the form of curves through a dozen points.
     pub fn unit(&self) -> f64 {
         allowed::typical(self.mean_noise.powi(2), self.segment.top)
     }
 
-    /// The scored inputs.
+    /// Returns the scored inputs.
     pub fn inputs(&self) -> &[Input] {
         &self.segment.input[self.segment.from..]
     }
 
-    /// The scored forces.
+    /// Returns the scored forces.
     pub fn forces(&self) -> &[f64] {
         &self.segment.force[self.segment.from..]
     }
@@ -88,7 +88,7 @@ pub fn tests(records: &[&Record]) -> Vec<Test> {
     of_each.into_iter().flatten().collect()
 }
 
-/// At most so many stretches of the cycles of a record, or a road to the given extent.
+/// Makes at most `most` tests from stretches of a record's cycles, or from a road in the given extent.
 fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<Test> {
     let motion = smooth(record);
     let cycles = record.cycles.len();
@@ -109,7 +109,7 @@ fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<
         .collect()
 }
 
-/// A segment of a record about a time of its clock, which is scored from `from` on; `noise` is the variance of a sample.
+/// Makes a segment of a record at a time of its clock, scored from index `from` on; `noise` is the variance of a sample.
 fn segment(
     record: &Record,
     clock: f64,

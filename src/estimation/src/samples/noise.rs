@@ -1,25 +1,25 @@
-//! Noise of what is compared: from how cycles differ, whatever its colour, or from the record's own estimate.
+//! Noise of the compared samples: from the differences of cycles, for any noise spectrum, or from the record's own estimate.
 
 use dashpot_records::restrict;
 
-/// Fewest cycles whose differences tell the noise of their mean.
+/// Fewest cycles whose differences give the noise of their mean.
 const REPEATS: usize = 3;
-/// Share of the largest deviations that steep places make, not noise, and the variance that normal noise keeps when those
-/// are cut.
+/// Fraction of the deviations that is clamped as outliers: steep parts of the force cause them, not noise. The second value is the fraction
+/// of the variance of normal noise that remains after clamping.
 const STEEP: f64 = 0.02;
 const KEPT: f64 = 0.964;
 
-/// What cycles tell by how they differ.
+/// Statistics of the differences between cycles.
 pub struct Repeat {
-    /// Noise of their mean.
+    /// Noise of their mean, N.
     pub mean_noise: f64,
-    /// Share of independent samples.
+    /// Fraction of independent samples.
     pub independence: f64,
-    /// Growth of the force from cycle to cycle, as a share of it, in standard deviations.
+    /// Significance of the relative growth of the force from cycle to cycle, in standard deviations.
     pub growth: f64,
 }
 
-/// From how cycles differ from their mean at equal phase: whatever the colour of the noise.
+/// Computes the statistics from the deviations of cycles from their mean at equal phase, for any noise spectrum.
 pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) -> f64) -> Option<Repeat> {
     let count = mean.len();
     if bounds.len() < REPEATS || count < 16 {
@@ -39,7 +39,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
     if variance <= 0.0 {
         return None;
     }
-    // Geyer's initial positive sequence (Stat. Sci. 7, 1992), as far as a quarter of a cycle.
+    // Geyer's initial positive sequence (Stat. Sci. 7, 1992), truncated at a quarter of a cycle.
     let mut stands_for = 1.0;
     for lag in 1..count / 4 {
         let correlation = product(lag) / variance;
@@ -49,7 +49,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
         stands_for += 2.0 * correlation;
     }
     let n = bounds.len() as f64;
-    // The deviations are from the cycles' own mean, which takes its share of them.
+    // The deviations are taken from the cycles' own mean, which costs one degree of freedom.
     Some(Repeat {
         mean_noise: (variance / KEPT / (n - 1.0)).sqrt(),
         independence: 1.0 / stands_for,
@@ -57,7 +57,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
     })
 }
 
-/// Growth of the force from cycle to cycle in standard deviations, from each cycle's own gain on the mean one.
+/// Computes the growth of the force from cycle to cycle in standard deviations, from each cycle's gain relative to the mean cycle.
 fn growth(deviations: &[Vec<f64>], mean: &[(f64, f64)], stands_for: f64) -> f64 {
     let middle = mean.iter().map(|m| m.1).sum::<f64>() / mean.len() as f64;
     let shape: Vec<f64> = mean.iter().map(|m| m.1 - middle).collect();
@@ -77,12 +77,12 @@ fn growth(deviations: &[Vec<f64>], mean: &[(f64, f64)], stands_for: f64) -> f64 
     slope / (of_gain / places).sqrt().max(1e-300)
 }
 
-/// Share of independent samples among samples whose neighbours correlate so.
+/// Computes the fraction of independent samples from the correlation of neighboring samples.
 pub fn independence(lag: f64) -> f64 {
     (1.0 - lag) / (1.0 + lag)
 }
 
-/// Variance of the mean of `count` neighbours in units of one sample's, for noise whose autocorrelation falls off
+/// Computes the variance of the mean of `count` neighbors in units of one sample's variance. The autocorrelation of the noise decays
 /// geometrically.
 pub fn mean_variance(count: usize, lag1: f64) -> f64 {
     let n = count as f64;

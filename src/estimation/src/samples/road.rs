@@ -1,7 +1,7 @@
 //! A test without cycles: a road signal.
 //!
-//! A long road repeats itself, and every step of it costs as much as one of a mean cycle. Besides many tests it is therefore run in a few
-//! stretches that together visit the displacements and velocities that it visits, rare ones first.
+//! A long road repeats itself, and each of its steps costs as much as a step of a mean cycle. In a campaign of many tests, the model
+//! therefore simulates only a few stretches of a road. Together they cover its displacements and velocities, rare ones first.
 
 use super::Test;
 use super::sampling::Sampling;
@@ -10,59 +10,60 @@ use dashpot_records::smoothing::Motion;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Largest step of the model, s: between two scored samples the internal state advances.
+/// Largest step of the model, s: the internal state advances between two scored samples.
 const STEP: f64 = 2e-3;
-/// Most steps of a road that is run whole. A record of more samples has longer ones.
+/// Largest number of steps of a road that is simulated whole. A record with more samples has longer steps.
 const MOST: usize = 40_000;
-/// Fewest samples of a road that is run whole that are scored, where it has so many.
+/// Smallest number of scored samples of a road that is simulated whole, if it has that many.
 const SCORED: usize = 1000;
-/// Scored samples of a stretch: no fewer than a mean cycle has.
+/// Number of scored samples of a stretch: at least as many as a mean cycle has.
 const STRETCH: usize = 150;
-/// Samples that lead in to a stretch. A state that has not died out in 0.2 s stays wrong; ones as slow follow temperature and gas, which are inputs.
+/// Number of samples of the lead-in of a stretch. A state that decays more slowly than 0.2 s stays wrong; states this slow follow
+/// temperature and gas, which are inputs.
 const LEAD: usize = 100;
-/// Cells of displacement and of velocity, each over the range of the road: fine enough for an end stop to have one of its own.
+/// Numbers of cells of displacement and of velocity over the range of the road: an end stop is resolved by a cell of its own.
 const CELLS: f64 = 10.0;
-/// Tests that a record without cycles counts as: it visits amplitudes and speeds of several sines.
+/// Number of tests that a record without cycles represents: its amplitudes and speeds are those of several sines.
 pub const ROAD: f64 = 4.0;
 
-/// Place in the grid of displacement and velocity.
+/// Cell in the grid of displacement and velocity.
 type Cell = (i64, i64);
 
-/// How much of a road is run.
+/// Extent of a road that is simulated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
     /// All of it, as one test.
     Whole,
-    /// At most so many stretches.
+    /// At most this number of stretches.
     Stretches(usize),
 }
 
 impl Extent {
-    /// Stretches that all tests of a campaign should have together.
+    /// Target for the total number of stretches of all tests of a campaign.
     ///
-    /// So a road alone is run whole, and one among many in a few.
+    /// So a single road is simulated whole, and each of many roads in a few stretches.
     const ENOUGH: usize = 60;
-    /// Fewest stretches of a road.
+    /// Smallest number of stretches of a road.
     const FEWEST: usize = 4;
 
-    /// The extent of each road of a campaign of so many records.
+    /// Returns the extent of each road in a campaign of `records` records.
     pub fn in_campaign(records: usize) -> Extent {
         Extent::Stretches(Self::ENOUGH.div_ceil(records.max(1)).max(Self::FEWEST))
     }
 }
 
-/// How much of the roads of a campaign is run in stretches.
+/// Summary of the roads of a campaign that are simulated in stretches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shortened {
-    /// Roads that are not run whole.
+    /// Number of roads that are not simulated whole.
     pub roads: usize,
-    /// Stretches of one of them.
+    /// Number of stretches of such a road.
     pub stretches: usize,
     /// Length of a stretch without its lead-in, s.
     pub seconds: f64,
 }
 
-/// The roads among tests that are run in stretches; `None` where there are none.
+/// Summarizes the roads among tests that are simulated in stretches; `None` without such roads.
 pub fn shortened(tests: &[Test]) -> Option<Shortened> {
     let mut counts: BTreeMap<usize, (usize, f64)> = BTreeMap::new();
     for test in tests.iter().filter(|t| t.frequency == 0.0 && t.weight < ROAD) {
@@ -85,11 +86,11 @@ struct Road<'a> {
     stride: usize,
 }
 
-/// The tests of a record without cycles.
+/// Makes the tests of a record without cycles.
 pub fn tests(place: usize, record: &Record, motion: &Motion, extent: Extent) -> Vec<Test> {
     let n = record.time.len();
     let step = (record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64;
-    // Two steps of 1 ms are 2 ms, whatever the rounding of the clock.
+    // Two steps of 1 ms count as 2 ms, in spite of rounding of the clock.
     let stride = ((STEP / step.max(1e-9) + 1e-6) as usize).max(1);
     let road = |stride| Road { place, record, motion, picks: (0..n).step_by(stride).collect(), stride };
     if let Extent::Stretches(most) = extent {
@@ -108,13 +109,13 @@ pub fn tests(place: usize, record: &Record, motion: &Motion, extent: Extent) -> 
 }
 
 impl Road<'_> {
-    /// Adjacent stretches, each behind a lead-in.
+    /// Returns adjacent stretches, each after a lead-in.
     fn stretches(&self) -> Vec<Range<usize>> {
         let count = self.picks.len().saturating_sub(LEAD) / STRETCH;
         (0..count).map(|k| LEAD + k * STRETCH..LEAD + (k + 1) * STRETCH).collect()
     }
 
-    /// Cells of displacement and velocity that each stretch visits.
+    /// Returns the cells of displacement and velocity in each stretch.
     fn cells(&self, stretches: &[Range<usize>]) -> Vec<BTreeSet<Cell>> {
         let (x, v) = (&self.motion.displacement, &self.motion.velocity);
         let (low, high) = x.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
@@ -124,7 +125,7 @@ impl Road<'_> {
         stretches.iter().map(|range| self.picks[range.clone()].iter().map(visited).collect()).collect()
     }
 
-    /// The test of a range of steps, led in by `lead` steps, of which one in `every` is scored.
+    /// Makes the test of a range of steps after `lead` steps of lead-in. One step in `every` is scored.
     fn test(&self, range: Range<usize>, lead: usize, every: usize, weight: f64) -> Test {
         let picks = &self.picks[range.start - lead..range.end];
         let time = &self.record.time;
@@ -134,7 +135,7 @@ impl Road<'_> {
     }
 }
 
-/// The stretches whose cells cover the most that the others do not visit, in their order. A cell counts the more the fewer stretches visit it.
+/// Chooses the stretches that cover the most cells, in their order. A cell counts more if fewer stretches contain it.
 fn choose(cells: &[BTreeSet<Cell>], most: usize) -> Vec<usize> {
     let mut visits: BTreeMap<Cell, f64> = BTreeMap::new();
     for cell in cells.iter().flatten() {
@@ -149,7 +150,7 @@ fn choose(cells: &[BTreeSet<Cell>], most: usize) -> Vec<usize> {
         let left = || (0..cells.len()).filter(|k| !chosen.contains(k));
         let Some(best) = left().max_by(|a, b| gain(a).total_cmp(&gain(b)).then(b.cmp(a))) else { break };
         if gain(&best) == 0.0 && !covered.is_empty() {
-            // Every cell is covered once: the next ones cover them again.
+            // Every cell is covered once: the next stretches cover the cells again.
             covered.clear();
             continue;
         }
@@ -166,7 +167,8 @@ mod tests {
     use dashpot_core::{Input, Model, Params};
     use dashpot_records::smoothing::smooth;
 
-    /// A record of the kernel itself, sampled at 1 kHz for half a minute: at coarser steps the model would miss its own forces.
+    /// The record is a simulation of the kernel, sampled at 1 kHz for half a minute. At coarser steps the model would not reproduce its own
+    /// forces.
     #[test]
     fn a_long_road_is_gone_through_at_its_own_rate() {
         let model = Model::new(&Params::new()).unwrap();
@@ -256,7 +258,7 @@ mod tests {
     fn a_road_among_many_tests_is_run_in_stretches_and_alone_whole() {
         let n = 16_000;
         let time: Vec<f64> = (0..n).map(|k| 1e-3 * k as f64).collect();
-        // One bump of the largest displacement, in the fifteenth second.
+        // One peak of the largest displacement, in the fifteenth second.
         let bump = |t: f64| 0.03 * libm::exp(-((t - 15.2) / 0.05).powi(2));
         let displacement: Vec<f64> = time.iter().map(|t| 0.01 * libm::sin(11.0 * t) + bump(*t)).collect();
         let mut velocity: Vec<f64> = displacement.windows(2).map(|w| 1e3 * (w[1] - w[0])).collect();
@@ -269,7 +271,7 @@ mod tests {
         assert_eq!(few.len(), Extent::FEWEST);
         assert!((few.iter().map(|t| t.weight).sum::<f64>() - ROAD).abs() < 1e-12);
         let top = |test: &Test| test.inputs().iter().filter_map(|i| i.displacement).fold(0.0, f64::max);
-        // To the width of a cell.
+        // Compared to within the width of a cell.
         assert!(few.iter().map(top).fold(0.0, f64::max) > (1.0 - 1.0 / CELLS) * highest);
         assert!(few.iter().all(|t| t.count() == STRETCH && t.segment.from == LEAD));
         let steps = |tests: &[Test]| tests.iter().map(|t| t.segment.force.len()).sum::<usize>();

@@ -6,7 +6,7 @@ use dashpot_core::Input;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// What the damper sees at a sample of a record: 20 °C and no side force where they were not measured.
+/// Returns the input of the damper at a sample of a record: 20 °C and no side force if they were not measured.
 pub fn input_at(record: &Record, motion: &Motion, sample: usize) -> Input {
     Input {
         displacement: Some(motion.displacement[sample]),
@@ -20,18 +20,18 @@ pub fn input_at(record: &Record, motion: &Motion, sample: usize) -> Input {
 pub struct Sampling<'a> {
     /// Sample indices of the record.
     pub picks: &'a [usize],
-    /// Steps that lead in.
+    /// Number of steps of the lead-in.
     pub lead: usize,
-    /// Samples of the record from one scored step to the next.
+    /// Number of samples of the record from one scored step to the next.
     pub apart: usize,
     /// Middle of the test on the campaign's clock, s.
     pub clock: f64,
-    /// Tests that the picked samples count as.
+    /// Number of tests that the picked samples represent.
     pub weight: f64,
 }
 
 impl Sampling<'_> {
-    /// The test. `setting` is the command of each step where it changes; `is_scored` is asked of each step behind the lead-in.
+    /// Makes the test. `setting` is the command of each step if it changes; `is_scored` is called for each step after the lead-in.
     pub fn test(
         &self,
         place: usize,
@@ -50,7 +50,7 @@ impl Sampling<'_> {
         let mut segment = segment(record, clock, dt, input, force, lead, noise);
         segment.setting = setting;
         let mut allowed = allowed::on_a_road(&segment, noise, mean_noise);
-        // The model goes through all of it; steps between the scored ones count nothing.
+        // The model simulates all steps; steps between the scored ones have no weight.
         for (k, allowed) in allowed.iter_mut().enumerate() {
             if !is_scored(k) {
                 *allowed = f64::INFINITY;

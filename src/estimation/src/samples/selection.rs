@@ -1,57 +1,57 @@
-//! The tests of a very large campaign that a fit sees.
+//! Selects the tests of a very large campaign that a fit uses.
 //!
-//! Every test costs a fit about as much as any other. Beyond some hundred the next one rarely visits anything new, so a
-//! selection stands for all: tests of every kind of motion in turn, spread over the order of the campaign.
+//! Every test costs about the same time. Beyond a few hundred tests, further ones rarely contain a new motion, so a selection represents
+//! all of them. It draws from every kind of motion in turn, spread over the order of the campaign.
 
 use dashpot_records::{Record, SettingPattern};
 use std::collections::BTreeMap;
 
-/// Most tests that a fit sees.
+/// Largest number of tests in a fit.
 ///
-/// With them 8,000 tests are fitted in 34 s of processor time, with all of them not within 115 s. More cost time in proportion; fewer leave
-/// kinds of motion out, of which a test matrix has some dozens.
+/// With this number, a fit of 8,000 tests takes 34 s of processor time; with all tests, more than 115 s. The time is proportional to the
+/// number. A smaller number omits kinds of motion, of which a test matrix has some dozens.
 pub const MOST_TESTS: usize = 240;
-/// Bins of amplitude and of peak velocity in an octave: tests of one nominal motion fall into one or two bins.
+/// Bins of amplitude and of peak velocity per octave: tests of one nominal motion fall into one or two bins.
 const PER_OCTAVE: f64 = 2.0;
 /// Bins of the mean displacement over the range of the campaign.
 const MEANS: f64 = 8.0;
-/// Factor of the bins beyond which kinds merge no further: some are of another sort, such as with and without cycles.
+/// Largest factor by which bins are widened to merge kinds. Kinds of another sort, such as with and without cycles, never merge.
 const WIDEST: f64 = 1024.0;
 /// Widths of the bins of temperature, K, and of side force, N.
 const TEMPERATURE: f64 = 10.0;
 const SIDE_FORCE: f64 = 50.0;
 
-/// Bins of a setting that changes within a test over the range of the campaign.
+/// Bins of a setting that changes within a test, over the range of the campaign.
 const SETTINGS: f64 = 4.0;
 
 /// Kind of motion of a test.
 ///
-/// Amplitude, peak velocity, mean displacement, temperature, side force, and whether it has cycles. Where its setting changes: whether it steps,
-/// its lowest and highest value.
+/// It consists of the bins of amplitude, peak velocity, mean displacement, temperature and side force, and of whether the test has cycles.
+/// For a changing setting it adds whether the setting steps, and its lowest and highest value.
 type Kind = (i64, i64, i64, i64, i64, bool, Option<(bool, i64, i64)>);
 
-/// Ranges of the campaign that kinds divide.
+/// Ranges of the campaign that the bins divide.
 struct Ranges {
     mean: (f64, f64),
     setting: (f64, f64),
 }
 
-/// Smallest and largest value.
+/// Returns the smallest and the largest value.
 fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-/// The mean of a channel in bins of a width; 0 without the channel.
+/// Returns the bin of a channel's mean for bins of a width; 0 without the channel.
 fn bin(channel: Option<&Vec<f64>>, width: f64) -> i64 {
     channel.filter(|c| !c.is_empty()).map_or(0, |c| (c.iter().sum::<f64>() / c.len() as f64 / width).round() as i64)
 }
 
-/// The bin of a value in a range that has so many.
+/// Returns the bin of a value in a range with `bins` bins.
 fn bin_of_range(value: f64, (low, high): (f64, f64), bins: f64, least: f64) -> i64 {
     (bins * (value - low) / (high - low).max(least)).round() as i64
 }
 
-/// The kind of a test in bins `wide` times as wide as the constants above.
+/// Returns the kind of a test in bins `wide` times as wide as the constants above.
 fn kind(record: &Record, ranges: &Ranges, wide: f64) -> Kind {
     let octaves = |value: f64| (PER_OCTAVE / wide * libm::log2(value.max(1e-9))).round() as i64;
     let setting = record.setting_signal.as_ref().map(|signal| {
@@ -69,12 +69,12 @@ fn kind(record: &Record, ranges: &Ranges, wide: f64) -> Kind {
     )
 }
 
-/// Positions of the tests that a fit sees, in their order; `None` where it sees all of them.
+/// Selects the positions of the tests that a fit uses, in their order; `None` if it uses all of them.
 pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
     select_at_most(records, MOST_TESTS)
 }
 
-/// Positions of at most so many tests, of every kind of motion, in their order; `None` where all are so few.
+/// Selects the positions of at most `most` tests, of every kind of motion, in their order; `None` if no more tests exist.
 pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
     if records.len() <= most {
         return None;
@@ -90,14 +90,14 @@ pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
         }
         kinds
     };
-    // More kinds than tests that a fit sees: coarser kinds, so that none is missed whole.
+    // If there are more kinds than selected tests, coarser kinds keep every kind represented.
     let mut wide = 1.0;
     let mut kinds = sort(wide);
     while kinds.len() > most && wide < WIDEST {
         wide *= 2.0;
         kinds = sort(wide);
     }
-    // One of each kind in turn, until there are enough; rare kinds first, of which none may be missed.
+    // Select one test of each kind in turn up to the limit. Rare kinds come first, so that each is represented.
     let mut kinds: Vec<Vec<usize>> = kinds.into_values().collect();
     kinds.sort_by_key(|places| (places.len(), places[0]));
     let mut counts = vec![0; kinds.len()];
@@ -118,14 +118,15 @@ pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
     Some(selected)
 }
 
-/// Most tests that the fit of a damper over a setting sees at each of `settings` settings.
+/// Returns the largest number of tests at each of `settings` settings in the fit of an adjustable damper.
 ///
-/// Together they are twice as many as an ordinary fit sees. A test matrix has some dozens of kinds of motion, which each setting keeps.
+/// Together they are twice as many as in an ordinary fit. A test matrix has some dozens of kinds of motion, and each setting keeps them.
 pub fn most_at_setting(settings: usize) -> usize {
     2 * MOST_TESTS / settings.max(1)
 }
 
-/// Most tests with a changing setting from which an actuator is identified: each is run sample by sample, as long as it is.
+/// Largest number of tests with a changing setting for the identification of an actuator: each is simulated sample by sample over its full
+/// length.
 pub const MOST_CHANGING: usize = 24;
 
 #[cfg(test)]
@@ -150,7 +151,7 @@ mod tests {
             let of_it: Vec<usize> =
                 selected.iter().copied().filter(|k| (records[*k].peak_velocity - velocity).abs() < 1e-9).collect();
             assert!(of_it.len() >= 79, "{velocity}: {}", of_it.len());
-            // From the first tests to the last ones.
+            // The selection spans the campaign from the first tests to the last ones.
             assert!(of_it[0] < 100 && of_it[of_it.len() - 1] > 7800, "{of_it:?}");
         }
         assert_eq!(select(&refs[..MOST_TESTS]), None);
@@ -170,13 +171,13 @@ mod tests {
         for k in [7, 57, 107, 157, 207, 257] {
             assert!(selected.contains(&k), "{k}: {selected:?}");
         }
-        // Even where there are fewer places than kinds.
+        // The selection works even with fewer tests than kinds.
         assert_eq!(select_at_most(&refs, 2).unwrap().len(), 2);
     }
 
     #[test]
     fn more_kinds_of_motion_than_tests_are_seen_over_their_whole_range() {
-        // 400 kinds, 40 speeds at each of 10 amplitudes, and one of half of all tests.
+        // 400 kinds, 40 speeds at each of 10 amplitudes, and one further kind with half of all tests.
         let octaves = |k: i32| libm::exp2(f64::from(k) / 2.0);
         let records: Vec<Record> = (0..2000)
             .map(|k| record(0.001 * octaves(k % 10), 1e-4 * octaves(k / 10 % 40), 0.0))
@@ -187,7 +188,7 @@ mod tests {
         assert_eq!(selected.len(), MOST_TESTS);
         assert!(selected.iter().any(|k| *k >= 2000), "the most common kind is missing");
         let speeds = || selected.iter().map(|k| records[*k].peak_velocity);
-        // Kinds are twice as wide, so a speed half an octave from either end stands for it.
+        // Kinds are twice as wide, so a speed half an octave from either end represents that end.
         assert!(speeds().any(|v| v < 1.5e-4));
         assert!(speeds().any(|v| v > 1e-4 * octaves(38) && v < 1e-4 * octaves(40)));
     }

@@ -1,4 +1,4 @@
-//! The tests of a fit: the same samples that a diagnosis looks at, each test whole and weighed by its size.
+//! Tests of a fit: the samples of a diagnosis, with each test whole and weighted by its size.
 
 use super::road::Extent;
 use super::{Test, of_record};
@@ -6,13 +6,13 @@ use crate::segment::Segment;
 use dashpot_records::Record;
 use rayon::prelude::*;
 
-/// Share of a test's largest force below which no model is expected to be right; it keeps clean tests from outweighing all others.
-/// Smaller values give the fastest tests to noise, larger ones the slow tests.
+/// Expected model error as a fraction of a test's largest force; it limits the weight of tests with little noise. A smaller value lets
+/// noise dominate the fastest tests, a larger one the slow tests.
 const MODEL_FLOOR: f64 = 0.01;
-/// Samples that one test counts at most: a road has as many as it likes, but is one test.
+/// Largest number of samples that count in one test: a road has arbitrarily many, but is one test.
 const PER_TEST: f64 = 400.0;
 
-/// The segments of all records, in their order.
+/// Makes the segments of all records, in their order.
 pub fn segments(records: &[&Record]) -> Vec<Segment> {
     records
         .par_iter()

@@ -1,14 +1,15 @@
-//! Derivatives by differences, for residuals that bring none of their own.
+//! Derivatives by finite differences, for residuals without derivatives of their own.
 
 use super::{Bounds, Problem};
 use nalgebra::DMatrix;
 
-/// Step over the size of a number: rounding and curvature err alike at the cube root of the rounding unit.
+/// Relative step: errors of rounding and curvature are equal at the cube root of the rounding unit.
 const STEP: f64 = 6e-6;
-/// Size that a number has at least: a number that starts at zero still moves.
+/// Smallest assumed magnitude of a parameter: a parameter of zero still gets a step.
 const SMALLEST: f64 = 1e-3;
 
-/// Residuals of one block and central differences of them; one-sided where a bound or a hole in the model is in the way.
+/// Computes residuals of one block and their central differences. A difference is one-sided at a bound, or if the model is invalid on one
+/// side.
 pub(super) fn central(
     problem: &dyn Problem,
     block: usize,

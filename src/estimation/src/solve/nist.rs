@@ -1,7 +1,7 @@
-//! Nonlinear regression problems with known answers: Statistical Reference Datasets of the US National Institute of
-//! Standards and Technology (StRD, 1999). Every problem is solved from both of its published starts, the first of which
-//! is far off on purpose; numbers and residual sum of squares are compared with the certified ones. The certified sum
-//! also proves the data here: one wrong digit in them would show.
+//! Nonlinear regression problems with certified results: Statistical Reference Datasets of the US National Institute of Standards and
+//! Technology (StRD, 1999). Every problem is solved from both of its published starts; the first start is deliberately distant. Parameters
+//! and residual sum of squares are compared with the certified ones. The certified sum also verifies the data here: it would reveal one
+//! wrong digit.
 
 use super::{Bounds, Options, Residuals, solve};
 use std::f64::consts::PI;
@@ -28,7 +28,7 @@ impl Residuals for Problem {
     }
 }
 
-/// Relative error allowed in a number, and in the residual sum of squares.
+/// Allowed relative error of a parameter, and of the residual sum of squares.
 const DIGITS: f64 = 1e-5;
 
 fn check(problem: &Problem) {

@@ -1,17 +1,18 @@
-//! As many rows as there are numbers, that say the same as all rows of a linear least-squares problem.
+//! Reduces a linear least-squares problem to an equivalent one with as many rows as parameters.
 
 use crate::gram::gram;
 use nalgebra::{DMatrix, DVector};
 
 /// Smallest independent fraction of a column at which the normal equations keep enough digits.
 ///
-/// It is what is linearly independent of the columns before it. They lose twice as many digits as this has, of sixteen.
+/// The fraction is the part that is linearly independent of the previous columns. The normal equations lose twice as many of sixteen digits
+/// as the fraction has decimal places.
 const APART: f64 = 1e-4;
 
-/// Triangular factor of the rows, and the residuals turned with them.
+/// Computes a triangular factor of the rows, and the residuals rotated with them.
 ///
-/// The factor is Cholesky's of the squared equations, which a product of matrices makes several times faster than reflections do.
-/// Where columns nearly depend on each other that would lose half the digits, and Householder's orthogonal factors are taken.
+/// The Cholesky factor of the normal equations is used, since a matrix product is several times faster than reflections. For nearly
+/// dependent columns Cholesky would lose half the digits, so a Householder QR factorization is used.
 pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
     let n = jacobian.ncols();
     if jacobian.nrows() <= n {
@@ -26,7 +27,7 @@ pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>
     (qr.r(), right.rows(0, n).into_owned())
 }
 
-/// `None` where columns are not far enough apart.
+/// Factors the normal equations by Cholesky; `None` if columns are nearly dependent.
 fn by_squares(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
     let n = jacobian.ncols();
     let squares = gram(jacobian);
@@ -62,7 +63,7 @@ mod tests {
         (jacobian, DVector::from_fn(40, |i, _| libm::cos(3.0 * t(i))))
     }
 
-    /// The solution and what the squares fall by are the same as of all rows, whichever way was taken.
+    /// Solution and reduction of the squares equal those of all rows, for both factorizations.
     #[test]
     fn the_reduced_rows_have_the_solution_of_all_rows() {
         for (near, squared) in [(1e-2, true), (1e-7, false), (0.0, false)] {

@@ -1,8 +1,8 @@
-//! Structures beside the most probable one that the records do not rule out, and how far they leave its numbers open.
+//! Structures that the records do not rule out besides the most probable one, and the wider intervals that they imply.
 //!
-//! An interval within one structure says nothing of the others: where a linear spring beside a gas column has one chance in ten, the gas column that
-//! stands for both is stiffer by the whole spring. So the interval of a number is that of the mean over the alternatives, each with its probability
-//! (Hoeting et al., Bayesian Model Averaging, Stat. Sci. 14, 1999).
+//! An interval within one structure ignores the other structures. An example: a linear spring parallel to a gas column has a probability of
+//! a tenth. A structure with the gas column alone assigns the stiffness of both to the column. So the interval of a parameter is that of
+//! the average over the alternatives, each with its probability (Hoeting et al., Bayesian Model Averaging, Stat. Sci. 14, 1999).
 
 use super::context::Structure;
 use super::search::{StructureSearch, Temperatures};
@@ -11,31 +11,33 @@ use crate::refit::Effort;
 use crate::samples::Test;
 use rayon::prelude::*;
 
-/// Probability beside the best from which an alternative counts: that which a 95 % interval may leave out.
+/// Smallest probability of an alternative in a comparison with the best structure alone: a 95 % interval may omit
+/// less probable ones.
 const LEAST: f64 = 0.05;
-/// Most alternatives; those behind them are less probable still, and each costs a refit. With 3, other forms of the effects crowd out a spring
-/// beside a gas column (system test `an_interval_holds_what_a_less_probable_structure_says`).
+/// Largest number of alternatives. Each costs a refit, and any further ones are less probable still. With 3, other
+/// forms of the effects crowd out a spring parallel to a gas column (system test
+/// `an_interval_holds_what_a_less_probable_structure_says`).
 const MOST: usize = 5;
 
 /// A structure that the records do not rule out.
 pub struct Alternative {
     /// The structure, refitted.
     pub structure: Structure,
-    /// Its weight beside that of the best, whose own is 1.
+    /// Its weight relative to the best structure, which has weight 1.
     pub weight: f64,
 }
 
-/// Log weight of a structure.
+/// Computes the log weight of a structure.
 fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
     at.log_weight(structure.log_posterior, structure.log_prior)
 }
 
-/// Structures with one effect more than `best`, one less or one exchanged, refitted and most probable first.
+/// Returns structures with one effect more than `best`, one less or one exchanged, refitted and most probable first.
 ///
-/// Each is at least as probable beside it as an interval may leave out. `best` is the most probable structure of the search, or what is left of it:
-/// then the whole is an alternative.
+/// Each is too probable for a 95 % interval to omit. `best` is the most probable structure of the search or a part of
+/// it. For a part, the whole structure is an alternative.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Alternative> {
-    // As exactly as the others are judged: more exact integration moves the log posterior by units.
+    // Refit `best` with the effort of the alternatives: a more accurate integration moves the log posterior by units.
     let judged = best.refitted(tests, Effort::JUDGE);
     let own = log_weight(judged.as_ref().unwrap_or(best), at);
     let is_open = |weight: f64| 1.0 / (1.0 + libm::exp(own - weight)) >= LEAST;
@@ -55,7 +57,7 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
     let by_weight = |a: &Structure, b: &Structure| log_weight(b, at).total_cmp(&log_weight(a, at));
     all.sort_by(by_weight);
     all.truncate(MOST);
-    // A trial was refitted as far as a comparison needs.
+    // The search refitted a trial only as far as a comparison needs.
     let mut all: Vec<Structure> =
         all.par_iter().filter_map(|structure| structure.refitted(tests, Effort::JUDGE)).collect();
     all.retain(|structure| is_open(log_weight(structure, at)));
@@ -65,7 +67,8 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
         .collect()
 }
 
-/// Ends of the 95 % intervals of the free numbers of a structure by itself; `None` where nothing is known of them.
+/// Computes the ends of the 95 % intervals of a structure's free parameters, without alternatives; `None` if the
+/// covariance is unknown.
 fn own_ends(structure: &Structure, tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     let Structure { hypothesis, refit, .. } = structure;
     let (covariance, _) = sandwich(hypothesis, refit, tests)?;
@@ -73,13 +76,14 @@ fn own_ends(structure: &Structure, tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     Some((0..refit.theta.len()).map(of).collect())
 }
 
-/// Share of a 95 % interval's distribution beyond each end, and standard deviations from its value to an end.
+/// Fraction of a distribution beyond each end of its 95 % interval, and the distance of an end from the value in
+/// standard deviations.
 const BEYOND: f64 = 0.025;
 const DEVIATIONS: f64 = 1.959_964;
-/// Halves of the distance between the outermost ends in which a quantile is found: to a thousandth of a millionth of it.
+/// Bisection steps for a quantile. They find it to a billionth of the distance between the outermost ends.
 const HALVES: usize = 30;
 
-/// What one structure says of a number: its weight, the value and the ends of its 95 % interval.
+/// Estimate of a parameter by one structure: its weight, the value and the ends of its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Part {
     /// Weight among the others.
@@ -91,7 +95,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// Probability that the number lies below `x`: each side is half a normal distribution.
+    /// Computes the probability that the parameter lies below `x`: each side is half a normal distribution.
     fn below(&self, x: f64) -> f64 {
         let end = if x < self.value { self.ends[0] } else { self.ends[1] };
         let deviation = (end - self.value).abs() / DEVIATIONS;
@@ -103,7 +107,8 @@ impl Part {
     }
 }
 
-/// Ends of the 95 % interval of a number of which several structures speak. It holds that of the first, which others do not make surer.
+/// Computes the ends of a parameter's 95 % interval over several structures. The interval contains that of the first
+/// structure: alternatives never narrow it.
 pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     let first = parts.first()?;
     let outermost = parts.iter().fold(first.ends, |[low, high], p| [low.min(p.ends[0]), high.max(p.ends[1])]);
@@ -123,7 +128,8 @@ pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     Some([quantile(BEYOND).min(first.ends[0]), quantile(1.0 - BEYOND).max(first.ends[1])])
 }
 
-/// Ends of the 95 % intervals of the free numbers of a structure over its alternatives; `None` where nothing is known of them.
+/// Computes the ends of the 95 % intervals of a structure's free parameters over its alternatives; `None` if the
+/// covariance of `best` is unknown.
 pub fn interval_ends(best: &Structure, others: &[Alternative], tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     let part =
         |of: &Structure, weight: f64, place: usize, ends: [f64; 2]| Part { weight, value: of.refit.theta[place], ends };
@@ -149,11 +155,12 @@ mod tests {
         let part = |weight: f64, value: f64| Part { weight, value, ends: [value - DEVIATIONS, value + DEVIATIONS] };
         let near = |a: Option<[f64; 2]>, b: [f64; 2]| a.unwrap().iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-3);
         assert_eq!(mixed_interval(&[part(1.0, 3.0)]), Some([3.0 - DEVIATIONS, 3.0 + DEVIATIONS]));
-        // Two that agree are one.
+        // Two equal estimates give the interval of one.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(0.4, 0.0)]), [-DEVIATIONS, DEVIATIONS]));
-        // A quarter lies around 100: its upper tenth is beyond, 1.28 deviations off.
+        // A quarter of the weight lies around 100. A tenth of that quarter lies above the interval: beyond 1.28
+        // deviations.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1.0 / 3.0, 100.0)]), [-DEVIATIONS, 101.282]));
-        // What has hardly any weight widens nothing.
+        // A structure of negligible weight widens nothing.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1e-6, 100.0)]), [-DEVIATIONS, DEVIATIONS]));
         assert_eq!(mixed_interval(&[]), None);
     }

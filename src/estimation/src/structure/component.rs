@@ -1,4 +1,5 @@
-//! The parts of a structure: each an effect in one of its forms, with the elements it enables and the numbers it frees.
+//! Components of a structure: each is an effect in one of its forms, with the elements it enables and the parameters
+//! it frees.
 
 use crate::hypothesis::{self, Free, Hypothesis};
 use crate::priors::is_force_of_effect;
@@ -12,19 +13,19 @@ use dashpot_core::{element, number};
 pub struct Component {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Its form; empty where there is one, or where the given model does not say.
+    /// Its form; empty if the effect has only one, or if the given model does not state it.
     pub form: &'static str,
     /// Elements that it enables; none for a measurement error.
     pub elements: Vec<Element>,
     /// Parameters that it sets and does not free.
     pub fixed: Vec<(Number, f64)>,
-    /// Numbers that it frees.
+    /// Parameters that it frees.
     pub frees: Vec<Free>,
-    /// How many numbers that is; weakly informed ones count half.
+    /// Count of the free parameters; weakly informed ones count half.
     pub numbers: f64,
 }
 
-/// Numbers that records leave open by nature: they stay near their prior and count half.
+/// Parameters on which records contain little information: they stay near their prior and count half.
 const WEAK: [Number; 34] = [
     number!("series_damping"),
     number!("internal_mass"),
@@ -62,7 +63,8 @@ const WEAK: [Number; 34] = [
     number!("moving_mass_time"),
 ];
 
-/// Element that a free number belongs to; `None` for numbers of the measurement and of the FV curve.
+/// Returns the element that a free parameter belongs to; `None` for parameters of the measurement and of the FV
+/// curve.
 pub fn element_of(free: &Free) -> Option<Element> {
     let element = match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
@@ -76,7 +78,7 @@ pub fn element_of(free: &Free) -> Option<Element> {
     element.filter(|element| *element != element!("fv_curve"))
 }
 
-/// How many numbers a free number counts: a weakly informed one counts half.
+/// Returns the count of a free parameter: 0.5 for a weakly informed one, else 1.
 pub fn weight(free: &Free) -> f64 {
     match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number)) if WEAK.contains(number) => 0.5,
@@ -86,7 +88,7 @@ pub fn weight(free: &Free) -> f64 {
 }
 
 impl Component {
-    /// The component that a candidate adds.
+    /// Makes the component that a candidate adds.
     pub fn of_candidate(candidate: &Candidate) -> Component {
         Component {
             effect: candidate.effect,
@@ -98,7 +100,8 @@ impl Component {
         }
     }
 
-    /// The components of a given model: one for each element that it has beside the FV curve, one for each measurement error.
+    /// Returns the components of a given model: one for each element except the FV curve, one for each measurement
+    /// error.
     pub fn of_model(of: &Hypothesis) -> Vec<Component> {
         let mut all: Vec<Component> = Element::all()
             .filter(|element| of.base.is_on(*element) && *element != element!("fv_curve"))
@@ -132,7 +135,8 @@ impl Component {
         all
     }
 
-    /// Whether all its forces are zero at `theta`: then the structure is the one without it.
+    /// Whether all forces of the component are zero at `theta`: the structure then equals the one without the
+    /// component.
     pub fn is_absent(&self, of: &Hypothesis, theta: &[f64]) -> bool {
         let mut forces = of.numbers.iter().zip(theta).filter(|(number, _)| {
             let Free::Model(Unknown::Linear(force)) = number.free else { return false };
@@ -144,12 +148,12 @@ impl Component {
         forces.next().is_some_and(|first| is_zero(first) && forces.all(is_zero))
     }
 
-    /// Whether it is an error of the measurement, not a part of the damper.
+    /// Whether the component is a measurement error, not a part of the damper.
     pub fn is_of_measurement(&self) -> bool {
         self.elements.is_empty()
     }
 
-    /// Removes it from a hypothesis that stands at `theta`.
+    /// Returns a hypothesis at `theta` without this component.
     pub fn remove(&self, from: &Hypothesis, theta: &[f64]) -> Hypothesis {
         let mut to = from.clone().starting_at(theta);
         for element in &self.elements {

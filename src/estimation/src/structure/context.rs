@@ -1,4 +1,4 @@
-//! What a search works on, and what it compares: structures, refitted.
+//! Inputs of a structure search, and the refitted structures that it compares.
 
 use super::component::Component;
 use super::curve_at_rest::with_other_form;
@@ -18,30 +18,30 @@ use dashpot_records::Record;
 /// An effect with its form.
 pub type Form = (&'static str, &'static str);
 
-/// What a search works on.
+/// Inputs of a structure search.
 pub struct SearchContext<'a> {
     /// The records.
     pub records: &'a [&'a Record],
-    /// Their tests.
+    /// Tests of the records.
     pub tests: &'a [Test],
     /// Whether a candidate may be part of the structure.
     pub is_allowed: &'a (dyn Fn(&Candidate, &Situation) -> bool + Sync),
-    /// Candidates beside the vocabulary: changes against a reference.
+    /// Candidates in addition to the vocabulary: changes against a reference.
     pub changes: &'a [Candidate],
-    /// What is known of this damper.
+    /// Priors from what is known of this damper.
     pub priors: &'a PriorSet,
-    /// Most effects that may be added.
+    /// Largest number of effects that may be added.
     pub most: usize,
-    /// Told how far the search is, 0 to 1.
+    /// Callback for the progress of the search, 0 to 1.
     pub progress: &'a (dyn Fn(f64) + Sync),
 }
 
 /// A model with its effects, refitted.
 #[derive(Clone)]
 pub struct Structure {
-    /// The model with its free numbers.
+    /// The model with its free parameters.
     pub hypothesis: Hypothesis,
-    /// Where its refit ended.
+    /// Result of its refit.
     pub refit: Refit,
     /// Its effects.
     pub components: Vec<Component>,
@@ -49,12 +49,13 @@ pub struct Structure {
     pub evidence: Evidence,
     /// Log posterior, up to a constant that all structures of a search share.
     pub log_posterior: f64,
-    /// The part of it that no record has: the odds of the effects and of the values of their numbers.
+    /// The part of the log posterior that is independent of the records: prior odds of the effects and prior of the
+    /// parameter values.
     pub log_prior: f64,
 }
 
 impl Structure {
-    /// From a refit.
+    /// Makes a structure from a hypothesis and its refit.
     pub fn new(hypothesis: Hypothesis, refit: Refit, components: Vec<Component>, tests: &[Test]) -> Structure {
         let hypothesis = hypothesis.starting_at(&refit.theta);
         let numbers = numbers(&hypothesis, &components);
@@ -66,7 +67,7 @@ impl Structure {
         Structure { hypothesis, refit, components, evidence, log_posterior, log_prior }
     }
 
-    /// Fits a hypothesis with its components from where it starts; `None` where it makes no finite force.
+    /// Fits a hypothesis with its components from its start; `None` if the model gives no finite force.
     pub fn fit(
         hypothesis: Hypothesis,
         components: Vec<Component>,
@@ -77,22 +78,22 @@ impl Structure {
         Some(Structure::new(hypothesis, end, components, tests))
     }
 
-    /// Free numbers, weakly informed ones counted half.
+    /// Counts the free parameters; weakly informed ones count half.
     pub fn numbers(&self) -> f64 {
         numbers(&self.hypothesis, &self.components)
     }
 
-    /// Its effects with their forms, sorted.
+    /// Returns its effects with their forms, sorted.
     pub fn key(&self) -> Vec<Form> {
         key(self.components.iter())
     }
 
-    /// Its effects but one, as a key.
+    /// Returns the key of the structure without one of its effects.
     pub fn key_without(&self, place: usize) -> Vec<Form> {
         key(self.components.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, component)| component))
     }
 
-    /// Without one of its effects, refitted.
+    /// Removes one of its effects and refits.
     pub fn without(&self, place: usize, tests: &[Test], effort: Effort) -> Option<Structure> {
         let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
         let mut components = self.components.clone();
@@ -100,7 +101,8 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
-    /// Without one of its effects: refitted to the end only where a few steps come within `reach` of its own log posterior.
+    /// Removes one of its effects and refits. The refit goes on after a few steps only if the log posterior has
+    /// fallen by at most `reach`.
     pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
         let first = self.without(place, tests, Effort::SCREEN)?;
         if first.log_posterior < self.log_posterior - reach {
@@ -110,7 +112,7 @@ impl Structure {
         Some(judged.unwrap_or(first))
     }
 
-    /// Without effects of no strength: it is the same damper, and an effect of 0 N is none to report.
+    /// Removes effects of zero strength: the damper stays the same, and an effect of 0 N is not reported.
     pub fn without_absent(self, tests: &[Test]) -> Structure {
         let absent = self.components.iter().position(|c| c.is_absent(&self.hypothesis, &self.refit.theta));
         match absent.and_then(|place| self.without(place, tests, Effort::JUDGE)) {
@@ -119,12 +121,12 @@ impl Structure {
         }
     }
 
-    /// Refitted from where it stands; `None` where it makes no finite force.
+    /// Refits from the current parameters; `None` if the model gives no finite force.
     pub fn refitted(&self, tests: &[Test], effort: Effort) -> Option<Structure> {
         Structure::fit(self.hypothesis.clone(), self.components.clone(), tests, effort)
     }
 
-    /// Refitted from where it stands, with more points on the FV curve where those are worth it.
+    /// Refits from the current parameters, and adds points to the FV curve where they reduce χ² enough.
     pub fn refined(&self, tests: &[Test], effort: Effort) -> Structure {
         let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
             return self.clone();
@@ -142,7 +144,7 @@ impl Structure {
     }
 }
 
-/// The likelier of both forms of the FV curve at rest.
+/// Refits with the other form of the FV curve at rest, and returns the form with the smaller χ².
 fn likelier_at_rest(now: (Hypothesis, Refit), tests: &[Test], effort: Effort) -> (Hypothesis, Refit) {
     let other = with_other_form(&now.0).and_then(|other| {
         let refitted = refit(&other, tests, &now.1.theta, None, effort)?;
@@ -154,14 +156,14 @@ fn likelier_at_rest(now: (Hypothesis, Refit), tests: &[Test], effort: Effort) ->
     }
 }
 
-/// Effects with their forms, sorted.
+/// Returns effects with their forms, sorted.
 fn key<'c>(components: impl Iterator<Item = &'c Component>) -> Vec<Form> {
     let mut key: Vec<Form> = components.map(|c| (c.effect, c.form)).collect();
     key.sort_unstable();
     key
 }
 
-/// Points of the FV curve and of the spring table are numbers too.
+/// Counts the free parameters. Points of the FV curve count as parameters too.
 fn numbers(hypothesis: &Hypothesis, components: &[Component]) -> f64 {
     let points = hypothesis
         .numbers

@@ -1,20 +1,20 @@
-//! The numbers of an effect that makes the force jump, moved one by one.
+//! Coordinate search for the parameters of an effect that makes the force jump.
 //!
-//! Where the place of a jump is off, the force is wrong between the place computed and that measured, but its derivative is
-//! felt at the place computed alone: a step by derivatives moves a jump by a sample or two, and ends long before it is where
-//! it belongs. A search by pattern (Hooke & Jeeves, J. ACM 8, 1961) sees the whole.
+//! Where a computed jump is misplaced, the force is wrong between the computed and the measured position. Its derivative is nonzero at the
+//! computed position alone. So a step by derivatives moves the jump by a sample or two and ends too early. A pattern search (Hooke &
+//! Jeeves, J. ACM 8, 1961) evaluates the whole residual.
 
 use crate::hypothesis::{Hypothesis, Residual};
 use crate::refit::{Refit, chi2, prior_cost};
 use dashpot_records::restrict;
 use std::ops::Range;
 
-/// Steps, in units of a number's typical one.
+/// Step sizes, in units of a parameter's typical step.
 const STEPS: [f64; 5] = [0.8, 0.4, 0.2, 0.1, 0.05];
-/// Most runs of the model.
+/// Largest number of model evaluations.
 const RUNS: usize = 60;
 
-/// The numbers at which `residual` costs least, the numbers at `places` moved alone.
+/// Returns the parameters that minimize the cost of `residual`. Only the parameters at `places` change.
 pub fn minimize(
     hypothesis: &Hypothesis,
     at: &Refit,
@@ -63,7 +63,7 @@ mod tests {
         base.set(number!("free_play_gap"), 1e-4).unwrap();
         let number = number(&base, Unknown::Log(number!("free_play_gap")));
         let hypothesis = Hypothesis { base, numbers: vec![number], heating: None, priors: PriorSet::default() };
-        // The force jumps at a sample that the gap says, and is the same on either side of it.
+        // The force jumps at a sample that depends on the gap. It is constant on either side of the jump.
         let jump = |theta: &[f64]| (4e5 * libm::exp(theta[0])) as usize;
         let residual = |theta: &[f64]| {
             let (from, to) = (jump(theta).min(90), jump(theta).max(90));

@@ -1,7 +1,7 @@
-//! Whether the FV curve has a kink at rest: one derivative there, or one on each side.
+//! Selects the form of the FV curve at rest: smooth with one derivative, or a kink with one derivative on each side.
 //!
-//! Rebound and compression of a damper have other valves, so its curve has a kink. A model from elsewhere may be smooth at rest. Both forms
-//! have the same numbers, so the one that leaves less of the records is the likelier.
+//! Rebound and compression of a damper have different valves, so its curve has a kink. A model from another source
+//! may be smooth at rest. Both forms have the same parameters, so the form with the smaller residual is the likelier.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown};
@@ -9,7 +9,7 @@ use dashpot_core::curve::Interpolation;
 use dashpot_core::elements::fv_curve::{choice_of_interpolation, fv_interpolation};
 use dashpot_core::{Params, number};
 
-/// The model with the other form of its FV curve at rest; `None` where it runs straight between its points.
+/// Returns the model with the other form of its FV curve at rest; `None` if the curve is piecewise linear.
 pub fn with_other_form_at_rest(params: &Params) -> Option<Params> {
     let other = match fv_interpolation(params) {
         Interpolation::MonotoneCubic => Interpolation::CubicEachSide,
@@ -21,7 +21,8 @@ pub fn with_other_form_at_rest(params: &Params) -> Option<Params> {
     Some(params)
 }
 
-/// The hypothesis with the other form of its FV curve at rest; `None` where its curve is held, as that of a reference is.
+/// Returns the hypothesis with the other form of its FV curve at rest; `None` if the curve is not fitted, as that of
+/// a reference.
 pub fn with_other_form(of: &Hypothesis) -> Option<Hypothesis> {
     let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     of.numbers.iter().find(|number| is_point(&number.free))?;

@@ -1,6 +1,6 @@
-//! Refinement of an FV curve whose dozen points on each stroke are too few for the valves.
+//! Refinement of an FV curve whose dozen points for each stroke do not resolve the valves.
 //!
-//! What a curve can represent is no missing effect.
+//! The error of a coarse curve must not count as a missing effect.
 
 use super::screening::Projection;
 use crate::hypothesis::{Free, Hypothesis, number};
@@ -12,14 +12,15 @@ use dashpot_core::curve::MAX_POINTS;
 use dashpot_core::{Model, Params, list};
 use nalgebra::DVector;
 
-/// Fall of χ² that a further point must bring, and share of the excess that all of them must.
+/// Smallest reduction of χ² for each added point, and smallest fraction of the excess χ² by which all added points
+/// together reduce it.
 const PER_POINT: f64 = 8.0;
 const BY_POINTS: f64 = 0.05;
-/// Times that points are put between points.
+/// Largest number of times that the curve is refined.
 const GENERATIONS: usize = 2;
 
-/// The explanation with more points on its FV curve where they are worth it; `floor` is the χ² of noise. The numbers of
-/// further points come right before those of the old ones.
+/// Adds points to the FV curve of a refitted hypothesis where they reduce χ² enough; `floor` is the χ² of noise. The
+/// rises of all points replace the old ones at their position in the list.
 pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f64) -> (Hypothesis, Refit) {
     let is_rise = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     if !now.0.numbers.iter().any(|n| is_rise(&n.free)) {
@@ -46,7 +47,8 @@ pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f
     now
 }
 
-/// The middle of every interval of the FV curve, by ratio, as the points themselves are spread.
+/// Returns the middle of every interval of the FV curve. It is the geometric mean of the ends, as the points are spaced geometrically, or
+/// the arithmetic mean next to zero.
 fn middles(from: &Hypothesis) -> Vec<f64> {
     let velocity = from.base.list(list!("fv_velocity"));
     velocity
@@ -61,9 +63,9 @@ fn middles(from: &Hypothesis) -> Vec<f64> {
         .collect()
 }
 
-/// The middles whose decrease of χ² justifies a point each, and their total decrease.
+/// Returns the middles whose decrease of χ² justifies a point each, and their total decrease.
 ///
-/// Everything else adapts to first order. They are chosen one after the other, the best first.
+/// All other parameters adapt to first order. A greedy selection adds the best middle first.
 fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(Vec<f64>, f64)> {
     let room = MAX_POINTS - from.base.list(list!("fv_velocity")).len();
     let middles = middles(from);
@@ -78,7 +80,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let here = Refit { jacobian: from.jacobian(Accuracy::Derivatives, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);
     let mut left = projection.rest(&at.residual);
-    // A point that stands out from its interval rises more on its inner side and less on its outer.
+    // A point above the line of its interval raises its inner rise and lowers its outer rise.
     let mut bumps: Vec<(f64, DVector<f64>)> = middles
         .iter()
         .filter_map(|middle| {
@@ -107,7 +109,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     Some((points, promised))
 }
 
-/// A hypothesis with more points on its FV curve; `None` where that is full.
+/// Returns a hypothesis with more points on its FV curve; `None` if the table is full.
 fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
     let mut velocities = from.base.list(list!("fv_velocity")).to_vec();
     velocities.extend_from_slice(points);
@@ -115,13 +117,14 @@ fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypot
     with_velocities(from, theta, &velocities)
 }
 
-/// Forces of the FV curve of a parameter set at some velocities, N; `None` where it makes no model.
+/// Computes the forces of a parameter set's FV curve at some velocities, N; `None` if the set is not a valid model.
 pub(crate) fn forces_at(params: &Params, velocities: &[f64]) -> Option<Vec<f64>> {
     let curve = Model::new(params).ok()?.elements().paths.fv_curve;
     Some(velocities.iter().map(|v| curve.evaluate(*v).value).collect())
 }
 
-/// A hypothesis with its FV curve, as it stands, at other velocities; `None` where the table has no room or makes no model.
+/// Resamples the FV curve of a hypothesis at other velocities; `None` if the table has no room or the model is not
+/// valid.
 pub(crate) fn with_velocities(from: &Hypothesis, theta: &[f64], velocities: &[f64]) -> Option<Hypothesis> {
     let mut params = from.params(theta);
     let forces = forces_at(&params, velocities)?;

@@ -1,11 +1,11 @@
 //! Log evidence of a structure: how probable the records are under it, without prior odds.
 //!
-//! No model has the form of the damper, so every structure leaves a form error in every test. Its size differs from test to test by
-//! orders of magnitude, and within one test it is alike in all samples. The root mean square of a test's form error therefore counts as
-//! [`OBSERVATIONS`] observations, exponentially distributed with a scale that all tests share and that is estimated with the structure:
-//! the likelihood is that scale to the power of minus the number of observations. With squares the worst test would decide alone, with
-//! logarithms any test could be as wrong as it likes. Below [`FORM`] a smaller residual says nothing more. Numbers cost half the
-//! logarithm of the number of tests each (Schwarz, Ann. Stat. 6, 1978), and what dampers rarely show costs its negative log prior.
+//! No model has exactly the form of the damper, so every structure has a form error in every test. The size of this error differs from test
+//! to test by orders of magnitude; within one test it is similar in all samples. The root mean square of a test's form error therefore
+//! counts as [`OBSERVATIONS`] observations. They are exponentially distributed with a scale that all tests share, estimated with the
+//! structure. The likelihood is that scale to the power of minus the number of observations. With squares the worst test alone would
+//! decide; with logarithms one test could be arbitrarily wrong. Below [`FORM`] a smaller residual has no further effect. Each free
+//! parameter costs half the logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its negative log prior.
 
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};
@@ -16,11 +16,13 @@ use crate::samples::Test;
 use crate::scale::Scale;
 use nalgebra::DVector;
 
-/// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact. With a smaller value
-/// the discretization of the FV curve earns an effect a name; with a larger one effects below the noise are lost.
+/// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact.
+/// With a smaller value, effects are reported that explain only the discretization of the FV curve. With a larger
+/// value, effects below the noise are lost.
 const FORM: f64 = 0.3;
-/// Observations of the form error in a test. A mean cycle shows more than one feature of it, but they are correlated with those of
-/// neighboring tests. More of them give names to what an effect absorbs by a fraction, fewer lose effects that act in few tests.
+/// Observations of the form error in a test. A mean cycle shows more than one feature, but its features are correlated with those of
+/// neighboring tests. With a larger value, effects are reported that explain only a small fraction. With a smaller value, effects that act
+/// in few tests are lost.
 const OBSERVATIONS: f64 = 1.5;
 
 /// Residual statistics of a structure.
@@ -28,19 +30,20 @@ const OBSERVATIONS: f64 = 1.5;
 pub struct Evidence {
     /// Mean square residual of each test, in units of noise and curve discretization.
     pub mean_squares: Vec<f64>,
-    /// Tests that each test stands for.
+    /// Number of tests that each test represents.
     pub weights: Vec<f64>,
-    /// Free numbers; weakly informed ones count half.
+    /// Number of free parameters; weakly informed ones count half.
     pub numbers: f64,
     /// Negative log prior of the values.
     pub negative_log_prior: f64,
-    /// What the numbers need not cost since more is known of this damper than of others.
+    /// Deduction from the cost of the parameters for those that are better known on this damper than on others.
     pub relief: f64,
 }
 
-/// Mean square residual of samples of a test, in its unit of noise and curve discretization; residuals beyond [`HUBER`] count linearly.
+/// Computes the mean square residual of samples of a test, in its unit of noise and curve discretization. Residuals
+/// beyond [`HUBER`] count linearly.
 ///
-/// A sample is its weighted residual and its allowed error, N.
+/// Each sample is a pair: its weighted residual and its allowed error, N.
 pub fn mean_square(unit: f64, samples: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut sum, mut expected) = (0.0, 0.0);
     for (residual, allowed) in samples {
@@ -51,14 +54,15 @@ pub fn mean_square(unit: f64, samples: impl Iterator<Item = (f64, f64)>) -> f64 
     sum / expected.max(1e-300)
 }
 
-/// Mean square residual of each test.
+/// Computes the mean square residual of each test.
 pub fn mean_squares(tests: &[Test], residual: &DVector<f64>) -> Vec<f64> {
     let mut rows = residual.iter().copied();
     let of_test = |test: &Test| mean_square(test.unit(), rows.by_ref().zip(test.allowed.iter().copied()));
     tests.iter().map(of_test).collect()
 }
 
-/// What a number need not cost, of `per_number`, since more is known of it on this damper than on others.
+/// Computes the deduction from a parameter's cost `per_number` if the parameter is better known on this damper than
+/// on others.
 pub fn relief(number: &Number, priors: &PriorSet, scale: Scale, per_number: f64) -> f64 {
     match &number.free {
         Free::Model(unknown) => priors.relief(unknown, scale, weight(&number.free) * per_number),
@@ -67,7 +71,7 @@ pub fn relief(number: &Number, priors: &PriorSet, scale: Scale, per_number: f64)
 }
 
 impl Evidence {
-    /// Of residuals at `theta`; `numbers` counts the free numbers.
+    /// Computes the evidence from residuals at `theta`; `numbers` counts the free parameters.
     pub fn new(
         hypothesis: &Hypothesis,
         theta: &[f64],
@@ -88,18 +92,18 @@ impl Evidence {
         }
     }
 
-    /// Tests that the records count as.
+    /// Returns the number of tests that the records represent.
     fn count(&self) -> f64 {
         self.weights.iter().sum()
     }
 
-    /// Mean over the tests of the mean square residual.
+    /// Computes the mean over the tests of the mean square residual.
     pub fn mean(&self) -> f64 {
         self.mean_squares.iter().zip(&self.weights).map(|(square, weight)| square * weight).sum::<f64>()
             / self.count().max(1.0)
     }
 
-    /// Log likelihood, up to a constant that all structures share.
+    /// Computes the log likelihood, up to a constant that all structures share.
     pub fn log_likelihood(&self) -> f64 {
         let whole = self.count();
         let of = |(square, weight): (&f64, &f64)| weight * (FORM + (square - 1.0).max(0.0)).sqrt();
@@ -107,29 +111,29 @@ impl Evidence {
         -OBSERVATIONS * whole * libm::log(scale)
     }
 
-    /// Cost of one free number: half the logarithm of the number of tests. With few tests it is what a number gains by chance (one, Akaike, IEEE
-    /// Trans. Autom. Control 19, 1974).
+    /// Computes the cost of one free parameter: half the logarithm of the number of tests. With few tests it is 1, the mean gain of a
+    /// parameter by chance (Akaike, IEEE Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
         per_number(self.count())
     }
 
-    /// Log evidence.
+    /// Computes the log evidence.
     pub fn log_evidence(&self) -> f64 {
         self.log_likelihood() - self.numbers * self.per_number() + self.relief - self.negative_log_prior
     }
 }
 
-/// Cost of one free number with so many tests.
+/// Computes the cost of one free parameter with this number of tests.
 fn per_number(tests: f64) -> f64 {
     (0.5 * libm::log(tests.max(1.0))).max(1.0)
 }
 
-/// Logarithm of the mean of exponentials.
+/// Computes the logarithm of the mean of exponentials.
 pub fn log_mean_exp(logs: &[f64]) -> f64 {
     log_sum_exp(logs) - libm::log(logs.len().max(1) as f64)
 }
 
-/// Logarithm of the sum of exponentials.
+/// Computes the logarithm of the sum of exponentials.
 pub fn log_sum_exp(logs: &[f64]) -> f64 {
     let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if most == f64::NEG_INFINITY {
@@ -138,17 +142,17 @@ pub fn log_sum_exp(logs: &[f64]) -> f64 {
     most + libm::log(logs.iter().map(|l| libm::exp(l - most)).sum::<f64>())
 }
 
-/// χ² that noise adds to a test.
+/// Computes the χ² that noise adds to a test.
 fn noise_of(test: &Test) -> f64 {
     test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
 }
 
-/// Expected χ² where only noise is left. A variance estimated from ν deviations makes its inverse too large by ν/(ν − 2) on average.
+/// Computes the expected χ² of noise alone. A variance estimated from ν deviations makes its inverse too large by ν/(ν − 2) on average.
 pub fn noise_chi2(tests: &[Test]) -> f64 {
     tests.iter().map(|t| noise_of(t) * (1.0 + 2.0 / (t.noise_freedom - 2.0).max(4.0))).sum()
 }
 
-/// Independent samples of all tests.
+/// Computes the number of independent samples of all tests.
 pub fn effective_count(tests: &[Test]) -> f64 {
     tests.iter().map(Test::independent_count).sum::<f64>().max(1.0)
 }

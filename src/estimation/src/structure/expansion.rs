@@ -18,12 +18,12 @@ use crate::vocabulary::{Candidate, Unnamed, candidates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// A structure with one more effect, or what an error without a name would explain.
+/// A structure with one more effect or one more unnamed error.
 #[derive(Clone)]
 pub struct Trial {
     /// Effect and form.
     pub form: Form,
-    /// For an error without a name: what it looks like.
+    /// For an unnamed error: its kind.
     pub unnamed: Option<Unnamed>,
     /// The structure.
     pub structure: Structure,
@@ -33,11 +33,11 @@ pub struct Trial {
 pub struct Expansion {
     /// Refitted structures, most probable first.
     pub trials: Vec<Trial>,
-    /// Effects with the squared norm of their response that the rest of the model cannot reproduce, in σ².
+    /// Effects with the squared norm of the part of their response that the rest of the model cannot reproduce, in σ².
     pub visible: Vec<(&'static str, f64)>,
 }
 
-/// Expands a structure; `None` where it makes no finite force.
+/// Expands a structure; `None` if the model gives no finite force.
 pub fn expand(
     context: &SearchContext,
     from: &Structure,
@@ -70,7 +70,7 @@ pub fn expand(
             let residual_at = |theta: &[f64]| nearby.residual(&s.hypothesis, tests, theta);
             let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);
             if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
-                // The first-order step of the base overshot: without it the start may be better.
+                // The first-order step of the base overshot: the start without the step may be better.
                 let still = s.hypothesis.start();
                 let there = residual_at(&still)?;
                 if there.norm_squared() < residual.norm_squared() {
@@ -131,8 +131,9 @@ pub fn expand(
     Some(Expansion { trials, visible })
 }
 
-/// Starts worth a refit: the best of every form by first-order gain, the best of all forms up to the budget. The first start of every
-/// effect is kept, since first order understates effects that act only beyond a threshold.
+/// Chooses the starts to refit: the best of every form by first-order gain, then the best of all forms up to the
+/// budget. The first start of every effect is kept, since first order understates effects that act only beyond a
+/// threshold.
 fn choose(screened: &[Screened], list: &[Candidate], budget: Budget) -> Vec<usize> {
     let mut order: Vec<usize> = (0..screened.len()).collect();
     order.sort_by(|a, b| screened[*b].gain.total_cmp(&screened[*a].gain));

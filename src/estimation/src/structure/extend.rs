@@ -1,4 +1,4 @@
-//! An explanation with one more effect: switched on, its numbers free, at one of its starts.
+//! Extends a hypothesis by one effect: enables its elements, frees its parameters and applies one of its starts.
 
 use crate::hypothesis::{Free, Hypothesis, Number, number};
 use crate::scale::Scale;
@@ -10,7 +10,7 @@ use dashpot_core::list;
 use dashpot_core::parameter;
 use dashpot_records::restrict;
 
-/// The explanation at `theta` with a candidate added at one of its starts.
+/// Returns the hypothesis at `theta` with a candidate added at one of its starts.
 pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
     let mut to = from.clone().starting_at(theta);
     for element in candidate.elements {
@@ -46,7 +46,7 @@ pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &S
     to
 }
 
-/// Sets a scalar, held inside its bounds.
+/// Sets a scalar, clamped to its bounds.
 fn set(params: &mut Params, number: parameter::Number, value: f64) {
     let _ = params.set(number, number.inside(value));
 }
@@ -58,7 +58,7 @@ fn place(params: &mut Params, unknown: &Unknown, value: f64) {
     }
 }
 
-/// Standard deviation of a change, in steps of the number and as a fraction of a part of the FV curve.
+/// Prior standard deviation of a change: in steps of the parameter, and as a fraction of a part of the FV curve.
 const CHANGED: f64 = 2.0;
 const CURVE: f64 = 0.4;
 
@@ -84,7 +84,8 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
         }
         Free::Rig(artefact) => {
             let ((low, high), factor) = (artefact.bounds(), Scale::from_params(base).of_artefact(*artefact));
-            // A delay that stood out at once may be far beyond those of filters: it is searched as far about where it was seen.
+            // A delay found in the raw data may far exceed the delays of filters: its bounds are then centered on
+            // that value.
             let about = if (low..=high).contains(&value) { 0.0 } else { value };
             let bounds = (factor * low + about, factor * high + about);
             Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds, prior: None }
@@ -99,7 +100,7 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
     }
 }
 
-/// Multiplies a free number of the base.
+/// Multiplies a free parameter of the base.
 fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     for number in &mut to.numbers {
         let (low, high) = number.bounds;
@@ -113,7 +114,8 @@ fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     }
 }
 
-/// Places of the free rises of one stroke's branch of the FV curve among the numbers, each with its point, innermost first.
+/// Returns the positions of one stroke's free rises of the FV curve among the parameters, each with its point,
+/// innermost first.
 fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)> {
     let mut rises: Vec<(usize, usize)> = of
         .numbers
@@ -130,7 +132,7 @@ fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)>
     rises
 }
 
-/// Starts the FV curve from these forces at its points.
+/// Sets the start of the FV curve to these forces at its points.
 fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
     let zero = anchor(to.base.list(list!("fv_velocity")));
     for number in &mut to.numbers {
@@ -142,7 +144,7 @@ fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
     }
 }
 
-/// Takes so much force out of the innermost rises of the FV curve, on both strokes.
+/// Subtracts a force from the innermost rises of the FV curve, on both strokes.
 fn level(to: &mut Hypothesis, force: f64) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     for stroke in [1.0, -1.0] {
@@ -156,7 +158,7 @@ fn level(to: &mut Hypothesis, force: f64) {
     }
 }
 
-/// Draws one stroke's branch of the FV curve on from where it is trusted.
+/// Extrapolates one stroke's branch of the FV curve linearly beyond the force up to which the branch is trusted.
 fn unbend(to: &mut Hypothesis, drawn: &LinearExtension) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);

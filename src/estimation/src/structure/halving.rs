@@ -18,12 +18,14 @@ use std::collections::BTreeSet;
 /// A full refit rarely gains more.
 const REACH: f64 = 8.0;
 
-/// Rise of the log likelihood from which a longer refit is worth its time. No number costs less than one, so what has risen by less pays for none.
+/// Rise of the log likelihood above which a longer refit is made. Every parameter costs at least one, so a smaller
+/// rise pays for none.
 ///
-/// Without this bar effects of no strength, which cost little, crowd out one that has begun to explain the records.
+/// Without this threshold, effects of no strength, which cost little, crowd out an effect that has begun to explain
+/// the records.
 const BEGUN: f64 = 0.5;
 
-/// How good a refit is.
+/// Quality of a refit.
 #[derive(Debug, Clone, Copy)]
 pub struct Rating {
     /// Log posterior, up to a constant.
@@ -38,7 +40,7 @@ impl Rating {
         self.rise > BEGUN
     }
 
-    /// Better ones first: those that explain something, by their log posterior.
+    /// Orders better refits first: those that explain something, then those with the higher log posterior.
     fn compare(&self, other: &Rating) -> Ordering {
         other.has_begun().cmp(&self.has_begun()).then(other.log_posterior.total_cmp(&self.log_posterior))
     }
@@ -48,13 +50,13 @@ impl Rating {
 pub struct Entrant {
     /// Index among the screened starts.
     pub screened: usize,
-    /// Numbers that it starts from.
+    /// Parameters at the start.
     pub start: Vec<f64>,
-    /// Derivatives there.
+    /// Derivatives at the start.
     pub jacobian: DMatrix<f64>,
 }
 
-/// What the refits work on.
+/// Inputs that all refits share.
 pub struct Field<'a> {
     /// The screened starts.
     pub screened: &'a [Screened],
@@ -62,13 +64,13 @@ pub struct Field<'a> {
     pub list: &'a [Candidate],
     /// The tests.
     pub tests: &'a [Test],
-    /// Residuals of the cheap integration, corrected by its error at the base.
+    /// Residuals of the low-accuracy integration, corrected by its error at the base.
     pub nearby: &'a Nearby<'a>,
-    /// How many go on.
+    /// Numbers of refits in each stage.
     pub budget: Budget,
 }
 
-/// Refits in three heats; returns one refit a form.
+/// Refits in three stages; returns one refit for each form.
 pub fn halve(
     entrants: Vec<Entrant>,
     field: &Field,

@@ -1,4 +1,4 @@
-//! The inventory of a structure: each effect with the force it carries and its probability, beside another structure.
+//! Inventory of a structure: each effect with its force and its probability, compared with another structure.
 
 use super::component::Component;
 use super::context::Structure;
@@ -8,7 +8,7 @@ use crate::samples::Test;
 use crate::sensitivity::Accuracy;
 use serde::Serialize;
 
-/// What became of an effect.
+/// Change of an effect from the given model to the most probable one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
@@ -18,7 +18,7 @@ pub enum Status {
     Added,
     /// In the given model; another effect of the most probable one carries its force.
     Replaced,
-    /// In the given model; the records do not ask for it.
+    /// In the given model; the records do not need it.
     Removed,
 }
 
@@ -27,29 +27,32 @@ pub enum Status {
 pub struct InventoryItem {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Its form; empty where there is one, or where the given model does not say.
+    /// Its form; empty if the effect has only one, or if the given model does not state it.
     pub form: &'static str,
-    /// Force that it carries: root mean square over all fitted tests of what its removal changes, everything else kept, N.
+    /// Force of the effect, N: root mean square, over all fitted tests, of the change when the effect is removed and
+    /// all else stays.
     pub force_n_rms: f64,
-    /// That force over the root mean square of the measured force. Its key in JSON is `share`, which scripts rely on.
+    /// Ratio of that force to the root mean square of the measured force. Its key in JSON is `share`, which scripts
+    /// rely on.
     #[serde(rename = "share")]
     pub fraction: f64,
-    /// The force in each fitted test, N rms, in the order of the tests; empty where the model gives none without the effect.
+    /// The force in each fitted test, N rms, in the order of the tests; empty if the model gives no force without the
+    /// effect.
     #[serde(skip)]
     pub test_forces_n: Vec<f64>,
     /// Probability that the damper has it.
     pub probability: f64,
-    /// What became of it.
+    /// Change from the given model to the most probable one.
     pub status: Status,
-    /// Effect of the given model in whose place it stands.
+    /// Effect of the given model that it replaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replaces: Option<&'static str>,
-    /// For an effect that is kept though it is less probable than not: the effect that explains the records in its place.
+    /// For an effect that is kept at a probability below one half: the effect that would explain the records instead.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub or_instead: Option<Instead>,
 }
 
-/// An effect that explains the records in the place of another.
+/// An effect that explains the records instead of another.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Instead {
     /// Name of the effect.
@@ -58,12 +61,12 @@ pub struct Instead {
     pub probability: f64,
 }
 
-/// Forces of a hypothesis at `theta`, the cheap integration being exact enough for an account.
+/// Computes the forces of a hypothesis at `theta`. The low-accuracy integration is exact enough for an inventory.
 fn forces(of: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
     of.forces_by(&of.model_by(Accuracy::Single, theta)?, tests, theta)
 }
 
-/// Correlation of the forces of two components over all tests.
+/// Computes the correlation of the forces of two components over all tests.
 fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     let dot = |x: &[Vec<f64>], y: &[Vec<f64>]| -> f64 {
         x.iter().zip(y).map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>() / x.len().max(1) as f64).sum()
@@ -71,17 +74,18 @@ fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     dot(a, b) / (dot(a, a) * dot(b, b)).sqrt().max(1e-300)
 }
 
-/// Force that a component carries in each test, N: what its removal changes; `None` where the model gives no force without it.
+/// Computes the force of a component in each test, N, as the change by its removal; `None` if the model gives no
+/// force without it.
 fn force_of(structure: &Structure, component: &Component, tests: &[Test], whole: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let without = component.remove(&structure.hypothesis, &structure.refit.theta);
     let less = forces(&without, tests, &without.start())?;
     Some(whole.iter().zip(&less).map(|(a, b)| a.iter().zip(b).map(|(a, b)| a - b).collect()).collect())
 }
 
-/// Correlation of the forces of two effects from which one is said to replace the other.
+/// Smallest correlation of the forces of two effects at which one counts as the replacement of the other.
 const REPLACES: f64 = 0.5;
 
-/// The inventory of `best` beside a given model; without one, every effect counts as added.
+/// Makes the inventory of `best` compared with a given model; without a given model, every effect counts as added.
 pub fn inventory(
     best: &Structure,
     given: Option<&Structure>,
@@ -92,7 +96,7 @@ pub fn inventory(
     let whole_of = |structure: &Structure| forces(&structure.hypothesis, tests, &structure.refit.theta);
     let Some(whole) = whole_of(best) else { return Vec::new() };
     let is_in = |structure: &Structure, effect: &str| structure.components.iter().any(|c| c.effect == effect);
-    // Without an effect that the model cannot do without there is no force, and none to give.
+    // If the model gives no force without an effect, that effect's force in each test is unknown and stays empty.
     let item = |component: &Component, force: Option<&[Vec<f64>]>, without: f64, status: Status| {
         let size = force.map_or(without, rms_of_tests);
         InventoryItem {

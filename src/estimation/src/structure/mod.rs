@@ -1,18 +1,18 @@
 //! Structures: which effects a model has, in which forms, and the search for the most probable one.
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
-//! | [`context`], [`component`] | what a search works on; a structure; one effect of it |
-//! | [`budget`] | how much a step of the search may spend |
-//! | [`starts`], [`inventory`] | where a search starts; what each effect carries |
-//! | [`evidence`], [`prior_odds`] | how probable the records are under a structure, and the structure beforehand |
+//! | [`context`], [`component`] | inputs of a search, a structure; one effect of a structure |
+//! | [`budget`] | limits of the cost of a search step |
+//! | [`starts`], [`inventory`] | starts of a search; the force of each effect |
+//! | [`evidence`], [`prior_odds`] | probability of the records under a structure; prior probability of the structure |
 //! | [`extend`] | a hypothesis with one more effect |
 //! | [`screening`] | first-order gain of every start of every effect |
 //! | [`halving`] | refits of the promising ones by successive halving |
 //! | [`expansion`] | all structures with one more effect than a given one |
 //! | [`search`] | add, remove, swap and change of form, from several starts; the table of visited structures |
-//! | [`alternatives`] | structures that the records do not rule out, and how far they leave numbers open |
-//! | [`curve_points`], [`curve_at_rest`], [`series_restart`], [`coordinate_search`], [`nearby`] | what refits need |
+//! | [`alternatives`] | structures that the records do not rule out, and the intervals over them |
+//! | [`curve_points`], [`curve_at_rest`], [`series_restart`], [`coordinate_search`], [`nearby`] | methods for the refits |
 
 pub mod alternatives;
 pub mod budget;

@@ -1,9 +1,10 @@
-//! Residuals near an explanation that is known exactly, by the cheap integration with its error there corrected.
+//! Residuals near a refitted hypothesis, by the low-accuracy integration and a correction of its error at that
+//! hypothesis.
 //!
-//! Derivatives are reused from there as far as they are known.
+//! Known derivatives of the refitted hypothesis are reused.
 //!
-//! What is compared in an iteration differs in little from where it begins, and so does the error of the integration
-//! (a defect correction: Stetter, Numer. Math. 29, 1978).
+//! Within an iteration the compared hypotheses differ little from the refitted one, and so does the error of the
+//! integration (a defect correction: Stetter, Numer. Math. 29, 1978).
 
 use crate::hypothesis::{Hypothesis, Residual};
 use crate::refit::Refit;
@@ -12,33 +13,33 @@ use crate::sensitivity::Accuracy;
 use dashpot_core::element;
 use nalgebra::DMatrix;
 
-/// Where a round begins.
+/// Starting point of an iteration.
 pub struct Nearby<'a> {
-    /// What the cheap integration is off there, weighted.
+    /// Error of the low-accuracy integration at the starting point, weighted.
     off: Residual,
-    /// The cheap integration.
+    /// Accuracy of the integration.
     accuracy: Accuracy,
-    /// The derivatives there.
+    /// The derivatives at the starting point.
     jacobian: &'a DMatrix<f64>,
 }
 
 impl<'a> Nearby<'a> {
-    /// At a refitted explanation; `None` where it makes no finite force.
+    /// Makes the starting point from a refitted hypothesis; `None` if the model gives no finite force.
     pub fn new(hypothesis: &Hypothesis, at: &'a Refit, tests: &[Test]) -> Option<Nearby<'a>> {
-        // Where the explanation has a series spring, the correction holds what one step a sample misses of it.
+        // With a series spring, one step for each sample suffices: the correction contains its error.
         let has_series = hypothesis.base.is_on(element!("series_compliance"));
         let accuracy = if has_series { Accuracy::Derivatives } else { Accuracy::Cheap };
         let off = &at.residual - hypothesis.residual_by(accuracy, tests, &at.theta)?;
         Some(Nearby { off, accuracy, jacobian: &at.jacobian })
     }
 
-    /// Weighted residuals of an explanation that extends it.
+    /// Computes the weighted residuals of a hypothesis that extends the starting point.
     pub fn residual(&self, hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         Some(hypothesis.residual_by(self.accuracy, tests, theta)? + &self.off)
     }
 
-    /// Derivatives of an explanation that extends it: over its fresh numbers by differences from the residuals there, over
-    /// the others as they were.
+    /// Computes derivatives of a hypothesis that extends the starting point. Finite differences give the columns of
+    /// its new parameters; the other columns are reused.
     pub fn jacobian(
         &self,
         hypothesis: &Hypothesis,

@@ -1,4 +1,4 @@
-//! Prior log odds of an effect: how often dampers and rigs have it, before any record is seen.
+//! Prior log odds of an effect: how often dampers and rigs have it, before any record is known.
 
 use crate::prior_set::PriorSet;
 use dashpot_core::number;
@@ -10,13 +10,13 @@ const COMMON: f64 = 2.0;
 const EVEN: f64 = 0.0;
 /// An effect that a damper in twenty has, as a fault or by design.
 const RARE: f64 = -3.0;
-/// Faults of the measurement have a rate that differs from rig to rig: beta distributed, with these two counts. So the first has log odds of
-/// −3.5 (rigs are checked more often than dampers), and a rig that has one is likelier to have another.
+/// Parameters of the beta distribution of the rate of measurement faults, which differs from rig to rig. The log odds of the first fault
+/// are thus −3.5 (rigs are checked more often than dampers). A rig with one fault is likelier to have another.
 const FAULTS: [f64; 2] = [0.3, 10.0];
 
-/// Effects that are more frequent than [`RARE`], with their log odds. Friction, gas and a soft series path are in every damper; gas
-/// columns and springs in every monotube; the rest is a fault or a design of few. The oil of every damper yields, and in every second one
-/// more than the series path can stand for.
+/// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft series path; monotubes have
+/// gas columns and springs. The other effects are faults or rare designs. The oil of every damper is compressible, and in every second
+/// damper more so than the series path can represent.
 const FREQUENT: [(&str, f64); 11] = [
     ("series_compliance", COMMON),
     ("gas_preload", COMMON),
@@ -31,7 +31,8 @@ const FREQUENT: [(&str, f64); 11] = [
     ("viscous_friction", -2.0),
 ];
 
-/// Changes against a reference that are frequent, with their log odds: what is adjusted, wears or leaks. Any other number changes rarely.
+/// Frequent changes against a reference, with their log odds: adjustments, wear and leaks. Any other parameter
+/// changes rarely.
 const CHANGES: [(&str, f64); 13] = [
     ("fv_curve", -1.0),
     ("gas_force", -0.7),
@@ -49,15 +50,15 @@ const CHANGES: [(&str, f64); 13] = [
 ];
 const CHANGE: f64 = -3.0;
 
-/// Prior log odds of a change against a reference.
+/// Returns the prior log odds of a change against a reference.
 fn log_prior_odds_of_change(name: &str) -> f64 {
     CHANGES.iter().find(|(known, _)| *known == name).map_or(CHANGE, |(_, odds)| *odds)
 }
 
-/// Prior log odds of an effect of the damper, or of a change.
+/// Returns the prior log odds of an effect of the damper, or of a change.
 ///
-/// What every second damper has was in the reference already, or too weak for its records: it comes new to a damper as rarely as a fault.
-/// Such an effect at its usual odds would be named where a number of the reference changed.
+/// Against a reference, the effects of every second damper count as rare: the reference had them already, or they were too weak for the
+/// records. With its ordinary odds, such an effect would be reported where a parameter of the reference changed.
 fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
@@ -66,44 +67,44 @@ fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if priors.is_against_reference() && usual >= EVEN { RARE } else { usual }
 }
 
-/// Prior log odds of so many faults of the measurement (Pólya's urn).
+/// Computes the prior log odds of a number of measurement faults (Pólya's urn).
 fn log_prior_odds_of_faults(count: usize) -> f64 {
     let [with, without] = FAULTS;
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
-/// Effects that a damper has for certain where the number that they rest on is known: an oil column, a gas.
+/// Effects that a damper has for certain if the parameter on which they depend is known: an oil column, a gas.
 const CERTAIN: [(&str, Number); 2] =
     [("oil_compressibility", number!("oil_stiffness")), ("gas_spring", number!("gas_stiffness"))];
 
-/// What becomes more probable of an effect since the damper is known: the log odds that it gains.
+/// Returns the log odds that an effect gains from knowledge of this damper.
 fn gain_of_knowledge(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     let is_known = |(name, number): &(&str, Number)| *name == effect && priors.find(*number).is_some();
     let is_certain = form != "changed" && !priors.is_against_reference() && CERTAIN.iter().any(is_known);
     if is_certain { COMMON - log_prior_odds(effect, form, priors) } else { 0.0 }
 }
 
-/// Whether an effect is a fault or a design of few.
+/// Whether an effect is a fault or a rare design.
 pub fn is_rare(effect: &str, form: &str, priors: &PriorSet) -> bool {
     form != "changed" && log_prior_odds(effect, form, priors) + gain_of_knowledge(effect, form, priors) <= RARE
 }
 
-/// Effects of which one is enough: a second of a group is as rare as a fault.
+/// Groups of effects of which a damper needs one: a second effect of a group is as rare as a fault.
 const ALTERNATIVES: [&[&str]; 2] =
     [&["coulomb_friction", "presliding_friction", "stribeck_friction"], &["parallel_spring", "gas_spring"]];
 
-/// Whether a damper has one of two effects in place of the other.
+/// Whether two effects are alternatives: a damper has one or the other.
 pub fn are_alternatives(effect: &str, other: &str) -> bool {
     ALTERNATIVES.iter().any(|group| group.contains(&effect) && group.contains(&other))
 }
 
-/// Log prior odds of a damper's effects: each with its name, its form and whether it is an error of the measurement.
+/// Computes the log prior odds of a damper's effects: each with its name, its form and whether it is a measurement error.
 pub fn log_prior(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let known: f64 = effects.iter().map(|(effect, form, _)| gain_of_knowledge(effect, form, priors)).sum();
     known + log_prior_of_all(effects, priors)
 }
 
-/// Log prior odds of a set of effects of a damper, apart from what is known of their numbers.
+/// Computes the log prior odds of a set of effects of a damper, without knowledge of their parameters.
 fn log_prior_of_all(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let is_fault = |(_, form, fault): &&(&str, &str, bool)| *fault && *form != "changed";
     let faults = log_prior_odds_of_faults(effects.iter().filter(is_fault).count());

@@ -1,7 +1,8 @@
-//! Which effects are worth a refit: what each would take away if the rest of the model gave way to first order.
+//! Screens effects for a refit: computes the reduction of χ² by each if the rest of the model adapts to first order.
 //!
-//! The base parameters absorb a part of every effect, so a candidate's response is judged after everything that the base
-//! could do about it has been projected out (Frisch & Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat. Assoc. 58, 1963).
+//! The base parameters absorb a part of every effect. So a candidate's response is judged after the projection onto
+//! the orthogonal complement of the base's Jacobian (Frisch & Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat.
+//! Assoc. 58, 1963).
 
 use super::extend::extend;
 use super::nearby::Nearby;
@@ -16,7 +17,7 @@ use dashpot_records::restrict;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
-/// What the base model can do about a residual, to first order.
+/// Projection of a residual onto the orthogonal complement of the base's Jacobian.
 pub struct Projection {
     jacobian: DMatrix<f64>,
     weights: Vec<f64>,
@@ -24,12 +25,12 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// At a refitted explanation.
+    /// Makes the projection at a refitted hypothesis.
     pub fn new(hypothesis: &Hypothesis, refit: &Refit) -> Projection {
         let weights = weights(&refit.residual);
         let mut jacobian = refit.jacobian.clone();
         for ((mut column, number), value) in jacobian.column_iter_mut().zip(&hypothesis.numbers).zip(&refit.theta) {
-            // A number at its bound has given way as far as it may.
+            // A parameter at its bound cannot adapt any further.
             let (low, high) = number.bounds;
             let free = *value > low && *value < high;
             for (value, w) in column.iter_mut().zip(&weights) {
@@ -51,7 +52,7 @@ impl Projection {
         DVector::from_fn(b.len(), |i, _| b[i] * self.weights[i])
     }
 
-    /// Least-squares changes of the base numbers for a residual.
+    /// Computes the least-squares changes of the base parameters for a residual.
     pub fn solve(&self, b: &Residual) -> DVector<f64> {
         let right = self.jacobian.tr_mul(&self.weighted(b));
         match &self.solver {
@@ -60,34 +61,34 @@ impl Projection {
         }
     }
 
-    /// What the base leaves of a residual.
+    /// Computes the part of a residual that the base cannot reproduce.
     pub fn rest(&self, b: &Residual) -> Residual {
         self.rest_of(b, &self.solve(b))
     }
 
-    /// Residual after the projection whose solution is known.
+    /// Computes the residual after a projection with a known solution.
     fn rest_of(&self, b: &Residual, answer: &DVector<f64>) -> Residual {
         self.weighted(b) - &self.jacobian * answer
     }
 }
 
-/// A start of a candidate, judged.
+/// A screened start of a candidate.
 pub struct Screened {
-    /// Place of the candidate in the list.
+    /// Index of the candidate in the list.
     pub candidate: usize,
-    /// The explanation with it.
+    /// The hypothesis with the candidate.
     pub hypothesis: Hypothesis,
-    /// Where its refit starts: the base has already given way to first order.
+    /// Start of the refit: the base has already adapted to first order.
     pub start: Vec<f64>,
-    /// Fall of χ² expected from the refit.
+    /// Reduction of χ² expected from the refit.
     pub gain: f64,
-    /// Square of what is left of the candidate's response once the base has given way: how visible it is at all.
+    /// Squared norm of the candidate's response after the base has adapted: its visibility in the records.
     pub visible: f64,
-    /// Whether the start moved the base as well.
+    /// Whether the start moved the base parameters as well.
     pub moved: bool,
 }
 
-/// Weighted force that a constant artefact adds; `None` where it is none.
+/// Returns the weighted force of a constant measurement error; `None` for any other candidate.
 fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
     let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
     let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(&t.segment)).collect();
@@ -96,11 +97,11 @@ fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> 
     Some(DVector::from_vec(list))
 }
 
-/// Logarithm of the largest factor by which a start is scaled to the strength that the residual asks for. A larger one leaves the range in which
-/// the response is proportional.
+/// Logarithm of the largest factor that scales a start to the strength in the residual. With a larger factor the
+/// response is no longer proportional.
 const FURTHEST: f64 = 3.0;
 
-/// Judges every start of every candidate.
+/// Screens every start of every candidate.
 pub fn screen(
     hypothesis: &Hypothesis,
     at: &Refit,
@@ -121,7 +122,7 @@ pub fn screen(
             let extended = extend(hypothesis, &at.theta, candidate, start);
             let mut theta = extended.start();
             let first = hypothesis.numbers.len();
-            // What the candidate changes, as a change of the computed forces.
+            // The effect of the candidate, as a change of the computed forces.
             let change = match added(candidate, theta[first], tests) {
                 Some(added) => added,
                 None => &at.residual - nearby.residual(&extended, tests, &theta)?,
@@ -132,7 +133,7 @@ pub fn screen(
             let moved = start.moves_the_base();
             let (mut gain, mut used) = (2.0 * left.dot(&response) - visible, 1.0);
             if !moved && visible > 0.0 {
-                // The strength that fits best, as far as the response grows with it.
+                // The strength that fits best if the response is proportional to the strength.
                 let strength = left.dot(&response) / visible;
                 let (low, high) = extended.numbers[first].bounds;
                 let is_log = matches!(&extended.numbers[first].free, Free::Model(Unknown::Log(_)));
@@ -143,7 +144,7 @@ pub fn screen(
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else if strength > 0.0 {
-                    // Many responses are proportional to such a number too; whether this one is, its own response there says.
+                    // Many responses are proportional to such a parameter too. The response at the scaled value tests whether this one is.
                     let mut scaled = theta.clone();
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {
@@ -155,7 +156,8 @@ pub fn screen(
                             (gain, taken_up, theta) = (gain_there, taken_up_there, scaled);
                         }
                     }
-                    // Otherwise its strength hides in a shape: what any strength could gain says whether to look closer.
+                    // Otherwise the parameter changes the shape of the response. The gain at the best strength then
+                    // decides about a refit.
                     gain = gain.max(left.dot(&response).powi(2) / visible);
                 }
             }

@@ -1,7 +1,8 @@
 //! The search for the most probable structure.
 //!
-//! From several starts, moves add, remove, swap and change the form of an effect. Every structure that was refitted stays in a table with
-//! its log posterior; the search ends where no move from the best raises it. Probabilities of effects are sums over that table.
+//! Starting from several models, moves add, remove, swap and change the form of an effect. Every refitted structure
+//! stays in a table with its log posterior. The search ends when no move from the best structure raises its log
+//! posterior. Probabilities of effects are sums over that table.
 
 use super::budget::Budget;
 use super::context::{Form, SearchContext, Structure};
@@ -20,54 +21,57 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Visited {
     /// Log posterior of the best refit.
     pub log_posterior: f64,
-    /// Its log prior: of the effects and of the values of their numbers.
+    /// Its log prior: of the effects and of the values of their parameters.
     pub log_prior: f64,
     /// Mean square residual.
     pub mean_square: f64,
 }
 
-/// Where a search ended.
+/// Result of a search.
 pub struct StructureSearch {
     /// The most probable structure.
     pub best: Structure,
     /// All structures that were refitted.
     pub table: BTreeMap<Vec<Form>, Visited>,
-    /// Errors without a name that were tried beside the best structure, with their log posterior.
+    /// Unnamed errors that were tried on the best structure, with their log posterior.
     pub unnamed: Vec<(Unnamed, f64)>,
     /// The last expansion of the best structure.
     pub last: Vec<Trial>,
-    /// Structures with a rival in the place of an effect of the best, or with another form of it.
+    /// Structures in which a rival or another form replaces an effect of the best structure.
     pub rivals: Vec<Trial>,
-    /// Effects that leave no trace, with the squared norm of their response in σ².
+    /// All screened effects with the squared norm of their response in σ²: a small one is invisible in the records.
     pub visible: Vec<(&'static str, f64)>,
-    /// The given model, refitted; `None` without one, or where it makes no finite force.
+    /// The given model, refitted; `None` without a given model, or if it gives no finite force.
     pub start: Option<Structure>,
 }
 
-/// Rise of the log posterior below which a move is not made.
+/// Smallest rise of the log posterior for which a move is made.
 const RISE: f64 = 0.5;
-/// Rise of the log posterior from which an effect is exchanged for another. The structure gets no larger, so any rise beyond rounding counts.
+/// Smallest rise of the log posterior for which an effect is exchanged. The structure does not grow, so any rise
+/// beyond rounding counts.
 const EXCHANGED: f64 = 0.05;
-/// Log posterior below the best expansion within which a form is tried again beside other effects.
+/// Largest distance of the log posterior below the best expansion at which a form is tried again after other effects
+/// were added.
 ///
-/// Below the best structure it is that within which a removal is refitted to the end.
+/// A removal is refitted to convergence within the same distance below the best structure.
 const PROMISING: f64 = 25.0;
-/// Forms of an effect that are tried again.
+/// Number of forms of an effect that are tried again.
 const FORMS: usize = 2;
-/// Log posterior that a removal may cost for every promising effect to be tried in its place; beyond it, only the effect's alternatives are.
+/// Largest fall of the log posterior by a removal at which every promising effect is tried as a replacement. Beyond this fall, only the
+/// effect's alternatives are tried.
 const CONTESTED: f64 = 12.0;
-/// Largest distance from the best, in units of the log posterior, of a structure that is refined with an added effect.
+/// Largest distance below the best log posterior at which a structure with an added effect is refined.
 ///
-/// The second value holds for a swapped effect. More points on the FV curve and a removal gain about so much.
+/// The second value holds for a swapped effect. More points on the FV curve and a removal typically gain this much.
 const ADDED: f64 = 3.0;
 const SWAPPED: f64 = 2.0;
-/// Most rounds of add, remove and swap: a guard. A search that begins from the records alone needs up to a dozen for four faults of the
-/// measurement beside a friction and a spring; it ends by itself where no move is better.
+/// Largest number of iterations of add, remove and swap: a guard. A search from the records alone needs up to a dozen
+/// for four measurement faults with a friction and a spring. It normally ends earlier, when no move is better.
 const ROUNDS: usize = 24;
 
 impl StructureSearch {
-    /// Searches from starts made of the records alone, then from the given model where that is more probable. So the
-    /// answer depends on the given model only where it helps. `None` where no start makes a finite force.
+    /// Searches from starts made of the records alone, then from the given model if that is more probable. So the
+    /// result depends on the given model only where the model helps. Returns `None` if no start gives a finite force.
     pub fn run(
         context: &SearchContext,
         given: Option<StartModel>,
@@ -93,7 +97,7 @@ impl StructureSearch {
             record(&mut search.table, structure);
         }
         if context.most == 0 {
-            // Nothing may be added: the given model stays, and what could have been is tried once.
+            // No effect may be added: keep the given model, and try each possible addition once.
             search.best = search.start.clone()?;
             if let Some(Expansion { trials, visible }) = expand(context, &search.best, &|_| true, Budget::WIDE) {
                 search.note(&trials);
@@ -142,7 +146,7 @@ impl StructureSearch {
             }
             self.last = trials.clone();
             let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count();
-            // An error without a name competes: what it explains better gets no known name.
+            // An unnamed error competes: a rare effect is added only if it is more probable.
             let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
             let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
             let may = |t: &&Trial| {
@@ -180,7 +184,7 @@ impl StructureSearch {
         }
     }
 
-    /// The best structure with one effect less.
+    /// Returns the best structure with one effect less.
     fn best_removal(&mut self, context: &SearchContext, from: &Structure) -> Option<Structure> {
         let less: Vec<Structure> = (0..from.components.len())
             .into_par_iter()
@@ -202,7 +206,7 @@ impl StructureSearch {
         }
     }
 
-    /// Tries the rivals of every contested effect in its place. Returns whether one was better.
+    /// Tries the rivals of every contested effect as its replacement. Returns whether one was better.
     fn swap(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, done: &mut BTreeSet<Vec<Form>>) -> bool {
         for place in 0..self.best.components.len() {
             if !done.insert(self.best.key_without(place)) {
@@ -237,7 +241,8 @@ impl StructureSearch {
         false
     }
 
-    /// Probability that the damper has one of the forms that satisfy a condition: the sum over the structures of the table that contain one.
+    /// Returns the probability that the damper has a form that satisfies a condition: the sum over the structures
+    /// that contain such a form.
     pub fn probability_of(&self, at: Temperatures, is_in: &dyn Fn(&Form) -> bool) -> f64 {
         let all: Vec<f64> = self.table.values().map(|row| at.log_weight(row.log_posterior, row.log_prior)).collect();
         let own: Vec<f64> = self
@@ -249,16 +254,17 @@ impl StructureSearch {
         if own.is_empty() { 0.0 } else { libm::exp(log_sum_exp(&own) - log_sum_exp(&all)) }
     }
 
-    /// Probability of every effect of the table.
+    /// Returns the probability of every effect of the table.
     pub fn probabilities(&self, at: Temperatures) -> BTreeMap<&'static str, f64> {
         let effects: BTreeSet<&'static str> = self.table.keys().flatten().map(|form| form.0).collect();
         effects.into_iter().map(|effect| (effect, self.probability_of(at, &|form| form.0 == effect))).collect()
     }
 }
 
-/// What log evidence and log prior are divided by before structures become probabilities.
+/// Divisors of log evidence and log prior in the probabilities of structures.
 ///
-/// No law has the form of the damper, and the table holds the best structures alone, so records say less than their likelihood.
+/// No law has exactly the form of the damper, and the table contains the best structures alone. So the records
+/// support a structure less than their likelihood claims.
 #[derive(Debug, Clone, Copy)]
 pub struct Temperatures {
     records: f64,
@@ -266,22 +272,22 @@ pub struct Temperatures {
 }
 
 impl Temperatures {
-    /// Without a reference: how often dampers have an effect, and such numbers of it, counts in full.
+    /// Without a reference: the prior, the frequency of effects and of their values, counts in full.
     ///
-    /// This is a power posterior (Grünwald & van Ommen, Bayesian Anal. 12, 2017), fitted to names of the calibration split of the second
-    /// laboratory. With 1, names are right less often than their probability says; with 4, half of the names are lost.
+    /// This is a power posterior (Grünwald & van Ommen, Bayesian Anal. 12, 2017), calibrated with the calibration split of the second
+    /// laboratory. With 1, named effects are right less often than their probability states; with 4, half of the names are lost.
     pub const WITHOUT_REFERENCE: Temperatures = Temperatures { records: 2.5, prior: 1.0 };
-    /// Against a reference: what is wrong with the form of the laws is wrong with both dampers, and the comparison was made because something
-    /// changed. With the prior in full, a fifth of the right names is lost there.
+    /// Against a reference: an error in the form of the laws affects both dampers alike, and the comparison was made
+    /// because something changed. With the prior in full, a fifth of the right names is lost.
     pub const AGAINST_REFERENCE: Temperatures = Temperatures { records: 2.0, prior: 2.0 };
 
-    /// Log weight of a structure among others.
+    /// Returns the log weight of a structure among others.
     pub fn log_weight(self, log_posterior: f64, log_prior: f64) -> f64 {
         (log_posterior - log_prior) / self.records + log_prior / self.prior
     }
 }
 
-/// The structure with the largest log posterior.
+/// Returns the structure with the largest log posterior.
 fn most_probable<'s>(among: impl Iterator<Item = &'s Structure>) -> Option<&'s Structure> {
     among.max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
 }
@@ -295,7 +301,8 @@ fn record(table: &mut BTreeMap<Vec<Form>, Visited>, structure: &Structure) {
     }
 }
 
-/// The forms of every effect that come near the most probable: those that are tried again beside other effects.
+/// Selects the forms of every effect that come near the most probable one. The search tries them again after other
+/// effects were added.
 fn select_promising(trials: &[Trial]) -> BTreeSet<Form> {
     let best = trials.first().map_or(0.0, |t| t.structure.log_posterior);
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();

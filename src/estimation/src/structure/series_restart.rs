@@ -1,7 +1,8 @@
-//! A series element that the base bent to take up what was missing, and that stays bent once the effect is there.
+//! Restarts a series element that the fit distorted to compensate a missing effect, and that stays distorted once the
+//! effect is present.
 //!
-//! A soft spring with a strong damper beside it is a damper in series: it takes a velocity F/c_s out of the FV curve, which
-//! has given way to it. Put straight, both go back.
+//! A soft spring with a strong parallel damper acts as a damper in series, which shifts the FV curve by a velocity F/c_s. The fitted curve
+//! compensates the shift. The restart undoes both.
 
 use super::evidence::{effective_count, noise_chi2};
 use crate::hypothesis::{Free, Hypothesis};
@@ -12,29 +13,30 @@ use dashpot_core::curve::{Curve, Interpolation};
 use dashpot_core::{element, list, number};
 use dashpot_records::restrict;
 
-/// Mean excess per independent sample, in σ², below which no other start is worth its time.
+/// Mean excess per independent sample, in σ², below which no restart is tried.
 const QUIET: f64 = 0.1;
-/// How many times stiffer and softer is tried.
+/// Factors of the series stiffness that are tried.
 const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
-/// Share of the largest amplitude by which a series element that is such as no damper has, put straight, yields to the
-/// largest force.
+/// Deflection of a restarted series element under the largest force, as a fraction of the largest amplitude. It
+/// applies to implausible elements.
 const STRAIGHT: f64 = 0.02;
-/// Damping ratio of the internal mass on a series element as it is built.
+/// Damping ratio of the internal mass on an undistorted series element.
 const RATIO: f64 = 0.2;
-/// Largest fraction of the excess by which a few steps from a restart may lie above the best fit.
+/// Largest fraction of the excess by which the cost after a few steps from a restart may exceed the best cost.
 ///
-/// The end must lie below it by the second fraction.
+/// The final cost must fall below the best cost by the second fraction.
 const NEAR: f64 = 0.5;
 const BETTER: f64 = 0.02;
 
-/// Damping ratio beyond which the series element is no spring any more.
+/// Damping ratio above which the series element no longer acts as a spring.
 const DAMPED: f64 = 3.0;
-/// Share of the largest amplitude by which it yields to the largest force at most.
+/// Largest plausible deflection of the series element under the largest force, as a fraction of the largest
+/// amplitude.
 const YIELDS: f64 = 0.2;
 
-/// Whether no damper has such a series element.
+/// Whether the series element is one that no damper has.
 ///
-/// Its damping carries what its spring should, or it deflects by a large fraction of the stroke.
+/// Its damper carries the force instead of its spring, or it deflects by a large fraction of the stroke.
 pub fn has_implausible_series(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
     let model = hypothesis.params(theta);
     if !model.is_on(element!("series_compliance")) {
@@ -51,7 +53,8 @@ fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
     tests.iter().map(of).fold(0.0, f64::max)
 }
 
-/// Restarts the refit from distant series elements, and returns the best: between the two the fit gets worse first.
+/// Restarts the refit from distant series elements and returns the best. A local search fails, because the cost rises
+/// first.
 pub fn restart_series(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
     let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) else { return refitted };
     let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
@@ -86,7 +89,7 @@ fn place(hypothesis: &Hypothesis, unknown: Unknown) -> Option<usize> {
     hypothesis.position(&Free::Model(unknown))
 }
 
-/// Gives the series element the damping that it has as it is built.
+/// Sets the damping of the series element to that of an undistorted one.
 fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
     if let Some(damping) = place(hypothesis, Unknown::Linear(number!("series_damping"))) {
         let model = hypothesis.params(theta);
@@ -95,7 +98,7 @@ fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
     }
 }
 
-/// The numbers with a stiff series element; what its damper took of the velocity, the FV curve takes.
+/// Returns the parameters with a stiff series element. The FV curve takes over the velocity of the element's damper.
 fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f64> {
     let mut model = hypothesis.params(theta);
     let mut start = theta.to_vec();
@@ -110,7 +113,7 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
     let whole: Vec<f64> = velocity.iter().zip(&force).map(|(v, f)| v + f * per_force).collect();
     let Ok(curve) = Curve::new(&whole, &force, Interpolation::Linear) else { return start };
     let straight: Vec<f64> = velocity.iter().map(|v| curve.evaluate(*v).value).collect();
-    // Forces inside the table stay inside; a refused list would leave the curve as it was.
+    // Interpolated forces stay inside the range of the table. A rejected list would leave the curve unchanged.
     let _ = model.set_list(list!("fv_force"), &straight);
     for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
         if let Free::Model(rise @ Unknown::Rise { curve: CurveName::Fv, .. }) = &number.free {

@@ -1,4 +1,4 @@
-//! The numbers of the model that is diagnosed.
+//! Free parameters of the model that is diagnosed.
 
 use crate::hypothesis::{Number as FreeNumber, number};
 use crate::priors::{self, Distribution};
@@ -8,13 +8,13 @@ use dashpot_core::Params;
 use dashpot_core::parameter::{Element, Number, Row, Shape, table};
 use dashpot_core::{element, list, number};
 
-/// Factor by which the internal mass may exceed that of the model: two standard deviations of what dampers show. A rod does not get heavier, so
-/// that records which ask for more than that disagree with the model, and the mass has a name; free, it would take up any mass of the rig. Held
-/// to what the rods of one laboratory have, whatever the model says, it would make a mass of the rig of every heavier rod. Downward its prior
-/// is enough: a lighter rod takes nothing up.
+/// Largest ratio of the internal mass to that of the model: two standard deviations of its distribution over dampers. A rod does not get
+/// heavier. So records that need a larger mass disagree with the model, and the mass becomes an effect of its own. Without this bound the
+/// parameter would absorb any mass of the rig. A bound from the rods of one laboratory would turn every heavier rod into a mass of the rig.
+/// Downward the prior suffices: a lighter rod absorbs nothing.
 const NEAR: f64 = 1.8 * 1.8;
-/// Least mass, kg, that it may go to and from in a damper of a car. It is half a newton at 16.7 Hz and 10 mm, below the noise of a rig. With 0.05 kg
-/// a damper without a mass stood at the bound, and its series spring was 7 % too soft.
+/// Smallest mass, kg, as a bound and as a start, for the damper of a car. Its inertia force is half a newton at 16.7 Hz and 10 mm, below
+/// the noise of a rig. With 0.05 kg the mass of a massless damper stayed at the bound, and its series spring was 7 % too soft.
 const LEAST: f64 = 0.005;
 
 fn internal_mass(base: &Params) -> FreeNumber {
@@ -26,7 +26,7 @@ fn internal_mass(base: &Params) -> FreeNumber {
     FreeNumber { bounds, ..number(&from, Unknown::Log(number!("internal_mass"))) }
 }
 
-/// Elements whose numbers [`base_numbers`] lists by itself.
+/// Elements whose parameters [`base_numbers`] lists by itself.
 const LISTED: [Element; 8] = [
     element!("fv_curve"),
     element!("series_compliance"),
@@ -38,11 +38,12 @@ const LISTED: [Element; 8] = [
     element!("side_force_friction"),
 ];
 
-/// Standard deviations off what dampers show from which a number is there to switch something off: no damper is meant by it.
+/// Distance of a value from the typical one, in standard deviations, beyond which the value serves to switch something off: no damper has
+/// it.
 const SWITCHED_OFF: f64 = 5.0;
 
-/// Numbers of the elements beyond those: of what a fit or an earlier diagnosis has put into the model, as presliding friction. Held, they
-/// would leave it to another effect to give way in their place.
+/// Returns parameters of the other elements, which a fit or an earlier diagnosis has added to the model, such as presliding friction. If
+/// they were fixed, other effects would absorb their changes.
 fn of_other_elements(base: &Params) -> Vec<Unknown> {
     let scale = Scale::from_params(base);
     let mut all = Vec::new();
@@ -50,7 +51,7 @@ fn of_other_elements(base: &Params) -> Vec<Unknown> {
     for row in table().filter(own).filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
         let Ok(number) = Number::try_from(row) else { continue };
         let (value, Some(usual)) = (base.number(number), priors::distribution(number, scale)) else { continue };
-        // What a temperature does to a test is counted beside the model.
+        // The effect of temperature on a test is counted outside the model.
         let is_heat = number == number!("heat_capacity");
         if value == 0.0 || usual.standard_score(value).abs() > SWITCHED_OFF || is_heat {
             continue;
@@ -60,7 +61,7 @@ fn of_other_elements(base: &Params) -> Vec<Unknown> {
     all
 }
 
-/// The numbers of the base model that a refit may change.
+/// Returns the parameters of the base model that a refit may change.
 pub fn base_numbers(base: &Params) -> Vec<FreeNumber> {
     use crate::unknowns::{CurveName, Unknowns};
     let mut list = Vec::new();
@@ -133,7 +134,7 @@ mod tests {
         base.set(number!("presliding_power"), 1.0).unwrap();
         let names = free(&base);
         assert!(names.contains(&"presliding_force") && names.contains(&"presliding_length"), "{names:?}");
-        // A creep that no seal has: the default, which means none.
+        // The default creep speed switches creep off: no seal has this value.
         assert!(!names.contains(&"presliding_creep"), "{names:?}");
     }
 

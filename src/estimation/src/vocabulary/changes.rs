@@ -1,4 +1,4 @@
-//! Changes against a reference: each number of its model, and each part of its FV curve, as a candidate of its own.
+//! Changes against a reference: each parameter of its model, and each part of its FV curve, is a separate candidate.
 
 use super::{Candidate, Start, fresh, of_the_rig};
 use crate::curve_part::CurvePart;
@@ -6,11 +6,11 @@ use crate::hypothesis::{Free, Hypothesis};
 use crate::measurement::Artefact;
 use crate::unknowns::Unknown;
 
-/// Relative changes of a part of the curve, and steps of a number, from which a refit starts.
+/// Starts of a refit: relative changes of a part of the curve, and changes of a parameter in units of its step.
 const RELATIVE: [f64; 2] = [0.15, -0.15];
 const STEPS: [f64; 2] = [1.0, -1.0];
 
-/// All changes that a reference model, fitted to its own records, can undergo.
+/// Returns all changes that a reference model, fitted to its own records, can undergo.
 pub fn changes(reference: &Hypothesis) -> Vec<Candidate> {
     let plain = |effect: &'static str, free: Free, values: &[f64]| Candidate {
         effect,

@@ -4,12 +4,12 @@ use super::{Candidate, Start, above, candidate, held, linear, log};
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
-/// Power of presliding friction from which it is refined.
+/// Power of presliding friction at which its refit starts.
 const SLIPS: f64 = 1.5;
-/// Speed below which its contacts creep, m/s.
+/// Speed, m/s, below which the contacts of presliding friction creep, at the start of its refit.
 const CREEPS: f64 = 1e-4;
 
-/// Adds them.
+/// Adds the candidates for friction.
 pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
     let level = s.friction.max(s.friction_in_curve).max(10.0);
     if !s.base.is_on(element!("stribeck_friction")) {
@@ -19,7 +19,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             vec![Start::at(&[20.0, 1000.0])],
         ));
     }
-    // Level and peak in one, where no other element carries the level (form of the thesis).
+    // Coulomb level and peak in one element, if no other element carries the level (form of the thesis).
     if !s.base.is_on(element!("coulomb_friction")) && !s.base.is_on(element!("presliding_friction")) {
         let peak = |level: f64, velocity: f64| Start::at(&[level, 1.25 * level, velocity]);
         all.push(Candidate {
@@ -36,7 +36,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
-    // The peak alone, above the level that another element carries.
+    // The peak alone, above the Coulomb level that another element carries.
     let rise = s.base.number(number!("coulomb_steepness")).clamp(200.0, 5000.0);
     all.push(Candidate {
         form: "full",
@@ -67,7 +67,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                     linear(number!("presliding_force"), (3.0, 200.0)),
                     log(number!("presliding_length"), (0.0, 5e-3)),
                     held(number!("presliding_power"), (0.0, 8.0), 0.7),
-                    // What creeps faster is no friction: its force grows with speed.
+                    // A contact that creeps faster is not friction: its force grows with speed.
                     held(number!("presliding_creep"), (0.0, 5e-3), 1.5),
                 ],
                 [1e-4, 3e-4, 9e-4]

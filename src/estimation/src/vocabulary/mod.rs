@@ -1,7 +1,7 @@
-//! The effects that a diagnosis can name, each with the numbers it adds and where their search starts.
+//! Effects that a diagnosis can name, each with the parameters that it adds and their starts.
 //!
-//! One effect may come in several forms (a cap on rebound or on compression, a stop of rubber or of oil): they carry one
-//! name, and the form that fits best speaks for it.
+//! One effect may have several forms (a cap on rebound or on compression, a stop of rubber or of oil). They share one name, and the form
+//! that fits best represents the effect.
 
 mod base;
 mod changes;
@@ -25,32 +25,32 @@ use crate::situation::Situation;
 use crate::unknowns::Unknown;
 use dashpot_core::parameter::{Element, Number};
 
-/// A number that an effect brings along.
+/// A parameter that an effect adds.
 #[derive(Debug, Clone)]
 pub struct Fresh {
-    /// What it is.
+    /// The parameter.
     pub free: Free,
-    /// Values that a damper or a rig shows; a finding outside is told. From 0: however small.
+    /// Values that a damper or a rig shows; the report mentions a result outside. A lower end of 0 admits arbitrarily small values.
     pub plausible: (f64, f64),
-    /// Whether records leave it open by nature, so that it stays near what is usual: it then costs half of a free one. For heat, also the
-    /// standard deviation of what is expected.
+    /// Prior standard deviation of a weakly informed parameter, which stays near its prior and costs half of a free one. For heat, the
+    /// deviation of the expected value.
     pub deviation: Option<f64>,
 }
 
-/// Where a search begins.
+/// Start of a search.
 #[derive(Debug, Clone)]
 pub struct Start {
-    /// Values of the fresh numbers in physical units, in their order.
+    /// Values of the new parameters in physical units, in their order.
     pub values: Vec<f64>,
-    /// Numbers of the base that must move first, since the base stands where the effect hides: factors.
+    /// Factors for parameters of the base that must change first, since the fitted base has absorbed the effect.
     pub moves: Vec<(Number, f64)>,
-    /// A branch of the FV curve that is drawn on: a capped branch hides the cap.
+    /// Linear extension of a branch of the FV curve: the fitted branch has absorbed a cap.
     pub unbend: Option<LinearExtension>,
-    /// A side (+1 rebound, −1 compression) on which a lookup spring is drawn on straight: a stop hides in its end.
+    /// Side (+1 rebound, −1 compression) on which a lookup spring is extended linearly: its end has absorbed a stop.
     pub straighten: Option<f64>,
-    /// Forces that the points of the FV curve start from, N; where they are instead if empty.
+    /// Start forces of the points of the FV curve, N; if empty, the points start from their current forces.
     pub curve: Vec<f64>,
-    /// Force, N, by which the FV curve's step about standstill shrinks: friction that the effect takes over.
+    /// Force, N, by which the step of the FV curve at zero velocity shrinks: friction that the effect takes over.
     pub level: f64,
 }
 
@@ -59,9 +59,9 @@ pub struct Start {
 pub struct LinearExtension {
     /// +1 rebound, −1 compression.
     pub stroke: f64,
-    /// Force up to which it is trusted, N, positive.
+    /// Force up to which the branch is trusted, N, positive.
     pub from: f64,
-    /// Share of its slope there that it goes on with at least.
+    /// Smallest slope of the extension, as a fraction of the branch's slope just below that force.
     pub steepness: f64,
 }
 
@@ -77,7 +77,7 @@ impl Start {
         }
     }
 
-    /// Whether it moves numbers of the base.
+    /// Whether the start changes parameters of the base.
     pub fn moves_the_base(&self) -> bool {
         !self.moves.is_empty()
             || self.unbend.is_some()
@@ -103,27 +103,27 @@ impl Start {
 pub struct Candidate {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Which form, where there are several.
+    /// Name of the form; empty if the effect has only one.
     pub form: &'static str,
-    /// Elements that it switches on.
+    /// Elements that it enables.
     pub elements: &'static [Element],
-    /// Parameters that it sets and leaves.
+    /// Parameters that it sets and does not free.
     pub fixed: Vec<(Number, f64)>,
-    /// Numbers that it frees.
+    /// Parameters that it frees.
     pub fresh: Vec<Fresh>,
-    /// Where to search.
+    /// Starts of the search.
     pub starts: Vec<Start>,
-    /// Whether it makes the force jump at places that its numbers say.
+    /// Whether the effect makes the force jump at positions that its parameters determine.
     pub jumps: bool,
-    /// For a disagreement that has no name: what it looks like. It is never added; it keeps a known name from being given to
-    /// what it explains better.
+    /// Kind of an unnamed error. Such a candidate is never added. It competes with known effects: a deviation that the unnamed error
+    /// explains better gets no known name.
     pub unnamed: Option<Unnamed>,
 }
 
-/// A measurement error that the vocabulary has no name for.
+/// A measurement error without a name in the vocabulary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Unnamed {
-    /// Friction that grows with the force, as of tilted guides.
+    /// Friction that grows with the force, as from tilted guides.
     Guides,
     /// Hysteresis of the load cell.
     LoadCell,
@@ -132,7 +132,7 @@ pub enum Unnamed {
 }
 
 impl Fresh {
-    /// Factor by which its number grows with the damper.
+    /// Returns the factor by which the parameter scales with the size of the damper.
     fn factor(&self, scale: Scale) -> f64 {
         match &self.free {
             Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
@@ -154,7 +154,7 @@ impl Fresh {
 }
 
 impl Candidate {
-    /// From what it is for a damper of a car to what it is for one of this size.
+    /// Scales the candidate from a car's damper to a damper of this size.
     fn grow(&mut self, scale: Scale) {
         for start in &mut self.starts {
             for (value, fresh) in start.values.iter_mut().zip(&self.fresh) {
@@ -170,7 +170,7 @@ impl Candidate {
         self.fresh.iter_mut().for_each(|fresh| fresh.grow(scale));
     }
 
-    /// Whether it is of the rig, not of the damper.
+    /// Whether the candidate is an error of the rig, not an effect of the damper.
     pub fn is_artefact(&self) -> bool {
         self.elements.is_empty()
     }
@@ -192,23 +192,23 @@ fn linear(number: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Linear(number)), plausible)
 }
 
-/// A force above another one, by a ratio that is free.
+/// Makes a force above another one by a free ratio.
 fn above(number: Number, below: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Above(number, below)), plausible)
 }
 
-/// Near an expected value by nature: `deviation` in its own unit.
+/// Makes a weakly informed parameter near its expected value; `deviation` has the parameter's unit.
 fn near(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
     Fresh { deviation: Some(deviation), ..linear(number, plausible) }
 }
 
-/// An effect that has the name of the first of its elements.
+/// Makes an effect named after the first of its elements.
 fn candidate(elements: &'static [Element], fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
     let effect = elements.first().map_or("", |element| element.name());
     Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, jumps: false, unnamed: None }
 }
 
-/// An effect that the measurement adds.
+/// Makes a measurement error.
 fn of_the_rig(artefact: Artefact, fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
     Candidate { effect: artefact.name(), ..candidate(&[], fresh, starts) }
 }
@@ -217,9 +217,9 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
     a.iter().flat_map(|a| b.iter().map(|b| Start::at(&[*a, *b]))).collect()
 }
 
-/// All effects that could be added in a situation: those of elements that are not on, and those of the rig.
+/// Returns all effects that could be added in a situation: those of disabled elements, and those of the rig.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
-    // All sizes and starts are those of cars: for another damper they are put up for it as if it were one, and then grow to its size.
+    // All sizes and starts apply to a car's damper. For another damper, the candidates are made for a car and then scaled to its size.
     if !s.scale.is_car() {
         let mut all = candidates(&s.as_car());
         all.iter_mut().for_each(|candidate| candidate.grow(s.scale));

@@ -5,20 +5,20 @@ use crate::hypothesis::Free;
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
-/// One over the length of an oil column, 1/m.
+/// Reciprocal length of an oil column, 1/m.
 const COLUMN: f64 = 6.0;
 /// C of Vogel's law for damper oils, °C.
 const VOGEL: f64 = 95.0;
 
-/// Caps tried, as shares of the largest force of their stroke.
+/// Caps tried, as fractions of the largest force of their stroke.
 const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
 /// Fraction of a cap up to which the branch with the cap is trusted.
 ///
-/// It is trusted up to the speed, m/s, in any case: voids bend it well below the cap.
+/// A second start trusts the branch only up to the second value, a speed in m/s, since voids distort the branch well below the cap.
 const TRUSTED: f64 = 0.85;
 const SLOW: f64 = 0.3;
 
-/// The caps of a stroke whose largest force is `top`, each with the branches that may hide it.
+/// Returns the caps of a stroke with the largest force `top`, each with linear extensions of the branch that may have absorbed it.
 fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     let slow = s.driven(stroke * SLOW).abs();
     let drawn = |cap: f64| {
@@ -27,7 +27,7 @@ fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     CAPS.iter().flat_map(|share| drawn(share * top).map(|drawn| (share * top, drawn))).collect()
 }
 
-/// Oil that yields, tears off or thins.
+/// Adds the candidates for oil that is compressed, cavitates or thins.
 pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     let stiffness =
         if s.base.is_on(element!("series_compliance")) { s.base.number(number!("series_stiffness")) } else { 2e6 };
@@ -37,7 +37,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             fixed: vec![(number!("oil_chambers"), chambers), (number!("oil_compression"), 1.0)],
             ..candidate(
                 &[element!("oil_compressibility")],
-                // A column of eight to fifty centimetres.
+                // A column of eight to fifty centimeters.
                 vec![log(number!("oil_stiffness"), (3e5, 2e7)), near(number!("oil_shortening"), (0.0, 20.0), 4.0)],
                 vec![
                     Start::at(&[1e7, COLUMN]),
@@ -45,7 +45,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                     Start::at(&[7e5, COLUMN]),
                     Start::moving(&[2.0 * stiffness, COLUMN], &[(number!("series_stiffness"), 2.0)]),
                     Start::moving(&[1.3 * stiffness, COLUMN], &[(number!("series_stiffness"), 4.0)]),
-                    // Soft oil passes for a soft mount altogether.
+                    // Soft oil acts like a soft mount: the series spring may have absorbed the whole oil column.
                     Start::moving(&[1.1 * stiffness, COLUMN], &[(number!("series_stiffness"), 12.0)]),
                 ],
             )
@@ -56,7 +56,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         fixed: vec![(number!("oil_chambers"), 1.0), (number!("oil_shortening"), 0.0)],
         ..candidate(
             &[element!("oil_compressibility")],
-            // A twin tube yields by the area of its rod alone. What is softer than any oil is something else.
+            // In a twin tube only the area of the rod compresses the column. A column softer than any oil is another effect.
             vec![log(number!("oil_stiffness"), (3e5, 5e7)), held(number!("oil_compression"), (0.03, 30.0), 1.0)],
             [(4.0, 0.25, 2.0), (4.0, 0.25, 6.0), (1.3, 3.0, 3.0), (1.3, 8.0, 6.0)]
                 .map(|(rebound, share, stiffer)| {
@@ -67,7 +67,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     });
     all.push(candidate(
         &[element!("aeration")],
-        // Air that no oil holds is play, a mount, or a chamber that yields.
+        // More air than any oil contains is play, a mount, or an elastic chamber.
         vec![
             log(number!("aeration_stroke"), (2e-5, 4.5e-3)),
             held(number!("aeration_force"), (40.0, 1500.0), 0.8),
@@ -76,7 +76,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         [[1e-4, 120.0], [1e-4, 300.0], [4e-4, 120.0], [4e-4, 300.0]]
             .map(|[stroke, force]| Start::at(&[stroke, force, 1.0]))
             .into_iter()
-            // The base takes air up in its series stiffness, much air nearly whole.
+            // The series stiffness of the base absorbs the effect of air, even of much air almost completely.
             .chain([(2e-4, 1.4), (1e-3, 4.0)].map(|(stroke, stiffer)| {
                 Start::moving(&[stroke, 200.0, 1.0], &[(number!("series_stiffness"), stiffer)])
             }))
@@ -146,7 +146,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3]), Start::at(&[0.03, 2e3])],
             )
         });
-        // A sensor on the tube lags behind the oil, by the power over what the oil gives to the tube per kelvin.
+        // A sensor on the tube lags behind the oil. The difference is the power divided by the heat transfer per kelvin from oil to tube.
         all.push(Candidate {
             form: "oil warmer than measured",
             fixed: fade(1.0, s.temperature),
@@ -174,7 +174,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![
                     linear(number!("fade_coefficient"), (0.001, 0.07)),
                     Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 0.1)) },
-                    // Beside the coefficient it counts where the fall is no straight line.
+                    // The heat capacity is independent of the coefficient only if the force does not fall linearly.
                     Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 5000.0)) },
                     held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
                 ],
@@ -189,11 +189,11 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     }
 }
 
-/// Fractions of the flow that does not refill a chamber, and fractions of the highest speed beyond which it does not.
+/// Starts for cavitation: fractions of the flow that does not refill a chamber, and its onset as fractions of the highest speed.
 const UNFILLED: [f64; 3] = [0.03, 0.1, 0.3];
 const BEYOND: [f64; 3] = [0.2, 0.5, 0.8];
 
-/// A chamber that the stroke before did not refill: the next stroke begins without force.
+/// Adds candidates for a chamber that the previous stroke did not refill: the next stroke begins without force.
 fn unfilled(s: &Situation, all: &mut Vec<Candidate>) {
     for (side, driven, [beyond_a_speed, at_any_speed]) in [
         (1.0, 0, ["foot valve does not refill", "compression begins with a lost stroke"]),

@@ -1,4 +1,4 @@
-//! The rig: mass on the load cell, late channels, zeros that are off or move.
+//! Errors of the rig: mass on the load cell, delayed channels, zero offsets and drifts.
 
 use super::{Candidate, Start, candidate, fresh, linear, of_the_rig};
 use crate::hypothesis::Free;
@@ -6,22 +6,22 @@ use crate::measurement::Artefact;
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
-/// How far the zero of a load cell may be off, N.
+/// Largest zero offset of a load cell, N.
 const OFF: f64 = 200.0;
 
-/// Mass on the rig, and what the measurement adds.
+/// Adds the candidates for mass on the rig and for measurement errors.
 pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
     for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
         all.push(Candidate {
             form,
-            // Its force may lag no more than it must: at 25 Hz a tenth of a millisecond is 1.6 %.
+            // The lag of its force is as short as possible: at 25 Hz a tenth of a millisecond is 1.6 %.
             fixed: vec![(number!("moving_mass_place"), place), (number!("moving_mass_time"), 1e-4)],
             ..candidate(
                 &[element!("moving_mass")],
                 vec![linear(number!("moving_mass"), (0.2, 30.0))],
                 vec![
                     Start::at(&[2.0]),
-                    // The base takes a mass up in its series stiffness, either way.
+                    // The series stiffness of the base absorbs a mass in either direction.
                     Start::moving(&[4.0], &[(number!("series_stiffness"), 0.5)]),
                     Start::moving(&[4.0], &[(number!("series_stiffness"), 2.0)]),
                 ],
@@ -43,7 +43,7 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
             values.iter().map(|v| Start::at(&[*v])).collect(),
         )
     };
-    // The base takes a late force for a soft mount.
+    // A delayed force looks like a soft mount, so the series spring of the base may have absorbed the delay.
     let stiffer = || Start::moving(&[1e-3], &[(number!("series_stiffness"), 3.0)]);
     all.push(Candidate {
         starts: [3e-4, -3e-4, s.apparent_delay]
@@ -70,7 +70,7 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
             });
         }
         all.push(added(Artefact::GainDrift, (-0.2 / s.clock_span, 0.2 / s.clock_span), &[0.01 / s.clock_span]));
-        // What a zero may be off it may drift in a campaign; a long one may see more.
+        // In a campaign the drift may reach the largest zero offset; a long campaign may drift further.
         let most = (OFF / s.clock_span).max(0.2);
         all.push(added(Artefact::Drift, (-most, most), &[10.0 / s.clock_span]));
         for share in [0.07, 0.15, 0.3, 0.6] {

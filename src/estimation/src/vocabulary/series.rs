@@ -1,11 +1,11 @@
-//! What yields between the ends and the piston: mounts, play.
+//! Compliance between the ends and the piston: mounts, play.
 
 use super::{Candidate, Fresh, Start, candidate, grid, held, linear, log, near};
 use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
-/// How rubber loses energy: what switches the other way off, and the number of this one.
+/// Energy loss of rubber: the fixed parameter that disables the other loss, and the free parameter of this loss.
 type Loss = ((Number, f64), Fresh);
 
 fn by_time() -> Loss {
@@ -16,10 +16,10 @@ fn by_friction() -> Loss {
     ((number!("bushing_loss_time"), 1e3), held(number!("bushing_slip"), (5e-6, 2e-3), 1.0))
 }
 
-/// Adds them.
+/// Adds the candidates for the series path.
 pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
-    // Friction without a travel of its own behind a soft spring is a contact that bends before it slides: one slow test gave 0.25 N/µm of a mount
-    // that was not there.
+    // Friction without presliding behind a soft spring acts like presliding friction. In one slow test it gave a mount of 0.25 N/µm that
+    // did not exist.
     let whole = s.base.is_on(element!("presliding_friction")).then_some((CARRIES_WHOLE, 1.0));
     for (form, load) in [Some(("", 0.0)), whole].into_iter().flatten() {
         all.push(Candidate {
@@ -55,7 +55,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
                 [2.5e-4, 6e-4, 2e-3]
                     .iter()
                     .flat_map(|d| lasts.map(|t| Start::at(&[*d, 0.3, t])))
-                    // The base has the stiffness of the working deflection: less at small ones.
+                    // The base has the stiffness at the working deflection; the stiffness at small deflections is lower.
                     .chain(
                         [3e-4, 1e-3].map(|d| Start::moving(&[d, 0.5, lasts[0]], &[(number!("series_stiffness"), 0.6)])),
                     )
@@ -64,7 +64,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     let stop = [log(number!("bushing_stop"), (1e-4, 1.0)), linear(number!("bushing_stop_stiffness"), (0.0, 60.0))];
-    // The base has a stiffness between those before and after the stop.
+    // The stiffness of the base lies between those before and after the stop.
     let top = 0.5 * (s.top_rebound + s.top_compression) / s.base.number(number!("series_stiffness"));
     let softer = |values: &dyn Fn(f64, f64) -> Vec<f64>| {
         [0.12, 0.25, 0.5]
@@ -107,19 +107,20 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     }
     all.push(candidate(
         &[element!("free_play")],
-        // A gap closes however sharply; what softens over a hundred newtons is air.
+        // A gap closes within a few newtons; a transition over a hundred newtons is air.
         vec![log(number!("free_play_gap"), (2e-5, 1e-3)), held(number!("free_play_force"), (0.0, 40.0), 0.5)],
         grid(&[5e-5, 2e-4], &[8.0])
             .into_iter()
-            // The wider the gap, the softer the base had to be.
+            // The wider the gap, the softer the series spring with which the base absorbed it.
             .chain(
                 [(1e-4, 1.3), (3e-4, 2.0), (8e-4, 4.0)]
                     .map(|(gap, stiffer)| Start::moving(&[gap, 8.0], &[(number!("series_stiffness"), stiffer)])),
             )
             .collect(),
     ));
-    // Weight, gas and clamping shift the force at which the gap opens to either side. Starts are about one and two standard deviations of the
-    // prior of that load off, near enough for the slope of the error to lead on; the gap and the spring are those of the middle start above.
+    // Weight, gas and clamping shift the force at which the gap opens to either side. The starts lie about one and two standard deviations
+    // of the load's prior from zero. From there the gradient of the error leads to the optimum. Gap and spring are those of the middle
+    // start above.
     all.push(Candidate {
         form: "opens under a load",
         ..candidate(
@@ -137,10 +138,10 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     carrying_the_whole(s, all);
 }
 
-/// The series spring as an eye or a mount, which friction and gas load too. Its other form is the oil, which the valves load alone.
+/// Form of the series spring as an eye or a mount, which friction and gas load too. The other form is the oil, which the valves load alone.
 pub const CARRIES_WHOLE: &str = "friction and gas act behind it";
 
-/// Whether the damper has what such a spring carries beside the hydraulic force.
+/// Whether the damper has forces that such a spring carries in addition to the hydraulic force.
 fn carries_more(s: &Situation) -> bool {
     [
         element!("coulomb_friction"),
@@ -154,13 +155,13 @@ fn carries_more(s: &Situation) -> bool {
     .any(|element| s.base.is_on(*element))
 }
 
-/// Fractions of the base's series stiffness for the oil column and for the series spring in front of it.
+/// Factors of the base's series stiffness for the oil column and for the series spring in front of it.
 ///
 /// The spring is an eye or mount that carries friction and gas too.
 const BEHIND: [(f64, f64); 2] = [(1.3, 2.5), (3.0, 1.2)];
 
-/// Play and rubber that all of the force goes through, as in an eye or a mount. What the base's series spring stood for is
-/// then the oil behind it, which carries the hydraulic force alone.
+/// Adds play and rubber in an eye or a mount, which carries the whole force. The series compliance of the base then belongs to the oil
+/// behind it, which carries the hydraulic force alone.
 fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
     let carries_it = s.base.number(number!("series_load")) == 1.0;
     if carries_it || s.base.is_on(element!("oil_compressibility")) || !carries_more(s) {
@@ -186,7 +187,7 @@ fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
                 held(number!("free_play_force"), (0.0, 40.0), 0.5),
                 oil(),
             ],
-            // The wider the gap, the softer the base had to be.
+            // The wider the gap, the softer the series spring with which the base absorbed it.
             [(4e-5, 1.2), (4e-5, 1.7), (1e-4, 1.3), (1e-4, 1.8), (3e-4, 2.5)]
                 .map(|(gap, behind)| {
                     Start::moving(&[gap, 4.0, behind * stiffness], &[(number!("series_stiffness"), 5.0)])
@@ -208,7 +209,7 @@ fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 &[element!("bushing"), element!("oil_compressibility")],
                 vec![
-                    // Rubber that never hardens is rubber too.
+                    // Rubber without hardening is plausible too.
                     log(number!("bushing_hardening"), (2e-4, f64::INFINITY)),
                     linear(number!("bushing_loss_stiffness"), (0.02, 3.0)),
                     last,

@@ -1,16 +1,17 @@
-//! Gas and springs beside the valves.
+//! Gas and springs parallel to the valves.
 
 use super::{Candidate, Fresh, Start, candidate, held, linear};
 use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
-/// The gas column at x = 0, m. One that ends where the stroke does is a stop, not gas; a very long one is a straight spring.
+/// Returns the length of the gas column at x = 0, m. A column as short as the stroke is a stop, not gas; a very long column is a linear
+/// spring.
 fn length() -> Fresh {
     held(number!("gas_length"), (0.06, 1.5), 1.0)
 }
 
-/// Adds them.
+/// Adds the candidates for gas and springs.
 pub(super) fn springs(all: &mut Vec<Candidate>, s: &Situation) {
     all.push(candidate(
         &[element!("gas_preload")],

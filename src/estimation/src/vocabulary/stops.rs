@@ -6,7 +6,7 @@ use crate::spring_end::excess;
 use dashpot_core::parameter::Element;
 use dashpot_core::{element, number};
 
-/// Adds them.
+/// Adds the candidates for stops.
 pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
     let (low, high) = s.reach;
     for (elements, names, side, reach) in [
@@ -48,7 +48,7 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 clearances
                     .map(|c| Start::at(&[1e4, c, 0.02]))
                     .into_iter()
-                    // The base may have it in the end of its lookup spring.
+                    // The end of the base's lookup spring may have absorbed the stop.
                     .chain(
                         clearances.into_iter().filter(|_| hidden > 0.0).map(|c| Start {
                             straighten: Some(side),
@@ -64,7 +64,7 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 fixed: vec![(names[1], 0.0), (names[4], orifice)],
                 ..candidate(
                     elements,
-                    // A gap that closes faster and faster has hardly a slope at its mouth.
+                    // A gap that narrows progressively has almost no damping at its entrance.
                     vec![log(names[2], (1.0, 1e5)), linear(names[0], (0.01, 0.15)), held(names[3], (0.0, 0.2), 1.0)],
                     clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[d, *c, 0.02]))).collect(),
                 )

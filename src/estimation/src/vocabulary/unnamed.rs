@@ -1,21 +1,21 @@
-//! What a rig may add that the vocabulary has no name for.
+//! Measurement errors without a name in the vocabulary.
 
 use super::{Candidate, Start, Unnamed, fresh, of_the_rig};
 use crate::hypothesis::Free;
 use crate::measurement::{Artefact, Load};
 
-/// Frequencies at which something in the path of the force may resonate, Hz.
+/// Possible resonance frequencies of the force path, Hz.
 const RESONATES: [u32; 5] = [10, 15, 22, 33, 50];
-/// Forces within which a load cell may turn over, N.
+/// Forces within which the hysteresis of a load cell changes its sign after a reversal, N.
 const TURNS_OVER: [u32; 3] = [50, 150, 400];
 
-/// Something that looks like `unnamed`, made of these artefacts.
+/// Makes an unnamed error of these measurement errors.
 fn looks_like(unnamed: Unnamed, artefacts: &[Artefact], start: &[f64]) -> Candidate {
     let numbers = artefacts.iter().map(|a| fresh(Free::Rig(*a), a.bounds())).collect();
     Candidate { unnamed: Some(unnamed), ..of_the_rig(artefacts[0], numbers, vec![Start::at(start)]) }
 }
 
-/// What a rig may add that the vocabulary has no name for.
+/// Adds the unnamed errors.
 pub(super) fn unnamed(all: &mut Vec<Candidate>) {
     all.extend(
         [Load::Whole, Load::BeyondRest].map(|load| {
