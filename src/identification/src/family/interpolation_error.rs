@@ -1,33 +1,36 @@
-//! How far a damper between two settings may be off, by how its numbers bend over the settings.
+//! Bound on the error of a damper between two settings, from the curvature of its numbers over the setting.
 
 use dashpot_core::Params;
 use dashpot_core::family::Definition;
 
-/// Factor on the second derivative where one neighbor alone shows it, at an end of the grid: beyond that neighbor it may grow. Without it the bound
-/// is exceeded at the ends of a wave over the setting (the test below).
+/// Factor on the second derivative at an end of the grid, where only one neighbor shows it. It may grow beyond that neighbor.
+///
+/// Without the factor the error exceeds the bound at the ends of a wave over the setting (the test below).
 const AT_END: f64 = 1.5;
 
-/// The dampers at the settings of a grid, by which the error between them is estimated.
+/// Dampers at the settings of a grid, from which the error between the settings is estimated.
 ///
-/// Straight lines are off by half the second derivative times the distances to both neighbors (Davis, Interpolation and Approximation, 1963, 3.1).
-/// How far a setting lies off the straight line through its neighbors shows that second derivative, and the larger one of both neighbors holds between
-/// them. The monotone cubic is closer than a straight line where the damper is smooth over the setting, and no closer where it bends.
+/// The error of linear interpolation is half the second derivative times the distances to both neighbors (Davis, Interpolation and
+/// Approximation, 1963, 3.1). The deviation of a setting from the line through its neighbors shows that derivative. Between two settings
+/// the larger derivative of the two applies.
+///
+/// The monotone cubic is more accurate than the line where the damper is smooth over the setting, and equally accurate at a kink.
 pub struct InterpolationError {
     grid: Vec<f64>,
     dampers: Vec<Params>,
 }
 
 impl InterpolationError {
-    /// The errors of a damper over a setting.
+    /// Prepares the error estimates of a damper family.
     pub fn new(damper: &Definition) -> InterpolationError {
         let grid = damper.axis.grid().to_vec();
         let dampers = grid.iter().map(|setting| damper.params_at(*setting)).collect();
         InterpolationError { grid, dampers }
     }
 
-    /// How far a value at a setting may be off, to either side, in units of the value.
+    /// Returns the possible error of a value at a setting, to either side, in units of the value.
     ///
-    /// Nought on the grid and beyond its ends; `None` where no neighbor lies between others, as with two settings.
+    /// The error is 0 on the grid and beyond its ends. Returns `None` if no neighbor lies between two others, as in a grid of two settings.
     pub fn of_value(&self, setting: f64, value: impl Fn(&Params) -> f64) -> Option<f64> {
         self.of_differences(setting, |place| {
             let [before, own, after] =
@@ -38,7 +41,7 @@ impl InterpolationError {
         })
     }
 
-    /// How far any quantity may be off, given how far its neighbors miss it at a place of the grid.
+    /// Returns the possible error of any quantity. `difference` gives, at a grid index, the deviation from the line through the neighbors.
     pub fn of_differences(&self, setting: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
         let right = self.grid.partition_point(|value| *value < setting);
         let (Some(left), Some(next)) = (right.checked_sub(1), self.grid.get(right)) else { return Some(0.0) };
@@ -92,7 +95,7 @@ mod tests {
                 let value = damper.params_at(setting).number(number!("coulomb_force"));
                 let bound = bound(&damper, setting).unwrap();
                 let error = (value - characteristic(setting)).abs();
-                // Beside a setting the cubic's own derivative there counts, which is off by less than half as much again.
+                // Near a setting the slope of the cubic there matters. Its error is less than half the bound.
                 let beside = (setting % 0.25 - 0.125).abs() > 0.0625;
                 let most = if beside { 1.5 * bound } else { bound };
                 assert!(error <= most + 1e-9, "{setting}: {error} > {most}");
@@ -107,7 +110,7 @@ mod tests {
         for on_grid in [-1.0, 0.0, 1.0, 2.0, 5.0] {
             assert_eq!(bound(&three, on_grid), Some(0.0));
         }
-        // The middle lies 10 N below the line through the ends, at distances of 1 and 1.
+        // The middle value lies 10 N below the line through the ends, at distances of 1 and 1.
         assert!((bound(&three, 0.5).unwrap() - AT_END * 0.25 * 10.0).abs() < 1e-9);
         let two = family(&[0.0, 1.0], |x| 20.0 + 10.0 * x);
         assert_eq!((bound(&two, 0.5), bound(&two, 1.0)), (None, Some(0.0)));
