@@ -1,5 +1,7 @@
 //! Choice of the rig test that best distinguishes rivals.
-//! At this test the predictions of the rivals, each with all numbers refitted, differ most relative to the noise (Hunter & Reiner, Technometrics 7, 1965).
+//!
+//! At this test the predictions of the rivals, each with all numbers refitted, differ most relative to the noise (Hunter & Reiner,
+//! Technometrics 7, 1965).
 
 use super::effects::remedy;
 use super::outcome::NextTest;
