@@ -2,7 +2,6 @@
 //!
 //! Measurement errors belong to the campaign and not to the damper, so no model contains them. A validation or diagnosis of the same
 //! campaign would meet them again, and would attribute them to the model.
-//! campaign again would meet it again, and take it for something that the model lacks.
 
 use super::model_file::Identification;
 use super::of_the_rig::{Measured, to_measurement_error};

@@ -4,7 +4,7 @@ use dashpot_estimation::cancel::Cancel;
 use pyo3::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// Payload with which a progress call unwinds cancelled work. Nobody reads it.
+/// Payload with which a progress call unwinds canceled work. Nobody reads it.
 pub struct Ended;
 
 /// Calls a Python function with the fraction done and the current step. It keeps the first exception of the function, and then stops the
@@ -24,7 +24,7 @@ impl Progress {
 
     /// Reports the progress. Any thread that does not hold the interpreter lock may call it.
     ///
-    /// Cancelled work ends here. Work that checks [`dashpot_estimation::cancel::asked`] ends earlier.
+    /// Canceled work ends here. Work that checks [`dashpot_estimation::cancel::asked`] ends earlier.
     pub fn say(&self, done: f64, text: &str) {
         if let Some(tell) = self.tell.as_ref().filter(|_| !self.cancel.asked()) {
             if let Err(error) = Python::attach(|py| tell.call1(py, (done, text))) {

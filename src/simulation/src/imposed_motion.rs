@@ -85,6 +85,7 @@ pub enum ImposeError {
 
 impl ImposedMotion {
     /// Completes a motion.
+    ///
     /// A motion with displacement and velocity is used unchanged. From displacement alone, the velocity is the derivative of the cubic
     /// spline through it, with continuous acceleration (not-a-knot ends; exact for cubics, otherwise of third order in the sample time).
     /// From velocity alone, the kernel integrates from `initial_position`, by default 0.

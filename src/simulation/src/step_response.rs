@@ -82,7 +82,7 @@ pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     scaled(&raw, zero, one)
 }
 
-/// Averages the fraction of the force change that is completed. Returns NaN at times that no step covers.
+/// Averages the fraction of the force change that is completed. Returns NaN at times without a usable step.
 fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

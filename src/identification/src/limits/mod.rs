@@ -164,7 +164,9 @@ mod tests {
     use std::f64::consts::TAU;
     use std::path::Path;
 
-    /// Makes a test of a damper with 2000 N s/m in rebound, 800 N s/m in compression, 30 N friction, 150 N gas force and a hysteresis loop.
+    /// Makes a test of a damper with a hysteresis loop.
+    ///
+    /// It has 2000 N s/m in rebound, 800 N s/m in compression, 30 N of friction and 150 N of gas force.
     fn test(name: &str, amplitude: f64, peak: f64) -> Record {
         let (n, cycles, w) = (400, 4, peak / amplitude);
         let mut record = Record {

@@ -51,7 +51,7 @@ pub enum SettingLimitError {
 /// The first unit that measures another quantity.
 pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(), SettingLimitError> {
     for limit in limits.iter_mut().filter(|limit| !limit.setting_unit.is_empty()) {
-        // A damper whose setting has no unit is rejected too: a window that states a unit refers to another damper.
+        // A window with a unit is rejected if the damper's setting has no unit: it then refers to another damper.
         if own.is_empty() || !restate_in_unit(&mut limit.setting_unit, own, &mut limit.setting) {
             return Err(SettingLimitError::OtherUnit {
                 name: limit.name.clone(),

@@ -1,4 +1,4 @@
-//! Chatter of a damper in a host with a zero-order hold of the force: detection, the element at fault, and a damper that does not chatter.
+//! Chatter of a damper in a host with a zero-order hold of the force: detection, cause and remedy.
 //!
 //! A host that computes the force at the start of a step and moves a mass m by it over the step h,
 //!

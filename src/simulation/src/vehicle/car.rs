@@ -12,21 +12,21 @@ pub struct Car {
     pub unsprung_mass: f64,
     /// Roll, pitch and yaw inertia, kg m².
     pub inertia: [f64; 3],
-    /// Distance of the front and of the rear axle from the centre of gravity, m.
+    /// Distance of the front and of the rear axle from the center of gravity, m.
     pub axle: [f64; 2],
     /// Track, m.
     pub track: f64,
-    /// Height of the centre of gravity above the roll axis, m.
+    /// Height of the center of gravity above the roll axis, m.
     pub roll_arm: f64,
     /// Spring rate at the wheel, front and rear, N/m.
     pub spring: [f64; 2],
     /// Anti-roll rate at the wheel, front and rear, N/m of difference in stroke.
     pub anti_roll: [f64; 2],
-    /// Vertical tyre stiffness, N/m.
+    /// Vertical tire stiffness, N/m.
     pub tyre: f64,
-    /// Cornering stiffness of a tyre, N/rad.
+    /// Cornering stiffness of a tire, N/rad.
     pub cornering: f64,
-    /// Friction of the tyre on the road.
+    /// Friction of the tire on the road.
     pub grip: f64,
     /// Ratio of damper travel to wheel travel.
     pub motion_ratio: f64,
