@@ -1,5 +1,5 @@
-//! Lists the kernel's own sources for the command, which writes them into an FMU's source folder, and takes in what
-//! `vi-crt-bridge/runtimes.sh` has compiled of them.
+//! Embeds the kernel's sources, which the command writes into an FMU's source folder, and the binaries that `vi-crt-bridge/runtimes.sh`
+//! compiled from them.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ fn main() {
     runtimes(src.parent().expect("the project"));
 }
 
-/// What is compiled for a platform, by its name in FMI 2.0.
+/// Compiled files for each platform, by its name in FMI 2.0.
 const COMPILED: [(&str, &str); 5] = [
     ("linux64", "dashpot_damper.so"),
     ("linux64", "kernel.o"),
@@ -42,12 +42,13 @@ const COMPILED: [(&str, &str); 5] = [
     ("win64", "dashpot_adams.dll"),
 ];
 
-/// Takes in what lies in target/runtimes, or where DASHPOT_RUNTIMES points, if it was compiled of the sources as they are now.
+/// Embeds the files in target/runtimes, or where DASHPOT_RUNTIMES points, if they were compiled from the current sources.
 fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_RUNTIMES");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo runs build scripts"));
     let usual = target_folder(&out).unwrap_or_else(|| project.join("target")).join("runtimes");
-    // Cargo runs this again at every build while a path that it watches is absent, and compiles all that stands on it; an empty folder is enough.
+    // Cargo reruns this script at every build while a watched path is absent, and then recompiles all dependents. An empty folder prevents
+    // that.
     let _ = fs::create_dir_all(&usual);
     let folder = env::var_os("DASHPOT_RUNTIMES").map_or(usual, |path| project.join(path));
     println!("cargo::rerun-if-changed={}", folder.display());
@@ -57,7 +58,7 @@ fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_COMPILE_RUNTIMES");
     let wanted = sources(project);
     let is_current = |folder: &Path| fs::read(folder.join("sources.txt")).is_ok_and(|text| text == wanted);
-    // Whoever builds the Python package by maturin alone gets one that exports FMUs: nobody ran the script before.
+    // A build of the Python package by maturin alone exports FMUs too, although nobody ran the script before.
     let compiles = env::var_os("DASHPOT_COMPILE_RUNTIMES").is_some() && env::var_os("DASHPOT_RUNTIMES").is_none();
     let folder = if compiles && !is_current(&folder) { compiled_here(project, &out).unwrap_or(folder) } else { folder };
     let (built, current) = (folder.join("sources.txt").is_file(), is_current(&folder));
@@ -78,11 +79,13 @@ fn runtimes(project: &Path) {
     fs::write(out.join("runtimes.rs"), list).expect("a file");
 }
 
-/// Runs `vi-crt-bridge/runtimes.sh` into the folder of this build; a warning and nothing where it cannot, as without a C compiler.
+/// Runs `vi-crt-bridge/runtimes.sh` into the folder of this build. If it fails, for example without a C compiler, it warns and returns
+/// `None`.
 fn compiled_here(project: &Path, out: &Path) -> Option<PathBuf> {
     let to = out.join("compiled");
     let mut script = Command::new("sh");
-    // A target folder of its own: cargo holds the lock of the other one while this runs. What cargo sets for this build is not for that one.
+    // The script has its own target folder, because cargo locks the other one. The environment that cargo sets for this build must not
+    // affect the script.
     for (name, _) in env::vars_os() {
         let name = name.to_string_lossy().into_owned();
         let prefixes = ["CARGO_PKG_", "CARGO_CFG_", "CARGO_FEATURE_", "CARGO_PROFILE_"];
@@ -104,15 +107,16 @@ fn compiled_here(project: &Path, out: &Path) -> Option<PathBuf> {
     None
 }
 
-/// Cargo's target folder, which cargo marks and into which runtimes.sh writes. With --target a folder named after the triple, marked as
-/// well, comes between it and OUT_DIR.
+/// Returns cargo's target folder, which cargo marks and into which runtimes.sh writes.
+///
+/// With --target a marked folder named after the triple lies between it and OUT_DIR.
 fn target_folder(out: &Path) -> Option<PathBuf> {
     let nearest = out.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file())?;
     let of_a_triple = nearest.file_name() == env::var_os("TARGET").as_deref();
     Some(if of_a_triple { nearest.parent()? } else { nearest }.to_owned())
 }
 
-/// The sources in one text, in the order and the form in which runtimes.sh writes them.
+/// Returns the sources as one text, in the order and format of runtimes.sh.
 fn sources(project: &Path) -> Vec<u8> {
     let mut files = Vec::new();
     for part in ["core", "abi", "dll"] {

@@ -37,7 +37,7 @@ pub unsafe extern "C" fn dashpot_evaluate(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, output, rate);
-        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::evaluate(model, state, input, output, rate) };
@@ -48,7 +48,8 @@ pub unsafe extern "C" fn dashpot_evaluate(
         present(rate)?;
         let (answer, rates) = dashpot_core::evaluate(model, &state, &input);
         computed(answer.is_finite() && rates.is_finite())?;
-        // SAFETY: aligned and not null by the questions before; the same bytes under C names (asserted in `state`).
+        // SAFETY: the checks above exclude null and misaligned pointers. Both types have the same layout (asserted in
+        // `state`).
         unsafe {
             *output.cast::<Output>() = answer;
             *rate.cast::<State>() = rates;
@@ -67,7 +68,7 @@ pub unsafe extern "C" fn dashpot_jacobian(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, partials);
-        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::jacobian(model, state, input, partials, core::ptr::null_mut()) };
@@ -77,7 +78,8 @@ pub unsafe extern "C" fn dashpot_jacobian(
         present(partials)?;
         let answer = self::partials(model, &state, &input);
         computed(answer.is_finite())?;
-        // SAFETY: aligned and not null by the questions before; the same bytes under C names (asserted above).
+        // SAFETY: the checks above exclude null and misaligned pointers. Both types have the same layout (asserted in
+        // `partials`).
         unsafe { *partials.cast::<Partials>() = answer };
         Ok(range_warning(model, input.velocity))
     })())

@@ -1,4 +1,5 @@
-//! A damper that depends on a setting, behind the functions of an ordinary one: out of the way of these.
+//! Functions of the C interface for a damper that depends on a setting. They are separate so that the functions of an ordinary damper stay
+//! fast.
 
 use dashpot_core::family::Family;
 use dashpot_core::{Input, Output, Partials, State};
@@ -11,15 +12,15 @@ use crate::state::{checked, commands, computed, dashpot_output, dashpot_state, f
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_OUTSIDE_SETTING, Rejected};
 use crate::stepping::{checked_step, move_on, range_warning, warnings};
 
-/// The warning for a setting.
+/// Returns the warning for a setting.
 fn setting_warning(family: &Family, setting: Option<f64>) -> i32 {
     if setting.is_some_and(|setting| family.is_outside(setting)) { DASHPOT_OUTSIDE_SETTING } else { DASHPOT_OK }
 }
 
-/// As `dashpot_force_with_setting()` of a family.
+/// Computes `dashpot_force_with_setting()` of a family.
 ///
 /// # Safety
-/// Aligned pointers of the caller's, or null.
+/// Each pointer is null or aligned, and belongs to the caller.
 #[cold]
 #[inline(never)]
 pub(crate) unsafe fn force(
@@ -30,20 +31,20 @@ pub(crate) unsafe fn force(
     dt: f64,
     force: *mut f64,
 ) -> Result<i32, Rejected> {
-    // SAFETY: the caller's promise.
+    // SAFETY: the caller guarantees the requirements.
     let family = unsafe { family(model)? };
-    // SAFETY: as the model.
+    // SAFETY: as for the model.
     unsafe { finite(state)? };
     if !sane(velocity) {
         return Err(Rejected(DASHPOT_BAD_INPUT));
     }
     let setting = setting.map(checked_setting).transpose()?;
     let dt = checked_step(dt)?;
-    // SAFETY: as the model.
+    // SAFETY: as for the model.
     let force = unsafe { exclusive(force)? };
     let mut output = Output::ZERO;
     let to = Input::velocity(velocity);
-    // SAFETY: not null by `finite`, aligned and the caller's alone; its parts do not overlap.
+    // SAFETY: `finite` excludes null, and the pointer is aligned and exclusive to the caller. Both parts are disjoint.
     let (damper, delay) = unsafe { (&mut *state.cast::<State>(), &mut *commands(state)) };
     if !family.step_in_place(damper, delay, &to, setting, dt, &mut output, false) {
         return Err(Rejected(DASHPOT_NOT_COMPUTABLE));
@@ -52,10 +53,10 @@ pub(crate) unsafe fn force(
     Ok(warnings(family.model(), velocity, dt) | setting_warning(family, setting))
 }
 
-/// As `dashpot_step()` of a family.
+/// Computes `dashpot_step()` of a family.
 ///
 /// # Safety
-/// Aligned pointers of the caller's, or null.
+/// Each pointer is null or aligned, and belongs to the caller.
 #[cold]
 #[inline(never)]
 pub(crate) unsafe fn step(
@@ -66,24 +67,24 @@ pub(crate) unsafe fn step(
     to: *mut dashpot_state,
     output: *mut dashpot_output,
 ) -> Result<i32, Rejected> {
-    // SAFETY: the caller's promise.
+    // SAFETY: the caller guarantees the requirements.
     let family = unsafe { family(model)? };
-    // SAFETY: as the model.
+    // SAFETY: as for the model.
     unsafe { finite(from)? };
-    // SAFETY: as the model.
+    // SAFETY: as for the model.
     let (input, setting) = unsafe { (input::checked(to_input)?, input::setting(to_input)?) };
     let dt = checked_step(dt)?;
     present(to)?;
     present(output)?;
-    // SAFETY: all are aligned and not null by the questions before.
+    // SAFETY: the checks above exclude null and misaligned pointers.
     unsafe { step_checked(family, from, &input, setting, dt, to, output)? };
     Ok(warnings(family.model(), input.velocity, dt) | setting_warning(family, setting))
 }
 
-/// One checked step.
+/// Makes one step with checked arguments.
 ///
 /// # Safety
-/// Valid, aligned pointers; `from` and `to` may be the same.
+/// The pointers are valid and aligned. `from` and `to` may be equal.
 unsafe fn step_checked(
     family: &Family,
     from: *const dashpot_state,
@@ -93,28 +94,28 @@ unsafe fn step_checked(
     to: *mut dashpot_state,
     output: *mut dashpot_output,
 ) -> Result<(), Rejected> {
-    // SAFETY: valid and aligned by the caller's promise; the same bytes under C names (asserted in `state`).
+    // SAFETY: the caller guarantees a valid, aligned pointer. Both types have the same layout (asserted in `state`).
     let output = unsafe { &mut *output.cast::<Output>() };
     if from != to.cast_const() {
-        // SAFETY: valid and aligned by the caller's promise; through values, as states may overlap.
+        // SAFETY: the caller guarantees valid, aligned pointers. The step works on copies, because states may overlap.
         let (mut damper, mut delay) = unsafe { (*from.cast::<State>(), *commands(from.cast_mut())) };
         computed(family.step_in_place(&mut damper, &mut delay, input, setting, dt, output, true))?;
-        // SAFETY: valid and aligned by the caller's promise.
+        // SAFETY: the caller guarantees valid, aligned pointers.
         unsafe {
             *to.cast::<State>() = damper;
             *commands(to) = delay;
         }
         return Ok(());
     }
-    // SAFETY: valid and aligned by the caller's promise; its parts do not overlap.
+    // SAFETY: the caller guarantees a valid, aligned pointer. Both parts are disjoint.
     let (damper, delay) = unsafe { (&mut *to.cast::<State>(), &mut *commands(to)) };
     computed(family.step_in_place(damper, delay, input, setting, dt, output, true))
 }
 
-/// As `dashpot_step_batch()`, of dampers of which some depend on a setting.
+/// Computes `dashpot_step_batch()` of dampers of which some depend on a setting.
 ///
 /// # Safety
-/// Aligned arrays of `count` elements of the caller's, none of them null.
+/// Each array is aligned, not null, belongs to the caller and has `count` elements.
 #[cold]
 #[inline(never)]
 pub(crate) unsafe fn step_batch(
@@ -127,7 +128,7 @@ pub(crate) unsafe fn step_batch(
     outputs: *mut dashpot_output,
 ) -> Result<i32, Rejected> {
     for i in 0..count {
-        // SAFETY: `count` of each by the caller's promise.
+        // SAFETY: the caller guarantees `count` elements in each array.
         unsafe {
             let model = *models.add(i);
             if prepared(model).is_err() {
@@ -140,7 +141,7 @@ pub(crate) unsafe fn step_batch(
     }
     let mut status = DASHPOT_OK;
     for i in 0..count {
-        // SAFETY: as above, and checked there.
+        // SAFETY: as above. The first loop checked all arguments.
         unsafe {
             let (model, input) = (*models.add(i), input::taken(to_inputs.add(i)));
             match prepared(model) {
@@ -159,10 +160,10 @@ pub(crate) unsafe fn step_batch(
     Ok(status)
 }
 
-/// As `dashpot_evaluate()` of a family.
+/// Computes `dashpot_evaluate()` of a family.
 ///
 /// # Safety
-/// Aligned pointers of the caller's, or null.
+/// Each pointer is null or aligned, and belongs to the caller.
 #[cold]
 #[inline(never)]
 pub(crate) unsafe fn evaluate(
@@ -172,7 +173,7 @@ pub(crate) unsafe fn evaluate(
     output: *mut dashpot_output,
     rate: *mut dashpot_state,
 ) -> Result<i32, Rejected> {
-    // SAFETY: the caller's promise.
+    // SAFETY: the caller guarantees the requirements.
     let (family, state) = unsafe { (family(model)?, checked(state)?) };
     // SAFETY: as above.
     let (input, setting) = unsafe { (input::checked(input)?, input::setting(input)?) };
@@ -180,7 +181,8 @@ pub(crate) unsafe fn evaluate(
     present(rate)?;
     let (answer, rates) = family.evaluate(&state, &input, setting);
     computed(answer.is_finite() && rates.is_finite())?;
-    // SAFETY: aligned and not null by the questions before; the same bytes under C names (asserted in `state`).
+    // SAFETY: the checks above exclude null and misaligned pointers. Both types have the same layout (asserted in
+    // `state`).
     unsafe {
         *output.cast::<Output>() = answer;
         *rate.cast::<State>() = rates;
@@ -189,10 +191,10 @@ pub(crate) unsafe fn evaluate(
     Ok(range_warning(family.model(), input.velocity) | setting_warning(family, setting))
 }
 
-/// As `dashpot_jacobian()` of a family, and what depends on the setting where that is asked for.
+/// Computes `dashpot_jacobian()` of a family, or its derivatives with respect to the setting if `by_setting` is not null.
 ///
 /// # Safety
-/// Aligned pointers of the caller's, or null.
+/// Each pointer is null or aligned, and belongs to the caller.
 #[cold]
 #[inline(never)]
 pub(crate) unsafe fn jacobian(
@@ -202,13 +204,14 @@ pub(crate) unsafe fn jacobian(
     partials: *mut dashpot_partials,
     by_setting: *mut dashpot_setting_derivatives,
 ) -> Result<i32, Rejected> {
-    // SAFETY: the caller's promise.
+    // SAFETY: the caller guarantees the requirements.
     let (family, state) = unsafe { (family(model)?, checked(state)?) };
     // SAFETY: as above.
     let (input, setting) = unsafe { (input::checked(input)?, input::setting(input)?) };
     let (own, by) = family.partials(&state, &input, setting);
     computed(own.is_finite() && (by.force + by.rate.iter().sum::<f64>()) * 0.0 == 0.0)?;
-    // SAFETY: null is asked for; else aligned and the caller's; the same bytes under C names (asserted where they are).
+    // SAFETY: null is checked. Otherwise the pointer is aligned and the caller's, and both types have the same layout (asserted at their
+    // definitions).
     unsafe {
         if by_setting.is_null() {
             present(partials)?;

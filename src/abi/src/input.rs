@@ -41,52 +41,49 @@ pub struct dashpot_input {
 const KNOWN: u32 =
     DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE | DASHPOT_KNOWS_SETTING;
 
-/// Largest sum of the magnitudes of displacement and velocity.
+/// Largest accepted sum of the magnitudes of displacement and velocity.
 ///
-/// 1000 m and 1000 m/s are a hundred times what a damper meets, and the solver of a host that tries a wild step still
-/// gets an output. Far beyond, powers of them would overflow.
+/// 1000 m and 1000 m/s are a hundred times the values of any damper. A host whose solver tries a wild step still gets an output. Powers of
+/// much larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e3;
-/// What a newton of side force and a degree count for in that sum: 1e9 N and 1e5 degrees alone are as much.
+/// Weights of a newton of side force and of a degree in that sum: 1e9 N or 1e5 degrees alone reach the limit.
 const PER_NEWTON: f64 = 1e-6;
 const PER_DEGREE: f64 = 1e-2;
 
-/// Whether the host means it. False for NaN.
+/// Returns whether a number lies in the accepted range. Returns false for NaN.
 #[inline(always)]
 pub(crate) fn sane(number: f64) -> bool {
     number.abs() <= LARGEST
 }
 
-/// What the host handed in.
+/// Converts and checks the input of the host.
 ///
 /// # Safety
-/// Null, or an aligned input that nobody writes meanwhile.
+/// `input` is null, or it is aligned and not written during the call.
 #[inline(always)]
 pub(crate) unsafe fn checked(input: *const dashpot_input) -> Result<Input, Rejected> {
     present(input)?;
-    // SAFETY: not null by `present`; aligned and unwritten meanwhile by the caller's promise.
+    // SAFETY: `present` excludes null. The caller guarantees alignment and that nobody writes the input.
     unsafe { &*input }.checked()
 }
 
-/// What the host handed in and [`checked`] accepted.
+/// Converts an input that [`checked`] has accepted.
 ///
 /// # Safety
-/// An aligned input that was checked and not written since.
+/// `input` is aligned, was checked, and is unchanged since.
 #[inline(always)]
 pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
-    // SAFETY: the caller's promise; `checked` accepted it before.
+    // SAFETY: the caller guarantees that `checked` has accepted this input.
     unsafe { &*input }.taken().0
 }
 
-/// The setting that the host handed in with an input that [`checked`] accepted.
+/// Returns the checked setting of the host; `None` if the host gives none.
 ///
 /// # Safety
-/// Setting that the host gives, checked; `None` where it gives none.
-///
-/// # Safety
-/// A valid, aligned input.
+/// `input` is valid and aligned.
 #[inline(always)]
 pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>, Rejected> {
-    // SAFETY: the caller's promise.
+    // SAFETY: the caller guarantees the requirements.
     let input = unsafe { &*input };
     if input.known & DASHPOT_KNOWS_SETTING == 0 {
         return Ok(None);
@@ -94,14 +91,14 @@ pub(crate) unsafe fn setting(input: *const dashpot_input) -> Result<Option<f64>,
     checked_setting(input.setting).map(Some)
 }
 
-/// Refuses a setting that is no number. One outside the grid is clamped.
+/// Rejects a setting that is not finite. A setting outside the grid is clamped later.
 #[inline(always)]
 pub(crate) fn checked_setting(setting: f64) -> Result<f64, Rejected> {
     if setting.is_finite() { Ok(setting) } else { Err(Rejected(DASHPOT_BAD_INPUT)) }
 }
 
 impl dashpot_input {
-    /// As the kernel takes it, refused unless it makes sense.
+    /// Converts to the kernel's input, and rejects unknown flags and values out of range.
     #[inline(always)]
     fn checked(&self) -> Result<Input, Rejected> {
         if self.struct_size as usize != size_of::<dashpot_input>() {
@@ -114,18 +111,18 @@ impl dashpot_input {
         if sum <= LARGEST { Ok(input) } else { Err(Rejected(DASHPOT_BAD_INPUT)) }
     }
 
-    /// As the kernel takes it, and the sum of its magnitudes.
+    /// Converts to the kernel's input, and returns the weighted sum of the magnitudes.
     #[inline(always)]
     fn taken(&self) -> (Input, f64) {
         let knows = |bit| self.known & bit != 0;
         let mut input = Input::velocity(self.velocity);
-        // A sum of magnitudes is sane only if every one is; NaN makes it NaN.
+        // The sum is in range only if every magnitude is. A NaN makes the sum NaN.
         let mut sum = self.velocity.abs();
         if knows(DASHPOT_KNOWS_DISPLACEMENT) {
             input.displacement = Some(self.displacement);
             sum += self.displacement.abs();
         }
-        // Most hosts know neither: one question instead of two.
+        // Most hosts give neither, so one combined check saves a branch.
         if knows(DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE) {
             if knows(DASHPOT_KNOWS_SIDE_FORCE) {
                 input.side_force = self.side_force;

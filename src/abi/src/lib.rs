@@ -52,7 +52,7 @@
 
 #![no_std]
 #![allow(non_camel_case_types)]
-// What a caller must keep to is stated once, in the manual above: valid pointers or null.
+// The manual above states the requirements on callers once: pointers are valid or null.
 #![allow(clippy::missing_safety_doc)]
 
 #[cfg(test)]

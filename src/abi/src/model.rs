@@ -24,26 +24,26 @@ pub struct dashpot_model {
     pub opaque: [u64; 6144],
 }
 
-/// What the block really holds.
+/// Actual contents of the block.
 #[repr(C, align(16))]
 pub(crate) struct Prepared {
     magic: u64,
     model: Model,
 }
 
-/// What the block holds of a damper that depends on a setting.
+/// Actual contents of the block for a damper that depends on a setting.
 #[repr(C, align(16))]
 struct PreparedFamily {
     magic: u64,
     family: Family,
 }
 
-/// What is in the block before it is prepared. All zeros, so that it is no table in the library.
-// SAFETY: the compiler looks whether zeros are a model when it makes the constant of them, and refuses where they are none.
+/// Contents of the block before preparation. All bytes are zero, so that the library contains no table for it.
+// SAFETY: the compiler evaluates this constant, and rejects it if zero bytes are not a valid model.
 const BLANK: Model = unsafe { MaybeUninit::zeroed().assume_init() };
 
-/// A family without a damper.
-// SAFETY: any bytes are numbers of a family, zeros too.
+/// Family before preparation.
+// SAFETY: any bytes, zeros included, are valid numbers of a family.
 const BLANK_FAMILY: Family = unsafe { MaybeUninit::zeroed().assume_init() };
 
 const MAGIC: u64 = magic("model", size_of::<Model>());
@@ -56,52 +56,50 @@ const _: () = {
     assert!(align_of::<dashpot_model>() == 16 && align_of::<Prepared>() == 16);
 };
 
-/// The model in a block that was initialised.
+/// Returns the model in an initialized block.
 ///
 /// # Safety
-/// Null, misaligned, or a `dashpot_model` that nobody writes meanwhile.
+/// `model` is null, misaligned, or a `dashpot_model` that nobody writes during the call.
 #[inline(always)]
 pub(crate) unsafe fn prepared<'a>(model: *const dashpot_model) -> Result<&'a Model, Rejected> {
     usable(model)?;
-    // SAFETY: aligned by `usable`; the rest is the caller's promise.
+    // SAFETY: `usable` checked the alignment, and the caller guarantees the rest.
     unsafe { prepared_aligned(model) }
 }
 
-/// A prepared model at an aligned address.
+/// Returns a prepared model at an aligned address.
 ///
 /// # Safety
-/// Null, or a `dashpot_model` that nobody writes meanwhile.
+/// `model` is null, or a `dashpot_model` that nobody writes during the call.
 #[inline(always)]
 pub(crate) unsafe fn prepared_aligned<'a>(model: *const dashpot_model) -> Result<&'a Model, Rejected> {
     present(model)?;
-    // SAFETY: not null by `present`, aligned by the caller's promise; any bytes are a magic word, and only where it
-    // is right is the model looked at.
+    // SAFETY: `present` excludes null, and the caller guarantees alignment. Any bytes are a valid magic word, and the model is read only if
+    // the word is right.
     let block = unsafe { &*model.cast::<Prepared>() };
     if block.magic != MAGIC { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.model) }
 }
 
-/// The family in a block that was initialised with one: asked where it is no ordinary model.
+/// Returns the family in a block that was initialized for a damper with a setting. Callers try [`prepared`] first.
 ///
 /// # Safety
-/// The family of a model that depends on a setting.
-///
-/// # Safety
-/// Null, misaligned, or a block of the caller.
+/// `model` is null, misaligned, or a block of the caller.
 #[cold]
 pub(crate) unsafe fn family<'a>(model: *const dashpot_model) -> Result<&'a Family, Rejected> {
     usable(model)?;
-    // SAFETY: not null and aligned by `usable`; any bytes are a magic word, and only where it is right is the family looked at.
+    // SAFETY: `usable` excludes null and misaligned pointers. Any bytes are a valid magic word, and the family is read only if the word is
+    // right.
     let block = unsafe { &*model.cast::<PreparedFamily>() };
     if block.magic != MAGIC_FAMILY { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.family) }
 }
 
-/// A model that was found prepared before.
+/// Returns a model that [`prepared`] has accepted.
 ///
 /// # Safety
-/// What [`prepared`] accepted, unchanged since.
+/// `model` was accepted by [`prepared`] and is unchanged since.
 #[inline(always)]
 pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
-    // SAFETY: the caller's promise: `prepared` accepted it before.
+    // SAFETY: the caller guarantees that `prepared` has accepted this model.
     unsafe { &(*model.cast::<Prepared>()).model }
 }
 
@@ -111,7 +109,7 @@ pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_states(model: *const dashpot_model) -> i32 {
     status((|| {
-        // SAFETY: null, misaligned or a model that nobody writes meanwhile (the caller's promise).
+        // SAFETY: the manual guarantees that `model` is null, misaligned, or a model that nobody writes during the call.
         let states = match unsafe { prepared(model) } {
             Ok(model) => model.states(),
             // SAFETY: as above.
@@ -145,7 +143,7 @@ pub unsafe extern "C" fn dashpot_model_state_name(
     name: *mut dashpot_state_name,
 ) -> i32 {
     status((|| {
-        // SAFETY: null, misaligned, or a model that nobody writes and a structure that nobody else uses (the caller's promise).
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         let to = unsafe { exclusive(name)? };
         if to.struct_size as usize != size_of::<dashpot_state_name>() {
             return Err(Rejected(DASHPOT_STRUCT_SIZE));
@@ -174,12 +172,12 @@ pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *
     status((|| {
         usable(model)?;
         let block = model.cast::<Prepared>();
-        // SAFETY: `params` is null, misaligned or a block that nobody writes meanwhile (the caller's promise).
+        // SAFETY: the manual guarantees that `params` is null, misaligned, or a block that nobody writes during the call.
         let (params, axis) = unsafe { (values(params)?, axis(params)?) };
         if axis.is_some() {
             Family::check(params, axis)?;
             let block = model.cast::<PreparedFamily>();
-            // SAFETY: as below; both blocks lie at the address of the caller's, and their magic words are at one place.
+            // SAFETY: as below. Both kinds of block lie at the caller's address, and their magic words at the same offset.
             unsafe {
                 (&raw mut (*block).magic).write(0);
                 (&raw mut (*block).family).write(BLANK_FAMILY);
@@ -189,8 +187,8 @@ pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *
             return Ok(DASHPOT_OK);
         }
         Model::check(params)?;
-        // SAFETY: `model` is aligned, not null, and room for a block that is the caller's alone; a parameter set is never inside
-        // it. Written before it is referred to: the caller's memory may never have been.
+        // SAFETY: `model` is aligned and not null, and its memory is exclusive to this call. A parameter set never overlaps it. Raw writes
+        // come before the first reference, because the memory may be uninitialized.
         unsafe {
             (&raw mut (*block).magic).write(0);
             (&raw mut (*block).model).write(BLANK);

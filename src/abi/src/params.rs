@@ -45,7 +45,7 @@ pub struct dashpot_fault {
     pub parameter: [c_char; 48],
 }
 
-/// What the block really holds.
+/// Actual contents of the block.
 #[repr(C, align(16))]
 struct Filled {
     struct_size: u32,
@@ -63,15 +63,12 @@ const _: () = {
     assert!(offset_of!(dashpot_params, abi_version) == offset_of!(Filled, abi_version));
 };
 
-/// The block, after a look at its size and version.
+/// Returns the block behind parameters whose size and interface version are right.
 ///
 /// # Safety
-/// The filled block behind parameters whose size is that of this interface.
-///
-/// # Safety
-/// Null, misaligned, or a block of the caller.
+/// `params` is null, misaligned, or a block of the caller.
 unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Rejected> {
-    // SAFETY: the caller's promise is that of `shared`.
+    // SAFETY: the requirements are those of `shared`.
     let head = unsafe { shared(params) }?;
     if head.struct_size as usize != size_of::<dashpot_params>() {
         return Err(Rejected(DASHPOT_STRUCT_SIZE));
@@ -82,78 +79,75 @@ unsafe fn block(params: *const dashpot_params) -> Result<*const Filled, Rejected
     Ok(params.cast())
 }
 
-/// The values.
+/// Returns the values of a filled block.
 ///
 /// # Safety
-/// As [`shared`].
+/// The requirements of [`shared`].
 pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Params, Rejected> {
-    // SAFETY: `block` has looked at size and version, so that the block is as large and aligned as `Filled`; any
-    // bytes are a magic word, and only where it is right are the values looked at.
+    // SAFETY: `block` checked size and version, so the block has the size and alignment of `Filled`. Any bytes are a valid magic word, and
+    // the values are read only if the word is right.
     let block = unsafe { &*block(params)? };
     if block.magic != MAGIC { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.values) }
 }
 
-/// The setting that they depend on; without a grid where they depend on none.
+/// Returns the setting on which the parameters depend; without a grid if there is none.
 ///
 /// # Safety
-/// As [`shared`].
+/// The requirements of [`shared`].
 pub(crate) unsafe fn axis<'a>(params: *const dashpot_params) -> Result<&'a Axis, Rejected> {
-    // SAFETY: the caller's promise is that of `values`.
+    // SAFETY: the requirements are those of `values`.
     unsafe { values(params) }?;
-    // SAFETY: not null, aligned and filled by the question before.
+    // SAFETY: `values` above excludes null, misaligned and unfilled blocks.
     Ok(unsafe { &(*params.cast::<Filled>()).axis })
 }
 
-/// The axis of parameters, to be changed.
+/// Returns mutable access to the axis of parameters.
 ///
 /// # Safety
-/// Null, misaligned, or a block of the caller that nobody else uses.
+/// `params` is null, misaligned, or a block of the caller that nobody else uses.
 pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Axis, Rejected> {
-    // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
+    // SAFETY: the caller guarantees the requirements of `exclusive`, which include those of `values`.
     unsafe { values(params) }?;
-    // SAFETY: not null, aligned and filled by the question before; nobody else uses it by the caller's promise.
+    // SAFETY: `values` above excludes null, misaligned and unfilled blocks. The caller guarantees exclusive access.
     Ok(unsafe { &mut (*params.cast::<Filled>()).axis })
 }
 
-/// Index among the numbers of the setting that the C string spells.
+/// Returns the index of the number of the setting with this name.
 ///
 /// # Safety
-/// Index of the entry of the axis with this name.
-///
-/// # Safety
-/// Null or a zero-terminated text.
+/// `name` is null or zero-terminated.
 unsafe fn entry(name: *const c_char) -> Result<usize, Rejected> {
-    // SAFETY: the caller's promise is that of `one_of`.
+    // SAFETY: the requirements are those of `one_of`.
     let entry = unsafe { one_of(name, ENTRIES.iter(), |entry| entry.name) }?;
     index_of(entry.name.as_bytes()).ok_or(Rejected(DASHPOT_UNKNOWN_NAME))
 }
 
-/// The values, to be changed.
+/// Returns mutable access to the values.
 ///
 /// # Safety
-/// As [`exclusive`].
+/// The requirements of [`exclusive`].
 unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, Rejected> {
-    // SAFETY: the caller's promise is that of `exclusive`, which is more than this asks.
+    // SAFETY: the caller guarantees the requirements of `exclusive`, which include those of `values`.
     unsafe { values(params) }?;
-    // SAFETY: not null, aligned and filled by the question before; nobody else uses it by the caller's promise.
+    // SAFETY: `values` above excludes null, misaligned and unfilled blocks. The caller guarantees exclusive access.
     Ok(unsafe { &mut (*params.cast::<Filled>()).values })
 }
 
-/// The row of that name.
+/// Returns the row of the parameter with this name.
 ///
 /// # Safety
-/// As [`one_of`].
+/// The requirements of [`one_of`].
 pub(crate) unsafe fn parameter(name: *const c_char) -> Result<Row, Rejected> {
-    // SAFETY: the caller's promise is that of `one_of`.
+    // SAFETY: the requirements are those of `one_of`.
     unsafe { one_of(name, table(), |row| row.parameter.name) }
 }
 
-/// The element of that name.
+/// Returns the element with this name.
 ///
 /// # Safety
-/// As [`one_of`].
+/// The requirements of [`one_of`].
 unsafe fn element(name: *const c_char) -> Result<Element, Rejected> {
-    // SAFETY: the caller's promise is that of `one_of`.
+    // SAFETY: the requirements are those of `one_of`.
     unsafe { one_of(name, Element::all(), |element| element.name()) }
 }
 
@@ -172,9 +166,9 @@ impl From<Fault> for Rejected {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> i32 {
     status((|| {
-        // SAFETY: null, misaligned, or a block of the caller's: the manual's promise.
+        // SAFETY: the manual guarantees that `params` is null, misaligned, or a block of the caller.
         let block = unsafe { block(params) }?.cast_mut();
-        // SAFETY: `block` has looked at size and alignment; written before it is referred to.
+        // SAFETY: `block` checked size and alignment. Raw writes come before the first reference.
         unsafe {
             (&raw mut (*block).values).write(Params::new());
             (&raw mut (*block).axis).write(Axis::NONE);
@@ -188,8 +182,8 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
-        // zero-terminated: the manual's promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // Names are zero-terminated.
         let (row, entry) = unsafe { (parameter(name), entry(name)) };
         if let Ok(index) = entry {
             // SAFETY: as above.
@@ -215,10 +209,10 @@ pub unsafe extern "C" fn dashpot_params_set_list(
     count: u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
-        // zero-terminated: the manual's promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // Names are zero-terminated.
         let (params, axis, row) = unsafe { (values_mut(params)?, axis_mut(params)?, parameter(name)?) };
-        // SAFETY: null, misaligned, or that many numbers of the caller's: the manual's promise.
+        // SAFETY: the manual guarantees that the pointer is null, misaligned, or that it has `count` numbers.
         let values = unsafe { array(values, count as usize) }?;
         let list = row.try_into()?;
         params.set_list(list, values)?;
@@ -237,8 +231,8 @@ pub unsafe extern "C" fn dashpot_params_get(
     value: *mut f64,
 ) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
-        // zero-terminated: the manual's promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // Names are zero-terminated.
         let (row, entry, value) = unsafe { (parameter(name), entry(name), exclusive(value)?) };
         if let Ok(index) = entry {
             // SAFETY: as above.
@@ -262,8 +256,8 @@ pub unsafe extern "C" fn dashpot_params_get_list(
     count: *mut u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
-        // zero-terminated: the manual's promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // Names are zero-terminated.
         let (params, row, count) = unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
         let list = params.list(row.try_into()?);
         if !values.is_null() {
@@ -271,9 +265,8 @@ pub unsafe extern "C" fn dashpot_params_get_list(
             if list.len() > capacity as usize {
                 return Err(Rejected(DASHPOT_BUFFER_TOO_SHORT));
             }
-            // SAFETY: not null and aligned by `usable`, room for `capacity` numbers by the manual's promise, which
-            // is enough by the comparison above; a list lies inside the parameter set, which the array of the
-            // caller's is not.
+            // SAFETY: `usable` excludes null and misaligned pointers. The manual guarantees room for `capacity` numbers, which the
+            // comparison above proves sufficient. A list lies inside the parameter set, which the caller's array does not overlap.
             unsafe { core::ptr::copy_nonoverlapping(list.as_ptr(), values, list.len()) };
         }
         *count = list.len() as u32;
@@ -285,8 +278,8 @@ pub unsafe extern "C" fn dashpot_params_get_list(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_enable(params: *mut dashpot_params, element: *const c_char, on: u32) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
-        // zero-terminated: the manual's promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // Names are zero-terminated.
         let (params, element) = unsafe { (values_mut(params)?, self::element(element)?) };
         params.enable(element, on != 0);
         Ok(DASHPOT_OK)
@@ -301,8 +294,8 @@ pub unsafe extern "C" fn dashpot_params_is_on(
     on: *mut u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
-        // zero-terminated: the manual's promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // Names are zero-terminated.
         let (params, element, on) = unsafe { (values(params)?, self::element(element)?, exclusive(on)?) };
         *on = params.is_on(element) as u32;
         Ok(DASHPOT_OK)
@@ -323,21 +316,21 @@ pub unsafe extern "C" fn dashpot_params_read(
     fault: *mut dashpot_fault,
 ) -> i32 {
     status((|| {
-        // SAFETY: null, misaligned, or a block of the caller's: the manual's promise.
+        // SAFETY: the manual guarantees that `params` is null, misaligned, or a block of the caller.
         let block = unsafe { block(params) }?.cast_mut();
-        // SAFETY: null, or that many bytes of the caller's: the manual's promise.
+        // SAFETY: the manual guarantees that `text` is null or has `length` bytes.
         let text = unsafe { array(text.cast::<u8>(), length) }?;
-        // SAFETY: null is asked for; else misaligned, or the caller's and used by nobody else: the manual's promise.
+        // SAFETY: null is handled first. Otherwise `exclusive` rejects a misaligned pointer, and the manual guarantees exclusive access.
         let report = if fault.is_null() { None } else { Some(unsafe { exclusive(fault) }?) };
         let (line, found) = match model_file::check_family(text) {
             Ok(()) => {
-                // SAFETY: `block` has looked at size and alignment; written before it is referred to, since the
-                // caller's memory may never have been.
+                // SAFETY: `block` checked size and alignment. Raw writes come before the first reference, because the caller's memory may
+                // be uninitialized.
                 unsafe {
                     (&raw mut (*block).values).write(Params::new());
                     (&raw mut (*block).axis).write(Axis::NONE);
                     (*block).magic = MAGIC;
-                    // What was checked can be read.
+                    // `check_family` accepted the text, so this read succeeds.
                     let _ = model_file::read_checked(text, &mut (*block).values, &mut (*block).axis);
                 }
                 (0, None)
@@ -346,7 +339,7 @@ pub unsafe extern "C" fn dashpot_params_read(
         };
         let code = found.map_or(DASHPOT_OK, |error| Rejected::from(error.problem).0);
         if let Some(report) = report {
-            // A name that the table does not have is told as it stands in the file.
+            // A name that is not in the table is reported as the file spells it.
             let name = |error: &model_file::ReadError| {
                 parameter_name(error.parameter).map(str::as_bytes).or_else(|| model_file::name_at(text, error))
             };
@@ -360,8 +353,8 @@ pub unsafe extern "C" fn dashpot_params_read(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fault: *mut dashpot_fault) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile; names are
-        // zero-terminated: the manual's promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // Names are zero-terminated.
         let (params, axis, report) = unsafe { (values(params)?, axis(params)?, exclusive(fault)?) };
         let found = if axis.is_some() { Family::check(params, axis) } else { Model::check(params) }.err();
         let code = found.map_or(DASHPOT_OK, |fault| Rejected::from(fault).0);

@@ -69,7 +69,7 @@ pub struct dashpot_output {
     pub oil_temperature: f64,
 }
 
-// The kernel's own structures under C names: the same bytes, so that a step writes straight to the host.
+// These types are the kernel's structures under C names. The layouts are equal, so a step writes directly to the host's memory.
 const _: () = {
     assert!(size_of::<dashpot_state>() == size_of::<State>() + size_of::<Delay>());
     assert!(align_of::<dashpot_state>() == align_of::<State>() && align_of::<Delay>() == align_of::<State>());
@@ -94,60 +94,60 @@ const _: () = {
     assert!(offset_of!(dashpot_output, oil_temperature) == offset_of!(Output, oil_temperature));
 };
 
-/// Largest sum of the magnitudes of a state, far beyond the result of any step.
+/// Largest accepted sum of the magnitudes of a state, far beyond the result of any step.
 ///
-/// Fourth powers of it times any coefficient of the table are finite, so a step in closed form stays finite.
+/// Its fourth power times any coefficient of the table is finite, so a step in closed form stays finite.
 const LARGEST: f64 = 1e60;
 
-/// Refuses a state that holds NaN, infinity or what no step leads to.
+/// Rejects a state that contains NaN, infinity or values that no step produces.
 ///
 /// # Safety
-/// Null, or an aligned state that nobody writes meanwhile.
+/// `state` is null, or it is aligned and nobody writes it during the call.
 #[inline(always)]
 pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Rejected> {
     present(state)?;
-    // In pairs, which processors add at once.
-    // SAFETY: the caller's promise; a state is fourteen numbers, which pairs of them lay out alike.
+    // Sum the magnitudes in pairs, because processors add both lanes of a vector simultaneously (SIMD).
+    // SAFETY: the caller guarantees validity. A state is fourteen numbers, and seven pairs have the same layout.
     let pairs = unsafe { &*state.cast::<[[f64; 2]; 7]>() };
     let sum = pairs.iter().fold([0.0; 2], |sum, pair| [sum[0] + pair[0].abs(), sum[1] + pair[1].abs()]);
-    // False for NaN.
+    // The comparison is false for NaN.
     if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Rejected(DASHPOT_BAD_STATE)) }
 }
 
-/// The commands of the last dead time in a state; only read if they belong to the damper.
+/// Returns the commands of the last dead time in a state. They are only read if they belong to the damper.
 ///
 /// # Safety
-/// Null is not allowed; an aligned state that is the caller's.
+/// `state` is aligned, not null, and belongs to the caller.
 pub(crate) unsafe fn commands(state: *mut dashpot_state) -> *mut Delay {
-    // SAFETY: the caller's promise; the same bytes under another name (asserted above).
+    // SAFETY: the caller guarantees validity. Both types have the same layout (asserted above).
     unsafe { (&raw mut (*state).commands).cast() }
 }
 
-/// Refuses what could not be computed.
+/// Rejects a result that is not finite.
 #[inline(always)]
 pub(crate) fn computed(numbers: bool) -> Result<(), Rejected> {
     if numbers { Ok(()) } else { Err(Rejected(DASHPOT_NOT_COMPUTABLE)) }
 }
 
-/// A copy of a state that the host handed in.
+/// Returns a copy of a checked state of the host.
 ///
 /// # Safety
-/// As [`finite`].
+/// The requirements of [`finite`].
 #[inline(always)]
 pub(crate) unsafe fn checked(state: *const dashpot_state) -> Result<State, Rejected> {
-    // SAFETY: the caller's promise; any fourteen numbers are a state.
+    // SAFETY: the caller guarantees validity. Any fourteen numbers are a valid state.
     unsafe {
         finite(state)?;
         Ok(*state.cast::<State>())
     }
 }
 
-/// Writes a state whole.
+/// Writes a state and its commands.
 ///
 /// # Safety
-/// An aligned state that is the caller's.
+/// `to` is aligned and belongs to the caller.
 unsafe fn put(to: *mut dashpot_state, state: State, delay: Delay) {
-    // SAFETY: the caller's promise; the same bytes (asserted above).
+    // SAFETY: the caller guarantees validity. Both types have the same layout (asserted above).
     unsafe {
         *to.cast::<State>() = state;
         *commands(to) = delay;
@@ -164,8 +164,7 @@ pub unsafe extern "C" fn dashpot_state_init(
     state: *mut dashpot_state,
 ) -> i32 {
     status((|| {
-        // SAFETY: each pointer is null, misaligned, or the caller's and used by nobody else meanwhile: the manual's
-        // promise.
+        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         let (to, plain) = unsafe { (exclusive(state)?, prepared(model)) };
         if !sane(initial_position) {
             return Err(Rejected(DASHPOT_BAD_INPUT));
@@ -180,7 +179,8 @@ pub unsafe extern "C" fn dashpot_state_init(
             }
         };
         computed(settled.is_finite())?;
-        // SAFETY: aligned, not null and the caller's by the questions before; the same bytes (asserted above).
+        // SAFETY: the checks above exclude null and misaligned pointers, and access is exclusive. Both types have the same layout (asserted
+        // above).
         unsafe { put(to, settled, delay) };
         Ok(DASHPOT_OK)
     })())
@@ -198,8 +198,8 @@ pub unsafe extern "C" fn dashpot_state_init_motion(
 ) -> i32 {
     status((|| {
         aligned!(input);
-        // SAFETY: the input is aligned by the question before; each pointer is null, misaligned, or the caller's and used by
-        // nobody else meanwhile: the manual's promise.
+        // SAFETY: `aligned!` checked the alignment of the input. The manual guarantees that each pointer is null, misaligned, or not used
+        // elsewhere during the call.
         let (to, plain) = unsafe { (exclusive(state)?, prepared(model)) };
         // SAFETY: as above.
         let at = unsafe { input::checked(input) }?;
@@ -213,7 +213,8 @@ pub unsafe extern "C" fn dashpot_state_init_motion(
             },
         };
         computed(settled.is_finite())?;
-        // SAFETY: aligned, not null and the caller's by the questions before; the same bytes (asserted above).
+        // SAFETY: the checks above exclude null and misaligned pointers, and access is exclusive. Both types have the same layout (asserted
+        // above).
         unsafe { put(to, settled, delay) };
         Ok(DASHPOT_OK)
     })())

@@ -113,10 +113,10 @@ pub const DASHPOT_SETTING_TOO_MANY: i32 = -42;
 /// A number is 0 at one setting only, so that a state exists at some settings and not at others.
 pub const DASHPOT_SETTING_STATES: i32 = -43;
 
-/// Longest text, with the closing zero.
+/// Longest text, including the terminating zero.
 const LENGTH: usize = 128;
 
-/// The one list of codes and texts.
+/// Table of all codes and texts.
 static TEXTS: [(i32, [u8; LENGTH]); 51] = [
     (DASHPOT_OK, padded("success")),
     (
@@ -209,11 +209,11 @@ pub extern "C" fn dashpot_status_text(status: i32) -> *const c_char {
     TEXTS.iter().find(|(code, _)| *code == status).map_or(&UNKNOWN, |(_, text)| text).as_ptr().cast()
 }
 
-/// A refusal: a negative status.
+/// Error with a negative status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Rejected(pub i32);
 
-/// The status that a C function returns.
+/// Converts a result to the status that a C function returns.
 #[inline(always)]
 pub(crate) fn status(result: Result<i32, Rejected>) -> i32 {
     match result {
@@ -264,7 +264,7 @@ impl From<Problem> for Rejected {
             Problem::ElementTable => DASHPOT_FILE_ELEMENT_TABLE,
             Problem::Parameter(fault) => return fault.reason.into(),
             Problem::Setting(reason) => return reason.into(),
-            // A file of a family is none for whoever wants an ordinary damper; this interface takes both.
+            // A reader of ordinary dampers rejects the file of a family. This interface accepts both, so the case does not occur.
             Problem::Family => DASHPOT_SETTING_GRID,
         })
     }
@@ -290,12 +290,12 @@ mod tests {
         let mut seen = 0;
         for line in include_str!("status.rs").lines().filter(|l| l.starts_with("pub const DASHPOT_")) {
             let number = line.split(['=', ';']).nth(1).unwrap().trim().parse().unwrap();
-            // SAFETY: never null, zero-terminated and static: what the function promises.
+            // SAFETY: the function guarantees a static, zero-terminated text.
             let text = unsafe { CStr::from_ptr(dashpot_status_text(number)) };
             assert!(!text.to_str().unwrap().starts_with("unknown status"), "{line}");
             seen += 1;
         }
-        // All but the texts for warnings that come together.
+        // Each text belongs to one constant, except the four texts for combinations of warnings.
         assert_eq!(seen + 4, TEXTS.len());
     }
 }

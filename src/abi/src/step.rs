@@ -32,22 +32,22 @@ pub unsafe extern "C" fn dashpot_force(
 ) -> i32 {
     status((|| {
         aligned!(model, state, force);
-        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::force(model, state, velocity, None, dt, force) };
         };
-        // SAFETY: as the model.
+        // SAFETY: as for the model.
         unsafe { finite(state)? };
         if !sane(velocity) {
             return Err(Rejected(DASHPOT_BAD_INPUT));
         }
         let dt = checked_step(dt)?;
         present(force)?;
-        // SAFETY: state is aligned and not null by the questions before; the same bytes under C names (asserted in `state`).
+        // SAFETY: the checks above exclude null and misaligned pointers. Both types have the same layout (asserted in `state`).
         let found = force_in_place(model, unsafe { &mut *state.cast() }, &Input::velocity(velocity), dt);
         let found = found.ok_or(Rejected(DASHPOT_NOT_COMPUTABLE))?;
-        // SAFETY: force is aligned and not null by the questions before.
+        // SAFETY: the checks above exclude a null or misaligned `force`.
         unsafe { *force = found };
         Ok(warnings(model, velocity, dt))
     })())
@@ -67,20 +67,19 @@ pub unsafe extern "C" fn dashpot_step(
 ) -> i32 {
     status((|| {
         aligned!(model, from, to_input, to, output);
-        // SAFETY: aligned by the question before; null is refused inside; the rest is the manual's promise.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::step(model, from, to_input, dt, to, output) };
         };
-        // SAFETY: as the model.
+        // SAFETY: as for the model.
         unsafe { finite(from)? };
-        // SAFETY: as the model.
+        // SAFETY: as for the model.
         let input = unsafe { input::checked(to_input)? };
         let dt = checked_step(dt)?;
         present(to)?;
         present(output)?;
-        // SAFETY: all are aligned and not null by the questions before; states of the host's may be the same, by the
-        // manual.
+        // SAFETY: the checks above exclude null and misaligned pointers. The manual allows `from` and `to` to be equal.
         unsafe { move_on(model, from, &input, dt, to, output)? };
         Ok(warnings(model, input.velocity, dt))
     })())
@@ -104,7 +103,7 @@ pub unsafe extern "C" fn dashpot_step_batch(
 ) -> i32 {
     status((|| {
         let dt = checked_step(dt)?;
-        // An array of no elements may be null, says the manual.
+        // The manual allows null for an array without elements.
         if count == 0 {
             return Ok(DASHPOT_OK);
         }
@@ -117,11 +116,11 @@ pub unsafe extern "C" fn dashpot_step_batch(
         let count = count as usize;
         let mut known: *const dashpot_model = core::ptr::null();
         for i in 0..count {
-            // SAFETY: aligned by the question before, `count` of each by the manual's promise; models were looked at
-            // in the first round, all before anything is written.
+            // SAFETY: `aligned!` checked the alignment, and the manual guarantees `count` elements in each array. This loop checks all
+            // arguments before anything is written.
             unsafe {
                 let model = *models.add(i);
-                // The corners of a car share a model or two: asked once for each in a row.
+                // The corners of a car share one or two models. Consecutive equal models are checked once.
                 if model != known || known.is_null() {
                     if prepared(model).is_err() {
                         return over_setting::step_batch(count, models, from, to_inputs, dt, to, outputs);
@@ -134,8 +133,8 @@ pub unsafe extern "C" fn dashpot_step_batch(
         }
         let mut status = DASHPOT_OK;
         for i in 0..count {
-            // SAFETY: aligned by the question before, `count` of each by the manual's promise; models were looked at
-            // in the first round, all before anything is written.
+            // SAFETY: `aligned!` checked the alignment, and the manual guarantees `count` elements in each array. The first loop checked
+            // all arguments before anything is written.
             unsafe {
                 let model = ready(*models.add(i));
                 let input = input::taken(to_inputs.add(i));

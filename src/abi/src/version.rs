@@ -19,7 +19,7 @@ pub const DASHPOT_VERSION_MINOR: u32 = 1;
 /// See DASHPOT_VERSION_MAJOR.
 pub const DASHPOT_VERSION_PATCH: u32 = 0;
 
-/// A number as text.
+/// Parses a decimal number.
 const fn number(text: &str) -> u32 {
     let (bytes, mut value, mut i) = (text.as_bytes(), 0, 0);
     while i < bytes.len() {
@@ -47,14 +47,14 @@ pub extern "C" fn dashpot_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-/// A number that differs between builds whose blocks differ: what an initialised block is known by.
+/// Returns a number that identifies an initialized block. It differs between builds whose blocks differ.
 pub(crate) const fn magic(kind: &str, size: usize) -> u64 {
     let mut hash = fold(0xcbf2_9ce4_8422_2325, kind.as_bytes());
     hash = fold(hash, env!("CARGO_PKG_VERSION").as_bytes());
     fold(hash, &(size as u64).to_le_bytes())
 }
 
-/// FNV-1a.
+/// Continues an FNV-1a hash.
 const fn fold(mut hash: u64, bytes: &[u8]) -> u64 {
     let mut i = 0;
     while i < bytes.len() {

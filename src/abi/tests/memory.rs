@@ -1,8 +1,7 @@
-//! The whole interface, called with uninitialized blocks of exactly the size in the header, each by itself on the
-//! heap.
+//! Calls of the whole interface with uninitialized blocks of exactly the size in the header, each allocated separately on the heap.
 //!
-//! This is for tools that watch every access (Miri, AddressSanitizer). `tests/tests/system/unsafe_code.rs` runs it under
-//! both where they are installed. Without them it still checks that nothing is rejected that the header allows.
+//! Tools that watch every access (Miri, AddressSanitizer) run these tests: see `tests/tests/system/unsafe_code.rs`. Without the tools the
+//! tests still check that nothing is rejected that the header allows.
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{DASHPOT_KNOWS_DISPLACEMENT, dashpot_input};
@@ -29,24 +28,24 @@ use std::mem::{MaybeUninit, size_of};
 use std::ptr::{null, null_mut};
 
 const DT: f64 = 1e-3;
-/// Steps of a run: two where every instruction is interpreted.
+/// Steps of a run; only two under Miri, which interprets every instruction.
 const STEPS: i32 = if cfg!(miri) { 2 } else { 8 };
 
-/// Room for a block of its own, as a host's allocator hands it out.
+/// Allocates an uninitialized block, like a host's allocator.
 fn room<T>() -> Box<MaybeUninit<T>> {
     Box::new(MaybeUninit::uninit())
 }
 
-/// The block that a function has filled.
+/// Returns a block that a function has filled.
 ///
 /// # Safety
-/// All of it was written.
+/// The function wrote the whole block.
 unsafe fn filled<T>(room: Box<MaybeUninit<T>>) -> Box<T> {
-    // SAFETY: written in full, as the caller says; a box of the same layout.
+    // SAFETY: the caller guarantees that the block is fully written. Both boxes have the same layout.
     unsafe { Box::from_raw(Box::into_raw(room).cast::<T>()) }
 }
 
-/// A string that ends where its block ends.
+/// Makes a string whose allocation ends with its terminator.
 fn exactly(text: &str) -> CString {
     CString::new(text.as_bytes().to_vec().into_boxed_slice().into_vec()).unwrap()
 }
@@ -55,16 +54,16 @@ fn text<const N: usize>(field: &[c_char; N]) -> String {
     field.iter().take_while(|c| **c != 0).map(|c| *c as u8 as char).collect()
 }
 
-/// The defaults with these elements on and no other.
+/// Makes default parameters with only these elements on.
 fn params(on: &[&str]) -> Box<dashpot_params> {
     let mut params = room::<dashpot_params>();
     let at = params.as_mut_ptr();
-    // SAFETY: in a block of that type; only its first two members are set, as the header asks.
+    // SAFETY: the block has this type. Only its first two members are set, as the header requires.
     unsafe {
         (&raw mut (*at).struct_size).write(size_of::<dashpot_params>() as u32);
         (&raw mut (*at).abi_version).write(DASHPOT_ABI_VERSION);
     }
-    // SAFETY: a block with size and version, which the function fills.
+    // SAFETY: the block has size and version, and the function fills it.
     let mut params = unsafe {
         assert_eq!(dashpot_params_default(at), 0);
         filled(params)
@@ -72,7 +71,7 @@ fn params(on: &[&str]) -> Box<dashpot_params> {
     for name in names() {
         let name_of = exactly(name);
         let mut is_on = 9;
-        // SAFETY: a block that was filled, a zero-terminated name, a number of its own.
+        // SAFETY: a filled block, a zero-terminated name and a local number.
         unsafe {
             assert_eq!(dashpot_params_enable(&mut *params, name_of.as_ptr(), u32::from(on.contains(&name))), 0);
             assert_eq!(dashpot_params_is_on(&*params, name_of.as_ptr(), &mut is_on), 0);
@@ -82,10 +81,10 @@ fn params(on: &[&str]) -> Box<dashpot_params> {
     params
 }
 
-/// `None` where an element asks for another, or where there are more states than a model has room for.
+/// Makes a model; `None` if an element needs another one, or if a model has no room for the states.
 fn model(params: &dashpot_params) -> Option<Box<dashpot_model>> {
     let mut model = room::<dashpot_model>();
-    // SAFETY: room for a model, and a set that was filled. What was made is read through the functions alone.
+    // SAFETY: room for a model and a filled parameter set. Only functions read the model.
     unsafe {
         let status = dashpot_model_init(model.as_mut_ptr(), params);
         assert!([0, DASHPOT_NEEDS_SERIES, DASHPOT_TOO_MANY_STATES].contains(&status), "{status}");
@@ -107,27 +106,27 @@ fn input(x: Option<f64>, v: f64) -> Box<dashpot_input> {
 
 fn at_rest(model: &dashpot_model, position: f64) -> Box<dashpot_state> {
     let mut state = room::<dashpot_state>();
-    // SAFETY: a model that was made, and room for a state, which the function fills.
+    // SAFETY: an initialized model, and room for a state, which the function fills.
     unsafe {
         assert_eq!(dashpot_state_init(model, position, state.as_mut_ptr()), 0);
         filled(state)
     }
 }
 
-/// A copy as C makes it.
+/// Copies a state like C does.
 fn copy(state: &dashpot_state) -> dashpot_state {
-    // SAFETY: the header lets a state be copied with = or memcpy; it holds numbers alone.
+    // SAFETY: the header allows copying a state with = or memcpy. A state contains only numbers.
     unsafe { std::ptr::read(state) }
 }
 
-/// Everything that a host does with a model.
+/// Calls all functions that a host uses with a model.
 fn run(model: &dashpot_model, what: &str) {
-    // SAFETY: a model that was made.
+    // SAFETY: an initialized model.
     let states = unsafe { dashpot_model_states(model) };
     assert!(states >= 2, "{what}: {states}");
     for state in 0..states as u32 {
         let mut name = room::<dashpot_state_name>();
-        // SAFETY: a model that was made, a block with its size set, which the function fills.
+        // SAFETY: an initialized model, and a block with its size set, which the function fills.
         let name = unsafe {
             (&raw mut (*name.as_mut_ptr()).struct_size).write(size_of::<dashpot_state_name>() as u32);
             assert_eq!(dashpot_model_state_name(model, state, name.as_mut_ptr()), 0);
@@ -137,13 +136,13 @@ fn run(model: &dashpot_model, what: &str) {
     }
     let mut state = at_rest(model, -0.01);
     let mut moving = room::<dashpot_state>();
-    // SAFETY: a model that was made, an input, room for a state.
+    // SAFETY: an initialized model, an input, and room for a state.
     let status = unsafe { dashpot_state_init_motion(model, &*input(Some(0.01), 0.2), moving.as_mut_ptr()) };
     assert!(status >= 0, "{what}: {status}");
     for k in 0..STEPS {
         let (x, v) = (-0.01 + 0.002 * f64::from(k), 2.0 - 0.3 * f64::from(k));
         let (mut force, mut to, mut output) = (f64::NAN, room::<dashpot_state>(), room::<dashpot_output>());
-        // SAFETY: a model and a state that were made, inputs, and room for each answer, which the functions fill.
+        // SAFETY: an initialized model and state, inputs, and room for each output, which the functions fill.
         unsafe {
             assert!(dashpot_force(model, &mut *state, v, DT, &mut force) >= 0, "{what}");
             assert!(force.is_finite(), "{what}");
@@ -163,7 +162,7 @@ fn run(model: &dashpot_model, what: &str) {
     four_corners(model, &state, what);
 }
 
-/// Arrays that end with their last element; from and to apart, and the same.
+/// Steps arrays that end with their last element, first with separate `from` and `to`, then with equal ones.
 fn four_corners(model: &dashpot_model, state: &dashpot_state, what: &str) {
     let models: Box<[*const dashpot_model]> = vec![std::ptr::from_ref(model); 4].into();
     let mut from: Box<[dashpot_state]> = (0..4).map(|_| copy(state)).collect();
@@ -171,7 +170,7 @@ fn four_corners(model: &dashpot_model, state: &dashpot_state, what: &str) {
     let mut to: Box<[MaybeUninit<dashpot_state>]> = (0..4).map(|_| MaybeUninit::uninit()).collect();
     let mut outputs: Box<[MaybeUninit<dashpot_output>]> = (0..4).map(|_| MaybeUninit::uninit()).collect();
     let (reached, answers) = (to.as_mut_ptr().cast(), outputs.as_mut_ptr().cast());
-    // SAFETY: four of each, and room for four of each answer; the second call has from and to the same, as the header allows.
+    // SAFETY: four elements of each, and room for four outputs. In the second call `from` and `to` are equal, as the header allows.
     unsafe {
         let status = dashpot_step_batch(4, models.as_ptr(), from.as_ptr(), inputs.as_ptr(), DT, reached, answers);
         assert!(status >= 0, "{what}: {status}");
@@ -188,14 +187,14 @@ fn four_corners(model: &dashpot_model, state: &dashpot_state, what: &str) {
 fn every_element_alone_and_all_together_run_in_blocks_of_exactly_their_size() {
     let mut together = vec!["fv_curve", "series_compliance"];
     if cfg!(miri) {
-        // No element has unsafe code of its own; interpreted, all of them take minutes.
+        // No element has unsafe code of its own, and all elements take minutes under Miri.
         together.extend(["presliding_friction", "oil_compressibility"]);
     } else {
         for element in names() {
             if let Some(alone) = model(&params(&[element])) {
                 run(&alone, element);
             }
-            // Coupled elements meet others only together with the internal mass.
+            // Coupled elements interact with others only if the internal mass is present.
             let beside = model(&params(&["fv_curve", "series_compliance", element]));
             run(&beside.unwrap_or_else(|| panic!("{element} is refused")), element);
             together.push(element);
@@ -221,7 +220,7 @@ fn parameters_are_set_read_and_described_in_blocks_of_exactly_their_size() {
         };
         let name = exactly(&text(&info.name));
         let (mut value, mut count) = (f64::NAN, 0);
-        // SAFETY: a set that was filled, a zero-terminated name, and lists of exactly the length said.
+        // SAFETY: a filled set, a zero-terminated name, and lists of exactly the stated length.
         unsafe {
             if dashpot_params_get(&*set, name.as_ptr(), &mut value) == 0 {
                 assert_eq!(dashpot_params_set(&mut *set, name.as_ptr(), value), 0, "{name:?}");
@@ -240,7 +239,7 @@ fn parameters_are_set_read_and_described_in_blocks_of_exactly_their_size() {
             assert_eq!(dashpot_params_set_list(&mut *set, name.as_ptr(), list.as_ptr(), count), 0, "{name:?}");
         }
     }
-    // SAFETY: texts of the library's own, zero-terminated, which live as long as it.
+    // SAFETY: the texts are static and zero-terminated.
     unsafe {
         assert!(CStr::from_ptr(dashpot_version()).to_str().is_ok_and(|v| v.split('.').count() == 3));
         for status in -40..4 {
@@ -253,11 +252,11 @@ fn parameters_are_set_read_and_described_in_blocks_of_exactly_their_size() {
 fn a_model_file_is_read_to_its_last_byte_and_no_further() {
     let whole = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\ncoulomb_force = 40.0\nfv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [-500.0, 0.0, 900.0]\n";
     let mut set = params(&[]);
-    // Cut off at every byte, each in a block that ends there; at a few where every instruction is interpreted.
+    // The text is truncated at every byte, each time in an allocation that ends there. Under Miri it is truncated at a few bytes only.
     for end in (0..whole.len()).step_by(if cfg!(miri) { 83 } else { 1 }).chain([whole.len()]) {
         let text: Box<[u8]> = whole.as_bytes()[..end].into();
         let mut fault = room::<dashpot_fault>();
-        // SAFETY: a set that was filled, as many bytes as said, room for a fault.
+        // SAFETY: a filled set, the stated number of bytes, and room for a fault.
         let (status, silent) = unsafe {
             let of = text.as_ptr().cast();
             let status = dashpot_params_read(&mut *set, of, text.len(), fault.as_mut_ptr());
@@ -266,7 +265,7 @@ fn a_model_file_is_read_to_its_last_byte_and_no_further() {
         assert_eq!(status, silent);
         assert!(end < whole.len() || status == 0, "{status}");
         if status < 0 {
-            // SAFETY: where a file is refused, the fault is filled.
+            // SAFETY: the function fills the fault if it rejects the file.
             assert_eq!(unsafe { filled(fault) }.status, status);
         }
     }
@@ -280,7 +279,7 @@ fn a_model_file_is_read_to_its_last_byte_and_no_further() {
     };
     assert_eq!((text(&fault.parameter).as_str(), fault.line), ("coulomb_force", 6));
     let mut fault = room::<dashpot_fault>();
-    // SAFETY: a set that was filled, room for a fault.
+    // SAFETY: a filled set, and room for a fault.
     assert_eq!(unsafe { dashpot_params_check(&*set, fault.as_mut_ptr()) }, 0);
 }
 
@@ -292,7 +291,7 @@ fn what_the_header_refuses_is_refused_before_it_is_touched() {
     let before = copy(&state);
     let mut force = 1.0;
     let nothing = exactly("no_such_name");
-    // SAFETY: null, an address one byte off, and a name that nothing has: what the header says is refused. Nothing is read there.
+    // SAFETY: null, an address one byte off, or an unknown name. The functions reject them by the header, and read nothing there.
     unsafe {
         assert_eq!(dashpot_force(null(), &mut *state, 0.1, DT, &mut force), DASHPOT_NULL);
         assert_eq!(dashpot_force(&*ready, null_mut(), 0.1, DT, &mut force), DASHPOT_NULL);

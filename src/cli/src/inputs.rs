@@ -1,12 +1,12 @@
-//! The files and folders that the command line names for reading, whatever the verb.
+//! Files and folders that the command line names as inputs, for all verbs.
 
 use clap::ArgMatches;
 use std::path::PathBuf;
 
-/// Options that name an output, in every verb.
+/// Options that name an output, of all verbs.
 pub const OUTPUTS: [&str; 7] = ["output", "json", "report", "svg", "certificate", "excel", "next_tests"];
 
-/// Every value given outside the output options that may be a file or a folder.
+/// Returns every value outside the output options that may be a file or a folder.
 pub fn named(matches: &ArgMatches) -> Vec<PathBuf> {
     let mut found = Vec::new();
     gather(matches, &mut found);
@@ -15,11 +15,11 @@ pub fn named(matches: &ArgMatches) -> Vec<PathBuf> {
 
 fn gather(matches: &ArgMatches, found: &mut Vec<PathBuf>) {
     for id in matches.ids().filter(|id| !OUTPUTS.contains(&id.as_str())) {
-        // A group of options has values of no one type.
+        // A group of options has values of mixed types.
         let Ok(Some(values)) = matches.try_get_raw(id.as_str()) else { continue };
         for value in values {
             found.push(PathBuf::from(value));
-            // `--binary win64=file` and the like.
+            // Values such as `--binary win64=file`.
             found.extend(value.to_str().and_then(|v| v.split_once('=')).map(|(_, file)| PathBuf::from(file)));
         }
     }

@@ -1,9 +1,9 @@
-//! `--limits`: windows that a damper must keep, as text; the judging itself is in `dashpot_identification::limits`.
+//! Text output of `--limits`. The comparison is in `dashpot_identification::limits`.
 
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR, Overall, Quantity, Verdict};
 use dashpot_report::numbers::digits;
 
-/// The certificate as lines of text: every limit, and the verdict.
+/// Formats the certificate as text: every limit, and the verdict.
 pub fn table(found: &Certificate) -> String {
     let names: Vec<String> = found.limits.iter().map(|one| name_of(&one.limit)).collect();
     let width = names.iter().map(|name| name.chars().count()).fold(0, usize::max).max(LEAST);
@@ -48,17 +48,17 @@ pub fn table(found: &Certificate) -> String {
     out
 }
 
-/// Least width of the names; longer ones widen their column, for their end says the setting.
+/// Smallest width of the names. Longer names widen their column, because they end with the setting.
 const LEAST: usize = 28;
 
-/// A limit with the unit of its numbers and its setting.
+/// Formats the name of a limit with its unit and its setting.
 fn name_of(limit: &Limit) -> String {
     let (unit, _) = limit.quantity.display();
     let at = limit.setting.map_or_else(String::new, |value| format!(", at setting {value}"));
     format!("{}, {unit}{at}", limit.name)
 }
 
-/// Numbers and verdict of a limit.
+/// Formats numbers and verdict of a limit.
 fn row(one: &Checked) -> String {
     let Limit { velocity_m_s, low, high, setting, .. } = &one.limit;
     let (_, factor) = one.limit.quantity.display();

@@ -53,21 +53,21 @@ enum Verb {
     Man(verbs::man::Args),
 }
 
-/// The version of the command and of the C interface that it is built on: what a report of a fault needs.
+/// Version of the command and of its C interface, for bug reports.
 static VERSION: LazyLock<String> =
     LazyLock::new(|| format!("{} (interface version {DASHPOT_ABI_VERSION})", env!("CARGO_PKG_VERSION")));
 
-/// The whole command line.
+/// Returns the whole command line.
 fn command() -> clap::Command {
     Cli::command().version(VERSION.as_str())
 }
 
 fn main() -> ExitCode {
-    // With nothing to say and nobody to read it: somebody who has never opened a terminal.
+    // Without arguments and with a console of its own, the command was double-clicked by a user without a terminal.
     if std::env::args_os().len() == 1 && verbs::open::was_double_clicked() {
         let code = ended(verbs::open::start());
         if code != ExitCode::SUCCESS {
-            // The console closes with the command, and what it says with it.
+            // The console and its messages disappear when the command ends.
             dashpot_output::warn("Press Enter to close.");
             let _ = std::io::stdin().read_line(&mut String::new());
         }
@@ -108,7 +108,7 @@ fn main() -> ExitCode {
     ended(done)
 }
 
-/// What the shell is told of a damper: 1 where it does not keep its limits, or chatters.
+/// Returns the exit code of a verdict: 1 if a damper violates its limits, or chatters.
 fn judged(found: anyhow::Result<verbs::Verdict>) -> ExitCode {
     match found {
         Ok(verbs::Verdict::Failed) => ExitCode::FAILURE,
@@ -116,11 +116,11 @@ fn judged(found: anyhow::Result<verbs::Verdict>) -> ExitCode {
     }
 }
 
-/// What the shell is told.
+/// Returns the exit code of a result.
 fn ended(done: anyhow::Result<()>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        // A reader that has read enough, such as `head`, is no error.
+        // A reader that closes the pipe early, such as `head`, is no error.
         Err(error) if is_closed_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             dashpot_output::warn(&format!("dashpot: {}", dashpot_output::format_once(&error)));
@@ -129,12 +129,12 @@ fn ended(done: anyhow::Result<()>) -> ExitCode {
     }
 }
 
-/// Help asked for, the version, or what is wrong with the command line.
+/// Prints requested help, the version, or an error of the command line.
 fn tell_usage(told: &clap::Error) -> ExitCode {
     let text = told.render().to_string();
     let shown = dashpot_output::printable(&text);
     if shown != text {
-        // What the user typed is quoted in the message, so it is shown without its colors.
+        // The message quotes the user's input, so it is printed without colors.
         dashpot_output::warn(&shown);
         return ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2));
     }

@@ -1,4 +1,4 @@
-//! Options that every report has, and what a report was made from.
+//! Options of every report, and the inputs of a report.
 
 use crate::inputs::OUTPUTS;
 use dashpot_report::words::{Language, Words};
@@ -36,26 +36,26 @@ pub struct DateArgs {
 }
 
 impl PageArgs {
-    /// The texts, and what goes on paper.
+    /// Returns the texts, and the printed part of the report.
     pub fn words_and_print(&self) -> (&'static Words, Print) {
         (self.text.words(), self.print())
     }
 
-    /// What goes on paper.
+    /// Returns the printed part of the report.
     pub fn print(&self) -> Print {
         if self.full { Print::Whole } else { Print::Brief }
     }
 }
 
 impl TextArgs {
-    /// The texts.
+    /// Returns the texts.
     pub fn words(&self) -> &'static Words {
         self.language.words()
     }
 }
 
 impl DateArgs {
-    /// What a report of these files is made from.
+    /// Returns the inputs of a report from these files.
     pub fn made(&self, files: impl IntoIterator<Item = PathBuf>) -> anyhow::Result<Made> {
         let date = made::date(self.date.as_deref())?;
         let files: Vec<PathBuf> = files.into_iter().collect();
@@ -64,7 +64,7 @@ impl DateArgs {
     }
 }
 
-/// The command line without its outputs, as a shell takes it: they say where a result went, not how it came about.
+/// Returns the command line in shell syntax, without its outputs, which do not affect the result.
 fn command(arguments: impl Iterator<Item = String>) -> String {
     let outputs: Vec<String> =
         OUTPUTS.iter().chain(&["date"]).map(|name| format!("--{}", name.replace('_', "-"))).collect();

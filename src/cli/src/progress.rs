@@ -7,7 +7,7 @@ use std::io::IsTerminal as _;
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// A line that starts with `what`; invisible where standard error is no terminal.
+    /// Makes a line that starts with `what`. It is invisible if standard error is not a terminal.
     pub fn new(what: &'static str) -> Progress {
         let target =
             if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
@@ -20,12 +20,12 @@ impl Progress {
         Progress(bar)
     }
 
-    /// Sets how much is done, 0..1.
+    /// Sets the fraction done, 0..1.
     pub fn set(&self, done: f64) {
         self.0.set_position((1000.0 * done) as u64);
     }
 
-    /// Sets how much is done and what comes now.
+    /// Sets the fraction done and the next step.
     pub fn say(&self, done: f64, text: &str) {
         self.set(done);
         self.0.set_message(dashpot_output::printable(text).into_owned());

@@ -1,30 +1,30 @@
-//! Numbers of the command line that may bear a unit: 5ms, 0.4in, 1.2kN; alone they are in SI units.
+//! Numbers of the command line with an optional unit: 5ms, 0.4in, 1.2kN. Without a unit they are in SI units.
 
 use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_records::{Dimension, Unit, setting_factor, split_unit};
 use std::str::FromStr;
 
-/// Seconds, from `0.005`, `5ms` or `5 ms`.
+/// Parses seconds, from `0.005`, `5ms` or `5 ms`.
 ///
 /// # Errors
-/// What is no time.
+/// A text that is not a time.
 pub fn seconds(text: &str) -> Result<f64, String> {
     read(text, Dimension::Time, "a time in s, or with its unit, such as 5ms")
 }
 
-/// Metres, from `0.005`, `5mm` or `0.2in`.
+/// Parses meters, from `0.005`, `5mm` or `0.2in`.
 ///
 /// # Errors
-/// What is no length.
+/// A text that is not a length.
 pub fn metres(text: &str) -> Result<f64, String> {
     read(text, Dimension::Length, "a length in m, or with its unit, such as 5mm")
 }
 
-/// Newtons, from `120`, `0.12kN` or `27lbf`.
+/// Parses newtons, from `120`, `0.12kN` or `27lbf`.
 ///
 /// # Errors
-/// What is no force.
+/// A text that is not a force.
 pub fn newtons(text: &str) -> Result<f64, String> {
     read(text, Dimension::Force, "a force in N, or with its unit, such as 0.12kN")
 }
@@ -54,7 +54,7 @@ impl FromStr for SettingText {
     fn from_str(text: &str) -> Result<SettingText, String> {
         let refusal =
             || format!("{text:?} is not a number, alone or with the unit of the setting, such as 0.6 or 0.6A");
-        // A decimal comma, as records may have it.
+        // A decimal comma is allowed, as in records.
         let point = if text.contains('.') { text.to_owned() } else { text.replacen(',', ".", 1) };
         let (value, unit) = split_unit(point.trim()).ok_or_else(refusal)?;
         Ok(SettingText { value, unit: unit.to_owned() })
@@ -62,13 +62,13 @@ impl FromStr for SettingText {
 }
 
 impl SettingText {
-    /// The value in the unit of a damper's setting.
+    /// Converts the value to the unit of a damper's setting.
     ///
     /// # Errors
-    /// Another unit.
+    /// A unit of another quantity.
     pub fn in_unit_of(&self, axis: &Axis) -> anyhow::Result<f64> {
         let own = axis.unit();
-        // Clicks have no unit, and a name to say it.
+        // Clicks have no unit, but the name `clicks`.
         let is_clicks = own.is_empty() && axis.name() == "clicks" && setting_factor(&self.unit, "clicks").is_some();
         match setting_factor(&self.unit, own) {
             Some(factor) if is_clicks => Ok(factor * self.value),

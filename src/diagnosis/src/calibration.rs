@@ -1,9 +1,9 @@
-//! What a probability of the search is worth: of names given with it, that many were right.
+//! Calibration of the search's probabilities: names given with a confidence of 90 % are right in 90 % of cases.
 
 use serde::Deserialize;
 use std::sync::LazyLock;
 
-/// Logistic calibration, with its origin beside it in the file.
+/// Logistic calibration. The file states its origin.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Calibration {
@@ -13,16 +13,16 @@ struct Calibration {
 }
 
 static CALIBRATION: LazyLock<Calibration> = LazyLock::new(|| {
-    // The file is part of the program, so only a build can be wrong; the test below reads it.
+    // The file is part of the program, so only a faulty build can fail here. The test below reads the file.
     toml::from_str(include_str!("calibration.toml")).expect("calibration.toml holds three numbers")
 });
 
-/// Log odds against a reference beyond which more is no surer.
+/// Log odds against a reference above which the confidence no longer grows.
 const MOST: f64 = 8.0;
 
-/// Probability that a name is right to which the search gives `probability`.
+/// Returns the probability that a name is right if the search gives it `probability`.
 ///
-/// Below one half no name is given, so nothing is known of such names: their probability is that of the search.
+/// Names below one half are never given, so there is no calibration for them, and the probability of the search is returned.
 pub fn confidence(probability: f64, against_reference: bool) -> f64 {
     if probability <= 0.5 {
         return probability;
@@ -47,7 +47,7 @@ mod tests {
             let mut last = 0.0;
             for p in [0.05, 0.1, 0.5, 0.9, 0.99, 1.0] {
                 let here = confidence(p, against);
-                // Without a reference the last two are beyond the limit.
+                // Without a reference the last two values exceed the limit.
                 let is_at_limit = !against && p == 1.0 && here == last;
                 assert!((here > last || is_at_limit) && here < 0.96, "{p}: {here}");
                 last = here;

@@ -1,4 +1,4 @@
-//! Against a reference: the sparse set of changes that explains the difference.
+//! Changes against a reference: the sparse set of changes that explains the difference.
 
 use super::phrases;
 use dashpot_core::{Params, list};
@@ -9,31 +9,31 @@ use dashpot_estimation::unknowns::Unknown;
 use dashpot_records::{Sentence, reading_unit};
 use serde::Serialize;
 
-/// One change against the reference damper.
+/// One change compared with the reference damper.
 #[derive(Debug, Clone, Serialize)]
 pub struct Change {
     /// A parameter of the model, or a part of its FV curve.
     pub name: &'static str,
-    /// Value on the reference damper; of a part of the FV curve, its force at [`Change::velocity_m_s`].
+    /// Value on the reference damper; for a part of the FV curve, the force at [`Change::velocity_m_s`].
     pub reference: f64,
     /// Value on this damper.
     pub value: f64,
-    /// Lower end of the 95 % interval of the value where `reference` is exact: less `reference`, that of the change.
+    /// Lower end of the 95 % interval of the value, with `reference` taken as exact. Minus `reference` it is the lower end of the change.
     pub low: f64,
     /// Upper end.
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
-    /// Of a part of the FV curve: velocity at which its forces are given, m/s, rebound positive.
+    /// Velocity at which the forces of a part of the FV curve are given, m/s, rebound positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub velocity_m_s: Option<f64>,
-    /// Probability that this changed.
+    /// Probability that this number changed.
     pub probability: f64,
-    /// Force that the change makes, N rms.
+    /// Force of the change, N rms.
     pub force_n_rms: f64,
 }
 
-/// Where the forces of a part of the FV curve are given: the middle of its speeds, by ratio, and the fastest.
+/// Returns the velocity at which the forces of a part of the FV curve are given: the geometric middle of its velocities, or the highest.
 fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     let velocity = base.list(list!("fv_velocity"));
     let is_rebound = part.side != Side::Compression;
@@ -55,9 +55,9 @@ fn force_at(params: &Params, velocity: f64) -> f64 {
     near.map_or(0.0, |k| f[k])
 }
 
-/// The changes of a structure against its base. Its free numbers have these ends of their intervals.
+/// Lists the changes of a structure against its base. `ends` holds the intervals of its free numbers.
 ///
-/// `probability` and `force` are those of an effect by its name.
+/// `probability` and `force` return the values of an effect by its name.
 pub fn changes(
     structure: &Structure,
     ends: &[[f64; 2]],
@@ -123,7 +123,7 @@ pub fn changes(
 }
 
 impl Change {
-    /// What it is called in a table.
+    /// Returns the name of the change in a table.
     pub fn label(&self) -> String {
         match self.velocity_m_s {
             Some(velocity) => format!("{}, {:.0} mm/s", self.name, 1e3 * velocity),
@@ -131,7 +131,7 @@ impl Change {
         }
     }
 
-    /// In words: "gas_force -14.7 -> 24.0 N".
+    /// Formats the change: "gas_force -14.7 -> 24.0 N".
     pub fn sentence(&self) -> Sentence {
         let (factor, unit) = reading_unit(self.value.abs().max(self.reference.abs()), self.unit);
         let digits = |value: f64| match factor * value {

@@ -1,4 +1,4 @@
-//! The outcome put together: verdict, inventory, findings, changes, errors before and after, what to do next.
+//! Composition of the outcome: verdict, inventory, findings, changes, errors before and after, next tests.
 
 use super::calibration::confidence;
 use super::changes::{Change, changes};
@@ -29,32 +29,32 @@ use dashpot_records::sentence::Template;
 use dashpot_records::{Record, Sentence};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// End of the names of the forms in which a stroke begins without force.
+/// Ending of the names of forms in which a stroke begins without force.
 const LOST_STROKE: &str = "begins with a lost stroke";
 
-/// Confidence from which a name needs no further test.
+/// Confidence above which a name needs no further test.
 const DECIDED: f64 = 0.9;
-/// Most names that a test is sought to tell apart.
+/// Largest number of names that a proposed test should distinguish.
 const UNDECIDED: usize = 3;
-/// Log posterior by which an error without a name must beat the best structure to be reported: its prior odds.
+/// Gain of log posterior from which an unnamed error is reported. It represents the prior odds.
 const UNNAMED: f64 = 1.0;
-/// Smallest mean square of a single test that is listed where nothing is missing, in units of what noise and curves leave.
+/// Smallest mean square of a single test that is listed although nothing is missing, in units of noise and curve error.
 const LOUD: f64 = 4.0;
 
-/// What the answer is made from.
+/// Input of the outcome.
 pub(super) struct Composed<'a> {
-    /// That the reference holds the same measurements, was read to count the other way, and was not as warm, where that is so.
+    /// Remarks if the reference has the same measurements, the opposite direction or another temperature.
     pub reference_remarks: Vec<Sentence>,
     pub records: &'a [&'a Record],
     pub fitted: Vec<Test>,
     pub left: Vec<Test>,
     pub search: StructureSearch,
-    /// The given model, or the reference's, refitted.
+    /// The given model, or the one fitted to the reference, refitted.
     pub start: Structure,
     /// The most probable structure, refitted.
     pub best: Structure,
     pub situation: Situation,
-    /// The reference damper, where there is one.
+    /// The reference damper, if there is one.
     pub against: Option<Against>,
 }
 
@@ -62,7 +62,7 @@ fn is_change(component: &Component) -> bool {
     component.form == "changed"
 }
 
-/// An answer with its reasons.
+/// A verdict with its reasons.
 struct Judged {
     verdict: Verdict,
     summary: Sentence,
@@ -71,7 +71,7 @@ struct Judged {
 }
 
 impl Composed<'_> {
-    /// Probable effects that the given model lacks, most probable first: those to name, and those too small for a name.
+    /// Returns the probable effects that the given model lacks, most probable first: those to name, and those too small to name.
     fn named<'c>(
         &'c self,
         items: &[InventoryItem],
@@ -80,7 +80,7 @@ impl Composed<'_> {
         let is_new = |c: &&Component| !is_change(c) && self.start.components.iter().all(|own| own.effect != c.effect);
         let mut all: Vec<&Component> =
             self.best.components.iter().filter(is_new).filter(|c| probability(c.effect) >= NAMED).collect();
-        // Of names that are as sure as a name may be, the one with the larger force first.
+        // Among names of equal confidence the one with the larger force comes first.
         let force = |c: &Component| items.iter().find(|i| i.effect == c.effect).map_or(0.0, |item| item.force_n_rms);
         let order = |c: &Component| (probability(c.effect), force(c));
         all.sort_by(|a, b| order(b).0.total_cmp(&order(a).0).then(order(b).1.total_cmp(&order(a).1)));
@@ -89,9 +89,9 @@ impl Composed<'_> {
         all.into_iter().partition(is_material)
     }
 
-    /// Whether the force of an effect is worth a name.
+    /// Returns whether the force of an effect is large enough to name it.
     ///
-    /// In at least one test it exceeds the noise of a sample and a part of the force.
+    /// In at least one test the force must exceed the noise of a sample and a fraction of the measured force.
     fn is_material(&self, item: &InventoryItem) -> bool {
         let mut tests = item.test_forces_n.iter().zip(&self.fitted);
         let exceeds = |(force, test): (&f64, &Test)| {
@@ -101,7 +101,7 @@ impl Composed<'_> {
         item.test_forces_n.is_empty() || tests.any(exceeds)
     }
 
-    /// Takes what is not probable enough to be named out of the best structure again.
+    /// Removes effects that are not probable enough to be named from the best structure.
     fn settle(&mut self, probability: &dyn Fn(&str) -> f64) {
         loop {
             let doubtful = self.best.components.iter().position(|c| {
@@ -113,7 +113,7 @@ impl Composed<'_> {
         }
     }
 
-    /// All of it.
+    /// Composes the diagnosis.
     pub fn diagnosis(mut self) -> Diagnosis {
         let is_against = self.against.is_some();
         let at = if is_against { Temperatures::AGAINST_REFERENCE } else { Temperatures::WITHOUT_REFERENCE };
@@ -128,7 +128,7 @@ impl Composed<'_> {
         let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
         let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
-        // The calibration is that of names that are given; what both models have gets none.
+        // The calibration applies to given names. Effects that both models have are not calibrated.
         for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
             if item.probability < 0.5 {
@@ -263,8 +263,7 @@ impl Composed<'_> {
         diagnosis
     }
 
-    /// The effects that are not in the best structure.
-    /// The effect that the most probable structure without an effect has in its place.
+    /// Returns the effect that replaces `effect` in the most probable structure without it.
     fn instead_of(&self, effect: &str, probabilities: &BTreeMap<&'static str, f64>) -> Option<Instead> {
         let without = self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != effect));
         let (key, _) = without.max_by(|(_, a), (_, b)| a.log_posterior.total_cmp(&b.log_posterior))?;
@@ -321,7 +320,7 @@ impl Composed<'_> {
             let told: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let more = changed.len().saturating_sub(TOLD);
             let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
-            // With a form error beyond the noise, the set of changes is not known to be whole.
+            // If the form error exceeds the noise, further changes may exist.
             let rest = if after.sqrt() <= QUIET {
                 if has_small_changes { phrases::NOTHING_ELSE_LARGE } else { phrases::NOTHING_ELSE }.into()
             } else {
@@ -343,7 +342,7 @@ impl Composed<'_> {
                 .map(|(test, square)| (test, square.sqrt()))
                 .collect();
             loud.sort_by(|a, b| b.1.total_cmp(&a.1));
-            // A record in several stretches is named once, with the worst of them.
+            // A record in several sections is named once, with its worst section.
             let mut named = BTreeSet::new();
             loud.retain(|(test, _)| named.insert(test.record));
             if !loud.is_empty() {
@@ -388,7 +387,7 @@ impl Composed<'_> {
         Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
     }
 
-    /// All forms that were tried beside the best structure, most probable first.
+    /// Returns all forms that were tried in addition to the best structure, most probable first.
     fn tried(&self, probability: &dyn Fn(&str) -> f64) -> Vec<Trial> {
         let before = &self.search.best.evidence;
         let of = |t: &dashpot_estimation::structure::expansion::Trial| {
@@ -481,7 +480,7 @@ impl Composed<'_> {
         names.iter().map(one).collect()
     }
 
-    /// Length of the lost stroke in the longest stroke of the tests.
+    /// Returns the length of the lost stroke in the longest stroke of the tests.
     fn lost_stroke(&self, form: &str, parameters: &BTreeMap<&'static str, Value>) -> Option<Value> {
         let unfilled = parameters.get("cavitation_unfilled").filter(|_| form.ends_with(LOST_STROKE))?;
         let stroke = 2.0 * self.fitted.iter().map(|t| t.segment.amplitude).fold(0.0, f64::max);
@@ -494,7 +493,7 @@ impl Composed<'_> {
         })
     }
 
-    /// Fraction of the gap that opens again without one effect, on left-out tests where there are any.
+    /// Returns the fraction of the gap that reopens without one effect, on left-out tests if there are any.
     fn gap_without(&self, less: &Structure) -> Option<f64> {
         let tests = if self.left.is_empty() { &self.fitted } else { &self.left };
         let noise = noise_alone(tests);
@@ -506,7 +505,8 @@ impl Composed<'_> {
         (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
     }
 
-    /// How exactly errors are found: as the model's own steps give them, or as what the reference leaves was found.
+    /// Returns the accuracy of the errors: full by default. Against a reference it is that of the refits, with which the form error was
+    /// found.
     fn accuracy(&self) -> Accuracy {
         if self.against.is_some() { Accuracy::Single } else { Accuracy::Full }
     }
@@ -521,7 +521,7 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// "Nothing is missing", with what that does not cover.
+    /// Formats "nothing is missing" with the limits of this statement.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())
@@ -530,7 +530,7 @@ impl Composed<'_> {
         nothing.with_any("not_seen", not_seen).with_any("not_confirmed", not_confirmed)
     }
 
-    /// What there is to say of how the comparison was made.
+    /// Formats the remarks on the method of comparison.
     fn about_the_reference(&self, names: &[&Component]) -> Option<Sentence> {
         let Some(against) = &self.against else {
             return (!names.is_empty()).then(|| phrases::WITHOUT_REFERENCE.into());
@@ -543,7 +543,7 @@ impl Composed<'_> {
         Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside).with_any("nearest", nearest))
     }
 
-    /// Scalars of the given model that moved by more than three of their deviations.
+    /// Returns the scalars of the given model that moved by more than three standard deviations.
     fn shifts(&self) -> Vec<Shift> {
         let (start, best) = (&self.start, &self.best);
         if start.key() == best.key() || self.against.is_some() {
@@ -568,7 +568,7 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Tests that would tell apart what is undecided; none where nothing is.
+    /// Proposes tests that distinguish undecided names; none if everything is decided.
     fn next_tests(&self, judged: &Judged, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<NextTest> {
         let is_sure = names.iter().all(|c| probability(c.effect) >= DECIDED);
         if judged.verdict.nothing_is_missing()
@@ -602,7 +602,7 @@ impl Composed<'_> {
     }
 }
 
-/// Most changes that the answer names.
+/// Largest number of changes in the summary.
 const TOLD: usize = 3;
 
 fn looks(unnamed: Unnamed) -> Template {
@@ -613,10 +613,10 @@ fn looks(unnamed: Unnamed) -> Template {
     }
 }
 
-/// Standard deviations off its prior from which a value is said to be rare.
+/// Number of standard deviations from the prior above which a value is reported as rare.
 const RARE: f64 = 2.5;
 
-/// Whether dampers show such a value.
+/// Returns whether such a value is typical of dampers.
 fn is_plausible(hypothesis: &Hypothesis, k: usize, theta: &[f64]) -> bool {
     hypothesis.numbers[k].prior.is_none_or(|(mean, sd)| ((theta[k] - mean) / sd).abs() < RARE)
 }

@@ -1,23 +1,23 @@
-//! Every number that decides about an answer, with its reason.
+//! Thresholds that decide about a diagnosis, with their reasons.
 
-/// Probability from which an effect is named: below it the name is more likely wrong than right.
+/// Smallest probability at which an effect is named. Below it the name is more likely wrong than right.
 pub const NAMED: f64 = 0.5;
 
-/// Largest root mean square residual at which nothing is missing, in units of what noise and the form of curves leave.
+/// Largest root mean square residual at which nothing is missing, in units of noise and curve error.
 ///
 /// Beyond it the form error is larger than the noise.
 pub const QUIET: f64 = 1.5;
 
-/// Log likelihood that a structure with other effects must have above the given model's: with e to one the records speak for it at all.
+/// Gain of log likelihood that a structure with other effects needs over the given model. At a factor of e the records favor it.
 ///
-/// With less, an effect was named in the place of one that fits as well.
+/// With a smaller value, an effect was named instead of another that fits as well.
 pub const NEEDED: f64 = 1.0;
 
-/// Fraction of the disagreement left from which that is reported beside the names.
+/// Smallest remaining fraction of the disagreement that is reported in addition to the names.
 pub const UNEXPLAINED: f64 = 0.25;
 
 /// Smallest force of a named effect and of a reported change, as a fraction of the root mean square measured force.
 ///
-/// A smaller change stands in the table alone: dampers of one series differ by as much, and windows of force allow it. A name needs more
-/// than the noise of a sample besides, in one test at least. So the laboratory defines which effects a damper has (`true_set.rs`).
+/// A smaller change appears only in the table. Dampers of one series differ as much, and force tolerances allow it. A name must also exceed
+/// the noise of a sample, in at least one test. The laboratory defines the effects of a damper in this way too (`true_set.rs`).
 pub const MATERIAL: f64 = 0.005;

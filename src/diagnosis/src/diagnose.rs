@@ -1,4 +1,4 @@
-//! A diagnosis from end to end.
+//! Diagnosis of a model, with all its steps.
 
 use super::composed::Composed;
 use super::decisions::NEEDED;
@@ -19,8 +19,9 @@ use dashpot_identification::{describe_roads, select_tests};
 use dashpot_records::Record;
 use dashpot_records::sentence::Template;
 
-/// Whether a diagnosis may use a candidate: it must be asked for and the records must be able to show it. A mass on the load cell is
-/// named as a moving mass, and a gain drift belongs to a fit.
+/// Returns whether a diagnosis may use a candidate: it must be requested, and the records must be able to show it.
+///
+/// A mass on the load cell is named as a moving mass, and only a fit identifies a gain drift.
 fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -> bool {
     if candidate.unnamed.is_some() {
         return true;
@@ -32,10 +33,10 @@ fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -
         && effects::can_be_shown(effect, situation)
 }
 
-/// Diagnoses a model against records; `held_out` marks those that neither refit nor search may see.
+/// Diagnoses a model against records. `held_out` marks the records that neither refit nor search may use.
 ///
 /// # Errors
-/// No test to look at, an unknown name, a model without finite forces.
+/// No test, an unknown name, or a model without finite forces.
 pub fn diagnose(
     records: &[&Record],
     held_out: &[bool],
@@ -77,26 +78,27 @@ pub fn diagnose(
     Ok(diagnosis)
 }
 
-/// The given model and the most probable structure, refitted to the end.
+/// Refits the given model and the most probable structure until convergence.
 fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Structure)> {
     let given = search.start.as_ref()?.refitted(tests, Effort::FINE)?;
     Some((given, search.best.refitted(tests, Effort::FINE)?))
 }
 
-/// Whether a structure has effects that the given model lacks, and explains the records no better.
+/// Returns whether a structure has effects that the given model lacks, and explains the records no better.
 ///
-/// Its odds alone are higher then: effects that dampers have more often, or fewer numbers. Nothing is missing in the given model.
+/// Its odds are then higher only because dampers have these effects more often, or because it has fewer numbers. Nothing is missing in the
+/// given model.
 fn adds_without_need(given: &Structure, best: &Structure) -> bool {
     let effects = |of: &Structure| of.components.iter().map(|component| component.effect).collect::<Vec<_>>();
     is_without_need(&effects(given), &effects(best), best.evidence.log_likelihood() - given.evidence.log_likelihood())
 }
 
-/// Whether effects beside the given ones are there without need, where the log likelihood rises by `gain` with them.
+/// Returns whether a structure has additional effects although its log likelihood rises by less than [`NEEDED`].
 fn is_without_need(given: &[&str], best: &[&str], gain: f64) -> bool {
     best.iter().any(|effect| !given.contains(effect)) && gain < NEEDED
 }
 
-/// The most probable structure of these records, beside the given model.
+/// Searches for the most probable structure of these records, compared with the given model.
 fn alone<'a>(
     records: &'a [&'a Record],
     prepared: Prepared,
@@ -116,7 +118,7 @@ fn alone<'a>(
         most: options.max_effects,
         progress: &|done| progress(0.1 + 0.8 * done, phrases::EACH_EFFECT),
     };
-    // Asked about some effects alone, or for none, the given model is the only one to compare with.
+    // If only some effects or none were requested, the comparison uses only the given model.
     let is_open = options.candidates.is_none() && options.max_effects > 0;
     let plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
     let search = StructureSearch::run(&context, Some(starts::from_params(params, &heating)), plain);
@@ -139,7 +141,7 @@ fn alone<'a>(
     })
 }
 
-/// The sparse set of changes against a reference.
+/// Searches for the sparse set of changes against a reference.
 fn against_reference<'a>(
     records: &'a [&'a Record],
     mut prepared: Prepared,
@@ -195,10 +197,10 @@ mod tests {
     fn an_effect_that_fits_as_well_as_one_of_the_model_is_not_missing() {
         let given = ["gas_preload", "series_compliance"];
         let exchanged = ["gas_preload", "oil_compressibility"];
-        // At a residual that rises, at the same, and where the records speak for it.
+        // The log likelihood falls, stays equal, or rises clearly.
         assert!(is_without_need(&given, &exchanged, -3.0) && is_without_need(&given, &exchanged, 0.0));
         assert!(!is_without_need(&given, &exchanged, 2.0));
-        // What the records do not need goes at any residual.
+        // A structure that only removes effects is accepted at any gain.
         assert!(!is_without_need(&given, &given[..1], -0.5));
     }
 }

@@ -1,4 +1,4 @@
-//! One card an effect: where it acts, what it is, what records must show of it, and the test that shows it best.
+//! Description of each effect: location, meaning, required records, and the test that shows it best.
 
 use super::phrases;
 use dashpot_core::element;
@@ -6,18 +6,17 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_estimation::situation::Situation;
 use dashpot_records::sentence::{Sentence, Template};
 
-/// What is known of an effect apart from its equations, which are the kernel's, and the starts of its search, which are in the
-/// vocabulary.
+/// Description of an effect. Its equations are in the kernel, and the starts of its search in the vocabulary.
 pub struct Card {
     /// Name.
     pub name: &'static str,
-    /// Where in the way of the force it acts.
+    /// Location in the force path.
     pub path: &'static str,
-    /// Effects of one family act in the same place and are the hardest to tell apart.
+    /// Family: effects at the same location, which are the hardest to distinguish.
     pub family: &'static str,
-    /// The test that shows it best.
+    /// Test that shows the effect best.
     pub remedy: Template,
-    /// Why records cannot show it, from their channels and ranges alone; `None` where they may.
+    /// Returns the reason why records cannot show the effect, from their channels and ranges alone; `None` if they may.
     pub missing: fn(&Situation) -> Option<Sentence>,
 }
 
@@ -25,23 +24,23 @@ fn nothing(_: &Situation) -> Option<Sentence> {
     None
 }
 
-/// Side force span, N, with the damper of a car, from which friction under side force can be told from friction.
+/// Smallest span of side force, N, for the damper of a car, that distinguishes side-force friction from friction.
 const SIDE_FORCE: f64 = 50.0;
 /// Smallest span of the positions that tests pass at speed, m, and smallest ratio of their frequencies.
 ///
-/// They identify a dependence on position or frequency: of two tests at one speed, one must go to where the other does not.
+/// They identify a dependence on position or frequency: of two tests at one speed, one must reach positions that the other does not.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
-/// Span of the heat that tests of such a damper bring in, J, below which nothing warms.
+/// Smallest span of the heat from tests of such a damper, J, at which its temperature changes.
 const HEAT: f64 = 500.0;
-/// Displacement within which a stop of a car may lie, m.
+/// Largest displacement at which a stop of a car may lie, m.
 const STOPS: f64 = 0.04;
 
 fn behind_series(s: &Situation) -> Option<Sentence> {
     (!s.base.is_on(element!("series_compliance"))).then(|| phrases::NEEDS_SERIES.into())
 }
 
-/// All cards, in the order of the way that the force takes.
+/// All descriptions, in the order of the force path.
 pub const CARDS: &[Card] = &[
     Card {
         name: element!("gas_preload").name(),
@@ -224,7 +223,7 @@ pub const CARDS: &[Card] = &[
     },
 ];
 
-/// Names of the effects that can be told, in the order of their cards.
+/// Names of the effects that can be named, in the order of their descriptions.
 pub const EFFECTS: &[&str] = &{
     let mut names = [""; CARDS.len()];
     let mut k = 0;
@@ -235,22 +234,22 @@ pub const EFFECTS: &[&str] = &{
     names
 };
 
-/// The card of an effect.
+/// Returns the description of an effect.
 pub fn card(name: &str) -> Option<&'static Card> {
     CARDS.iter().find(|c| c.name == name)
 }
 
-/// The test that shows an effect best.
+/// Returns the test that shows an effect best.
 pub fn remedy(effect: &str) -> Template {
     card(effect).map_or(phrases::SHOW_MORE, |c| c.remedy)
 }
 
-/// Whether tests as they are looked at can show an effect at all; stops are looked for as far as the tests reach.
+/// Returns whether the given tests can show an effect at all. Stops are searched within the range of the tests.
 pub fn can_be_shown(effect: &str, s: &Situation) -> bool {
     card(effect).is_none_or(|c| c.family == "stop" || (c.missing)(s).is_none())
 }
 
-/// What an effect is, in one line.
+/// Describes an effect in one line.
 pub fn meaning(effect: &str) -> &'static str {
     match effect {
         "channel_delay" => "the force channel lags the motion channels (rig)",
@@ -270,7 +269,7 @@ mod tests {
         for (k, card) in CARDS.iter().enumerate() {
             assert!(!meaning(card.name).is_empty(), "{}", card.name);
             assert!(CARDS[..k].iter().all(|c| c.name != card.name), "{}", card.name);
-            // A family lies in one path.
+            // All effects of a family lie in one path.
             assert!(CARDS.iter().all(|c| c.family != card.family || c.path == card.path), "{}", card.family);
         }
         assert_eq!(EFFECTS.len(), CARDS.len());
@@ -299,12 +298,12 @@ mod tests {
     fn every_candidate_has_a_card_or_no_name() {
         let situation = situation(false, true);
         let all = candidates(&situation);
-        // A gain that drifts is looked for in fits alone.
+        // Only a fit searches for a gain drift.
         for c in all.iter().filter(|c| c.effect != "gain_drift") {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
         }
         let missing: Vec<&str> = EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
-        // What the base has on is no candidate, and what no rig can separate never is one.
+        // Effects of the base model are not candidates. Effects that no rig can separate never are.
         let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
         assert!(
             missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
@@ -323,7 +322,7 @@ mod tests {
                 forms.extend(all.iter().map(|c| c.form).filter(|form| !form.is_empty()));
             }
         }
-        // A mount that friction lies behind.
+        // A mount in series with friction.
         let mut base = Params::new();
         base.enable(element!("series_compliance"), false);
         base.enable(element!("presliding_friction"), true);

@@ -1,4 +1,4 @@
-//! Many dampers, or one at many settings, each against one reference or against the group before it.
+//! Diagnosis of many dampers, or of one damper at many settings, each against one reference or against the group before it.
 
 use crate::diagnose::diagnose;
 use crate::hold_out::choose;
@@ -10,12 +10,12 @@ use dashpot_records::sentence::Template;
 use dashpot_records::{Campaign, Record, Sentence, Unusable};
 use serde::Serialize;
 
-/// The result for one group.
+/// Diagnosis of one group.
 #[derive(Debug, Serialize)]
 pub struct GroupResult {
-    /// Its name.
+    /// Name of the group.
     pub group: String,
-    /// What it was compared with.
+    /// Name of the reference or group with which it was compared.
     pub reference: String,
     /// Number of tests.
     pub tests: usize,
@@ -23,10 +23,10 @@ pub struct GroupResult {
     pub diagnosis: Diagnosis,
 }
 
-/// The results for all groups. Its JSON form is what `dashpot diagnose --group` writes.
+/// Diagnoses of all groups. `dashpot diagnose --group` writes its JSON form.
 #[derive(Debug, Serialize)]
 pub struct GroupResults {
-    /// What they were compared with; in a chain, the first of them alone.
+    /// Name of the reference; in a chain, the reference of the first group.
     pub reference: String,
     /// Tests that belong to no group.
     pub left_aside: Vec<String>,
@@ -35,58 +35,58 @@ pub struct GroupResults {
     pub without_test: Vec<String>,
     /// Files and tests that could not be used, of the reference too.
     pub unusable: Vec<Unusable>,
-    /// What the model's fit found in its own records, and whether it was taken out of these.
+    /// Measurement errors that the model's fit found in its own records, and whether these records were corrected by them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<Sentence>,
-    /// Every group but the reference.
+    /// Every group except the reference.
     pub groups: Vec<GroupResult>,
 }
 
-/// What each group is compared with.
+/// Choice of the reference of each group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comparison {
-    /// All with the reference: what is wrong with each damper.
+    /// The reference for all groups. The result shows the faults of each damper.
     Reference,
-    /// Each with the group before it, the first with the reference: what one step of an adjuster, or of wear, changes.
+    /// The group before, and the reference for the first group. The result shows the change by one step of an adjuster or of wear.
     Chain,
 }
 
-/// What groups are compared with, beside those that are among them.
+/// Reference that is not one of the groups.
 pub struct Good {
-    /// What it is called.
+    /// Name of the reference.
     pub name: String,
-    /// Its records.
+    /// Records of the reference.
     pub campaign: Campaign,
 }
 
-/// Why groups are not compared.
+/// Error of a comparison of groups.
 #[derive(Debug, thiserror::Error)]
 pub enum GroupsError {
-    /// One group, and nothing beside it.
+    /// There is only one group and no reference.
     #[error("--group {by:?} finds one group, {name}; give --reference to compare it with")]
     One {
-        /// What splits the data.
+        /// Property that splits the data.
         by: String,
-        /// The group.
+        /// Name of the group.
         name: String,
     },
-    /// One that has no diagnosis.
+    /// A group that cannot be diagnosed.
     #[error("group {name}")]
     Group {
-        /// Its name.
+        /// Name of the group.
         name: String,
-        /// Why.
+        /// Error of its diagnosis.
         source: DiagnosisError,
     },
 }
 
-/// Diagnoses every group of data that were split `by` something against what is good, or against the first of them where that is not given.
+/// Diagnoses every group of data that were split `by` a property, against a reference. Without a reference the first group serves as one.
 ///
-/// In a chain each is compared with the one before. The reference of `options` is put there; `seed` chooses which tests no refit sees;
-/// `progress` is told the fraction done and what is being done.
+/// In a chain each group is compared with the one before. The function sets the reference of `options`. `seed` selects the tests that no
+/// refit uses. `progress` receives the fraction done and the current step.
 ///
 /// # Errors
-/// One group alone, or one that cannot be diagnosed.
+/// A single group, or a group that cannot be diagnosed.
 pub fn diagnose_groups(
     (split, by): (Split, &str),
     good: Option<Good>,

@@ -1,16 +1,16 @@
-//! Which tests are left out, so that the improvement is shown on records that no refit has seen.
+//! Choice of left-out tests, which show the improvement on records that no refit has used.
 
 use dashpot_records::Record;
 
-/// One test in so many is left out.
+/// Every test of this many is left out.
 const ONE_IN: usize = 4;
-/// Fewest tests of which any can be spared.
+/// Smallest number of tests of which some can be left out.
 const FEWEST: usize = 8;
 
-/// Marks the tests to leave out: every fourth along amplitude and speed, so that every band of both has some.
+/// Marks the tests to leave out: every fourth in the order of amplitude and speed, so that both are covered.
 ///
-/// The largest stroke, the fastest and the tests at the ends of mean displacement and side force stay in: what only one
-/// test shows cannot be learned without it.
+/// The largest stroke, the fastest test, and the extremes of mean displacement and side force are kept. Without its only test an effect
+/// cannot be identified.
 pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
     let n = records.len();
     let mut out = vec![false; n];

@@ -1,9 +1,9 @@
-//! Whether the reference holds the very measurements that are compared with it: then nothing can have changed.
+//! Detection of measurements that are also in the reference. For these nothing can have changed.
 
 use super::phrases;
 use dashpot_records::{Record, Sentence};
 
-/// A sentence with the tests that the reference holds value for value.
+/// Returns a sentence with the tests whose values are identical in the reference.
 pub(super) fn identical(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let known: Vec<String> = reference.iter().map(Record::fingerprint).collect();
     let same: Vec<String> = records

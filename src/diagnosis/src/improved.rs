@@ -1,4 +1,4 @@
-//! The improved model as a fit, so that it is written, read and reported like any other.
+//! Improved model in the form of a fit, so that it is written, read and reported like a fit.
 
 use super::name_of::name_of;
 use super::outcome::Diagnosis;
@@ -14,7 +14,7 @@ use dashpot_identification::{Estimate, Fit, Measured, Standing};
 use dashpot_records::measurement_correction::MeasurementError;
 use dashpot_records::{Record, Sentence};
 
-/// Intervals of all scalars of the last explanation, whose numbers have these ends; they are its bounds where nothing is known of them.
+/// Estimates all scalars of the final hypothesis. Its numbers have the intervals `ends`; without them the intervals are the bounds.
 pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {
     let (last, end) = (&found.hypothesis, &found.refit);
     last.numbers
@@ -39,7 +39,7 @@ pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Est
         .collect()
 }
 
-/// What the last explanation finds the measurement to be off by, of what the reader of records can take out.
+/// Returns the measurement errors in the final hypothesis that the reader of records can correct.
 pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
     let (last, end) = (&found.hypothesis, &found.refit);
     let numbers = last.numbers.iter().enumerate();
@@ -53,8 +53,9 @@ pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
         .collect()
 }
 
-/// What a fit took out of the records before they were diagnosed, and what the diagnosis found in them after that.
-/// Where no fit did, the user may have: `given`.
+/// Combines the measurement errors by which the records were corrected before the diagnosis, and those that the diagnosis found.
+///
+/// The former come from a fit, or from the user (`given`) if the fit found none.
 fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured]) -> Vec<Measured> {
     let mut all = fit;
     for found in diagnosis {
@@ -67,7 +68,7 @@ fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured])
 }
 
 impl Diagnosis {
-    /// The improved model as a fit to the records that were not left out.
+    /// Returns the improved model as a fit to the records that were not left out.
     ///
     /// It has the plain curve of these records, and the measurement errors that the diagnosed model's fit and this diagnosis found.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
@@ -100,8 +101,8 @@ impl Diagnosis {
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
-            // That of the model would be one of another damper where this one was diagnosed against a reference, or its own curve, without
-            // friction, where no fit stands behind it.
+            // The model's curve is unsuitable: against a reference it belongs to another damper, and without a fit it is the model's own,
+            // without friction.
             fv_only: fv_curve::fit(&of_records(&used)).params(),
             misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
         }

@@ -1,25 +1,25 @@
-//! Diagnosis: where a model and the records of its damper disagree, which physical effect is missing, and what is left
-//! when it is added.
+//! Diagnosis: regions where a model and the records of its damper disagree, the missing physical effect, and the residual after the effect
+//! is added.
 //!
 //! | file | step |
 //! |---|---|
-//! | [`mod@diagnose`] | all of it, from end to end |
-//! | [`prepared`] | records made ready |
-//! | [`effects`] | one card an effect: where it acts, what shows it |
-//! | [`composed`], [`outcome`] | the answer in words and figures |
-//! | [`rivals`] | what got no name but explains a part |
-//! | [`decisions`], [`calibration`] | every number that decides, and what a probability is worth |
+//! | [`mod@diagnose`] | the whole diagnosis |
+//! | [`prepared`] | preparation of records |
+//! | [`effects`] | description of each effect: location, and records that show it |
+//! | [`composed`], [`outcome`] | the outcome in sentences and figures |
+//! | [`rivals`] | unnamed effects that explain a part of the disagreement |
+//! | [`decisions`], [`calibration`] | thresholds, and calibration of probabilities |
 //! | [`tree`] | all probabilities: path, family, effect, form |
-//! | [`phrases`] | every text that it says, in English |
-//! | [`regions`] | where model and records disagree |
-//! | [`reference`], [`changes`] | the form error that two dampers share, and what changed between them |
-//! | [`groups`] | many dampers, each against the same reference |
-//! | [`settings`] | one damper at several settings: what all of them show, and what only some do |
-//! | [`opposite`], [`warmer`] | how the two campaigns differ beside the damper |
-//! | [`untestable`], [`next_test`] | what these records cannot show, and which test would |
-//! | [`mod@refitted`] | for those who calibrate and evaluate |
+//! | [`phrases`] | English templates of all sentences |
+//! | [`regions`] | regions where model and records disagree |
+//! | [`reference`], [`changes`] | form error shared by two dampers, and changes between them |
+//! | [`groups`] | many dampers, each against one reference |
+//! | [`settings`] | one damper at several settings: effects of all settings and of some |
+//! | [`opposite`], [`warmer`] | differences of two campaigns other than the damper |
+//! | [`untestable`], [`next_test`] | effects that these records cannot show, and the tests that would |
+//! | [`mod@refitted`] | functions for calibration and evaluation |
 //!
-//! The search itself, its vocabulary and its evidence are those of a fit: `dashpot_estimation::structure`.
+//! The search, its vocabulary and its evidence are shared with a fit: `dashpot_estimation::structure`.
 
 mod calibration;
 mod changes;

@@ -1,10 +1,10 @@
-//! What a free number is called in answers.
+//! Names of free numbers in reports.
 
 use dashpot_core::number;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 
-/// Name and unit of a free number.
+/// Returns name and unit of a free number.
 pub(super) fn name_of(free: &Free) -> (&'static str, &'static str) {
     match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _))

@@ -1,14 +1,14 @@
-//! The tests that a diagnosis asks for, as a matrix that a rig is driven by.
+//! Proposed tests of a diagnosis as a test matrix for a rig.
 
 use super::outcome::{Diagnosis, NextTest};
 
-/// Columns of a test matrix, as `dashpot matrix` and `dashpot rig --matrix` have them.
+/// Columns of a test matrix, as in `dashpot matrix` and `dashpot rig --matrix`.
 const HEADING: &str = "name,amplitude_mm,frequency_hz,mean_displacement_mm,side_force_n";
 
 impl NextTest {
-    /// The test as a row of a matrix.
+    /// Formats the test as a row of a matrix.
     ///
-    /// `None` where it is no sine of known amplitude and frequency, such as a soak or a road.
+    /// Returns `None` unless the test is a sine of known amplitude and frequency. A soak or a road is not.
     fn row(&self, number: usize) -> Option<String> {
         let (amplitude, frequency) = (self.amplitude_m?, self.frequency_hz?);
         let short = |v: f64| {
@@ -26,9 +26,9 @@ impl NextTest {
 }
 
 impl Diagnosis {
-    /// The proposed tests as a matrix (CSV), the most informative first, and the number of them without a row.
+    /// Returns the proposed tests as a matrix (CSV), the most informative first, and the number of tests without a row.
     ///
-    /// A test that is no sine has no row; `None` where no test has one.
+    /// Only a sine has a row. Returns `None` if no test has one.
     pub fn next_matrix(&self) -> Option<(String, usize)> {
         let rows: Vec<String> = self.next_tests.iter().enumerate().filter_map(|(k, test)| test.row(k + 1)).collect();
         let without = self.next_tests.len() - rows.len();

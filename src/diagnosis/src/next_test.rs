@@ -1,5 +1,7 @@
-//! The rig test that would tell rivals apart: where their predictions, each with everything refitted, differ most beside
-//! the noise (Hunter & Reiner, Technometrics 7, 1965).
+//! Choice of the rig test that best distinguishes rivals.
+//!
+//! At this test the predictions of the rivals, each with all numbers refitted, differ most relative to the noise (Hunter & Reiner,
+//! Technometrics 7, 1965).
 
 use super::effects::remedy;
 use super::outcome::NextTest;
@@ -17,40 +19,40 @@ use dashpot_records::{RigFrame, RigSine, Unit};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// An explanation that competes.
+/// A competing hypothesis.
 pub struct Rival<'a> {
-    /// The name it adds.
+    /// Name of the effect that it adds.
     pub effect: &'static str,
-    /// The explanation.
+    /// The hypothesis.
     pub hypothesis: &'a Hypothesis,
-    /// Its numbers.
+    /// Values of its free numbers.
     pub theta: &'a [f64],
-    /// Its probability.
+    /// Probability of the hypothesis.
     pub confidence: f64,
 }
 
-/// What a rig can do, as the campaign shows it.
+/// Capabilities of a rig, inferred from the campaign.
 pub struct Rig {
-    /// Displacements reached, m.
+    /// Range of displacements, m.
     pub reach: (f64, f64),
-    /// Fastest peak, m/s.
+    /// Highest peak velocity, m/s.
     pub speed: f64,
-    /// Side forces that were set, N, rounded to 50; the rig has what sets them.
+    /// Side forces of the campaign, N, rounded to 50. The rig has a device that applies them.
     pub side_forces: Vec<f64>,
-    /// Largest force of the damper, N: what it and the load cell are known to stand.
+    /// Largest force of the damper, N, which damper and load cell demonstrably withstand.
     pub force: f64,
 }
 
-/// How far beyond the largest force measured a proposed test may go.
+/// Largest ratio of a proposed test's force to the largest measured force.
 const BEYOND: f64 = 1.2;
 
 const AMPLITUDES: [f64; 8] = [0.0003, 0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05];
 const FREQUENCIES: [f64; 10] = [0.01, 0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 25.0];
-/// Samples per cycle, and cycles that run ahead.
+/// Samples per cycle, and number of cycles in the lead-in.
 const PER_CYCLE: usize = 120;
-/// Noise expected: a share of the force and a rest, N, with the damper of a car.
+/// Expected noise: a fraction of the force and a constant part, N, for the damper of a car.
 const NOISE: (f64, f64) = (0.02, 1.0);
-/// Tests told.
+/// Largest number of proposed tests.
 const TOLD: usize = 3;
 
 #[derive(Clone, Copy)]
@@ -102,7 +104,7 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// The tests that separate the rivals best, best first, as the files of the campaign count.
+/// Proposes the tests that distinguish the rivals best, best first, in the unit, direction and zero of the campaign's files.
 pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     if rivals.len() < 2 {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
@@ -173,7 +175,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
         })
         .collect();
     judged.sort_by(|a, b| b.0.total_cmp(&a.0));
-    // Neighbours on the grid say the same: one of each amplitude.
+    // Neighbors on the grid are redundant, so only one test of each amplitude is proposed.
     let mut told: Vec<NextTest> = Vec::new();
     let mut amplitudes = Vec::new();
     for (_, difference, [i, j], d) in judged {
@@ -219,13 +221,13 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     told
 }
 
-/// A figure to drive by, in up to four decimals.
+/// Formats a figure with up to four decimals.
 fn short(value: f64) -> String {
     let text = format!("{value:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// The test that shows one effect best, in words.
+/// Describes the test that shows one effect best.
 pub fn in_words(effect: &'static str) -> NextTest {
     NextTest {
         text: Sentence::from(phrases::SHOWS_BEST).with("effect", effect).with_sentence("remedy", remedy(effect)),
@@ -239,7 +241,7 @@ pub fn in_words(effect: &'static str) -> NextTest {
 }
 
 impl Rig {
-    /// The limits of a rig that the campaign's own tests reached.
+    /// Infers the limits of the rig from the tests of the campaign.
     pub fn from_tests(tests: &[Test]) -> Rig {
         let mut rig =
             Rig { reach: (f64::INFINITY, f64::NEG_INFINITY), speed: 0.0, side_forces: Vec::new(), force: 0.0 };
@@ -278,7 +280,7 @@ mod tests {
     #[test]
     fn proposals_are_stated_as_the_files_count() {
         let plain = hypothesis(|_| ());
-        // A spring tells most at one end of the stroke.
+        // A nonlinear spring shows most at one end of the stroke.
         let sprung = hypothesis(|p| p.set(number!("spring_cubic"), 5e6).unwrap());
         let rival = |effect, hypothesis| Rival { effect, hypothesis, theta: &[], confidence: 0.5 };
         let rivals = [rival("presliding_friction", &plain), rival("parallel_spring", &sprung)];

@@ -1,11 +1,12 @@
-//! Whether campaign and reference were read as counting opposite directions positive. Each works its direction out by itself; on one rig they are
-//! hardly two, and what one shows in rebound is then compared with what the other shows in compression.
+//! Detection of opposite positive directions in campaign and reference.
+//! The direction of each is determined separately, but both hardly differ on one rig. If they do, rebound of one is compared with
+//! compression of the other.
 
 use super::phrases;
 use dashpot_records::record::Counted;
 use dashpot_records::{Positive, Record, Sentence};
 
-/// A sentence where they were, and the user did not say so of both.
+/// Returns a sentence if the directions are opposite, unless the user stated both.
 pub(super) fn opposite(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let (own, good) = (records.first()?.counted?, reference.first()?.counted?);
     let is_meant = own.is_stated && good.is_stated;
@@ -35,7 +36,7 @@ mod tests {
         assert_eq!(told(&rebound, rebound.clone()), None);
         assert!(told(&rebound, of(Positive::Compression, true)).is_some());
         assert_eq!(told(&of(Positive::Rebound, true), of(Positive::Compression, true)), None);
-        // Records that were in no file.
+        // Records that were not read from a file.
         assert_eq!(told(&rebound, Record::default()), None);
     }
 }

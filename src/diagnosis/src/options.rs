@@ -1,20 +1,21 @@
-//! What a diagnosis may do, and why there is none.
+//! Options and errors of a diagnosis.
 
 use super::effects::EFFECTS;
 use super::phrases;
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_records::{Record, Sentence};
 
-/// What a diagnosis may do.
+/// Options of a diagnosis.
 #[derive(Debug, Clone)]
 pub struct Options {
-    /// Most effects to add.
+    /// Largest number of effects to add.
     pub max_effects: usize,
-    /// Effects that may be named; all where `None`.
+    /// Effects that may be named; with `None` all.
     pub candidates: Option<Vec<String>>,
-    /// Records of the same tests on a damper that is known to be good: what changed is then asked, not what is missing. Empty: none.
+    /// Records of the same tests on a good damper. The diagnosis then searches for changes and not for missing effects. Empty without a
+    /// reference.
     pub reference: Vec<Record>,
-    /// What is known of this damper beside its records.
+    /// Prior knowledge of this damper, in addition to its records.
     pub priors: PriorSet,
 }
 
@@ -24,11 +25,11 @@ impl Default for Options {
     }
 }
 
-/// Why there is no diagnosis.
+/// Error of a diagnosis.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 pub enum DiagnosisError {
-    /// Nothing to look at.
+    /// There is no test.
     NoTests,
     /// An unknown effect name.
     UnknownEffect {
@@ -37,7 +38,7 @@ pub enum DiagnosisError {
     },
     /// The reference campaign has none of the tests.
     NothingToCompare {
-        /// That the two were read as counting opposite directions positive, where that is so.
+        /// Note if both campaigns were read with opposite positive directions.
         turned: Option<Sentence>,
     },
     /// The model gives no finite force.
@@ -45,7 +46,7 @@ pub enum DiagnosisError {
 }
 
 impl DiagnosisError {
-    /// What is wrong and what to do, to be said in any language.
+    /// Returns the error and its remedy as a sentence that can be translated.
     pub fn sentence(&self) -> Sentence {
         match self {
             DiagnosisError::NoTests => phrases::NO_TESTS.into(),

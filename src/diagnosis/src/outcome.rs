@@ -1,4 +1,4 @@
-//! What a diagnosis says: the contract that scripts read, and the curves that its report draws.
+//! Outcome of a diagnosis: the JSON output for scripts, and the curves for the report.
 
 use super::changes::Change;
 use super::tree::Branch;
@@ -9,125 +9,125 @@ use dashpot_records::sentence::Sentence;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The answer in one word.
+/// Verdict of a diagnosis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// At least one effect was named and added.
     Named,
-    /// What is left is noise, or no larger than the form of the curves allows.
+    /// The residual is noise, or no larger than the form of the curves allows.
     NothingMissing,
     /// Nothing is missing, but the numbers differ from those of the reference damper: see [`Diagnosis::changes`].
     Changed,
-    /// Something is missing, and more than one effect explains it as well.
+    /// An effect is missing, and several effects explain it equally well.
     #[serde(rename = "cannot_tell")]
     Ambiguous,
-    /// Something is missing that no known effect explains.
+    /// The model lacks something that no known effect explains.
     UnknownEffect,
 }
 
 impl Verdict {
-    /// Whether no effect is missing: the numbers of the model may be others than on a reference.
+    /// Returns whether no effect is missing. The numbers of the model may differ from those of a reference.
     pub fn nothing_is_missing(self) -> bool {
         matches!(self, Verdict::NothingMissing | Verdict::Changed)
     }
 }
 
-/// Everything a diagnosis found.
+/// All results of a diagnosis.
 #[derive(Debug, Clone, Serialize)]
 pub struct Diagnosis {
-    /// The answer in one word.
+    /// Verdict of the diagnosis.
     pub verdict: Verdict,
-    /// The answer in sentences.
+    /// Summary in sentences.
     pub summary: Sentence,
     /// Effects in the order in which they were added.
     pub findings: Vec<Finding>,
-    /// Every effect of the given and of the most probable model, with the force it carries and its probability.
+    /// Every effect of the given and of the most probable model, with its force and its probability.
     pub inventory: Vec<InventoryItem>,
-    /// Against a reference: the sparse set of changes that explains the difference, the largest force first.
+    /// Sparse set of changes that explains the difference to a reference, the largest force first.
     pub changes: Vec<Change>,
-    /// What explains about as well as each other a disagreement, or the rest of one, that got no name; likeliest first.
+    /// Effects without a name that explain the disagreement, or its remainder, about equally well; most probable first.
     pub suspects: Vec<Rival>,
-    /// Where model and records disagree before anything is added, worst first.
+    /// Regions where model and records disagree before any effect is added, worst first.
     #[serde(rename = "where")]
     pub regions: Vec<Region>,
-    /// The model as it came, refitted.
+    /// Errors of the given model, refitted.
     pub before: Figures,
-    /// The model with all findings.
+    /// Errors of the model with all findings.
     pub after: Figures,
-    /// Share of the gap between model and noise that is closed, on left-out tests (on fitted ones where none is left out).
+    /// Fraction of the gap between model and noise that is closed, on left-out tests, or on fitted tests if none is left out.
     pub gap_closed: Option<f64>,
-    /// Fraction of the disagreement that the findings leave, in mean squares beyond the noise.
+    /// Remaining fraction of the disagreement, in mean squares beyond the noise.
     pub unexplained_fraction: f64,
-    /// All probabilities of the first look, as they were before anything was added: path, family, effect, form.
+    /// All probabilities of the search: path, family, effect, form.
     pub tree: Vec<Branch>,
-    /// Tests that would tell more.
+    /// Proposed tests that give more information.
     pub next_tests: Vec<NextTest>,
     /// Effects that these records cannot show.
     pub could_not_test: Vec<CouldNotTest>,
-    /// Numbers of the base model that moved far when an effect was added.
+    /// Numbers of the base model that changed considerably when an effect was added.
     pub shifts: Vec<Shift>,
     /// Remarks.
     pub notes: Vec<Sentence>,
-    /// The remark among them that says what a name without a reference may stand for, or how the reference was compared with.
+    /// Note that states the limits of a name without a reference, or the method of comparison with one. It is one of `notes`.
     #[serde(skip)]
     pub about_the_reference: Option<Sentence>,
-    /// Each test before and after.
+    /// Errors of each test before and after.
     pub tests: Vec<TestOutcome>,
-    /// Every effect that was refitted in full, by iteration of the search.
+    /// Effects that were fully refitted, for each iteration of the search.
     pub iterations: Vec<Vec<Trial>>,
-    /// The model as it came, refitted.
+    /// The given model, refitted.
     #[serde(skip)]
     pub base: Params,
     /// The model with the findings that belong to the damper.
     #[serde(skip)]
     pub improved: Params,
-    /// Against a reference: the same model fitted to the reference damper.
+    /// The given model fitted to the reference damper, if there is a reference.
     #[serde(skip)]
     pub reference: Option<Params>,
-    /// What is known of the improved model's numbers.
+    /// Estimates of the improved model's numbers.
     #[serde(skip)]
     pub estimates: Vec<dashpot_identification::Estimate>,
-    /// What the improved model's file says of the measurement, so that its readers take it out of the same records again.
+    /// Measurement errors in the improved model's file, by which its readers correct the same records.
     #[serde(skip)]
     pub measured: Vec<dashpot_identification::Measured>,
-    /// What was known of the damper beside its records.
+    /// Prior knowledge of the damper, in addition to its records.
     #[serde(skip)]
     pub priors: PriorSet,
-    /// What the rig added, by name: taken out of the comparison only.
+    /// Effects of the rig by name, corrected in the comparison only.
     pub corrections: BTreeMap<&'static str, f64>,
 }
 
 /// A named effect.
 #[derive(Debug, Clone, Serialize)]
 pub struct Finding {
-    /// Its name.
+    /// Name of the effect.
     pub effect: &'static str,
-    /// Which form of it fits best; empty where there is one.
+    /// Form that fits best; empty if the effect has one form.
     pub form: &'static str,
-    /// What it is, in one line.
+    /// Description in one line.
     pub meaning: &'static str,
-    /// Where in the way of the force it acts.
+    /// Location in the force path.
     pub path: &'static str,
-    /// Its family: effects that act in the same place.
+    /// Family: effects at the same location.
     pub family: &'static str,
-    /// Probability that the name is right: of names given so, that many are.
+    /// Probability that the name is right, calibrated: the fraction of such names that are right.
     pub confidence: f64,
     /// Probability that the family is right.
     pub family_confidence: f64,
-    /// Fraction of the disagreement that it explains, in mean squares beyond the noise: what opens again without it.
+    /// Fraction of the disagreement that the effect explains, in mean squares beyond the noise: the part that reopens without it.
     pub fraction: f64,
-    /// Force that it carries, N rms.
+    /// Force of the effect, N rms.
     pub force_n_rms: f64,
-    /// Whether it is of the rig: then it is corrected in the comparison and not put into the model.
+    /// Whether the effect belongs to the rig. The comparison then corrects it, and the model does not contain it.
     pub of_the_rig: bool,
-    /// Its numbers.
+    /// Parameters of the effect.
     pub parameters: BTreeMap<&'static str, Value>,
-    /// Share of the gap closed by this effect on left-out tests.
+    /// Fraction of the gap that this effect closes on left-out tests.
     pub gap_closed: Option<f64>,
-    /// Figures behind the confidence.
+    /// Figures that support the confidence.
     pub evidence: Evidence,
-    /// Names that explain less.
+    /// Alternative names that explain less.
     pub rivals: Vec<Rival>,
 }
 
@@ -142,27 +142,27 @@ pub struct Value {
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
-    /// Whether dampers (or rigs) show such values.
+    /// Whether such values are typical of dampers (or rigs).
     pub plausible: bool,
 }
 
-/// Another name for the same disagreement.
+/// Alternative name for a disagreement.
 #[derive(Debug, Clone, Serialize)]
 pub struct Rival {
-    /// Its name.
+    /// Name of the effect.
     pub effect: &'static str,
-    /// Probability that it is the right one.
+    /// Probability that this name is the right one.
     pub confidence: f64,
-    /// Fraction of the excess that it explains.
+    /// Fraction of the disagreement that it explains.
     pub fraction: f64,
-    /// Why it lost.
+    /// Reason why it was not named.
     pub why: Sentence,
 }
 
 /// A region where model and records disagree.
 #[derive(Debug, Clone, Serialize)]
 pub struct Region {
-    /// A test, or "all" where it is of every test that goes there.
+    /// Name of a test, or "all" if the region comes from every test that reaches it.
     pub test: String,
     /// Velocities, m/s.
     pub velocity_m_s: [f64; 2],
@@ -172,139 +172,139 @@ pub struct Region {
     pub direction: &'static str,
     /// `speeding_up`, `slowing_down` or `both`.
     pub acceleration: &'static str,
-    /// Root mean square of measured less computed force there, N.
+    /// Root mean square of measured minus computed force there, N.
     pub rmse_n: f64,
-    /// Mean of measured less computed force there, N.
+    /// Mean of measured minus computed force there, N.
     pub mean_n: f64,
-    /// What noise makes there, N.
+    /// Expected effect of noise there, N.
     pub noise_n: f64,
     /// Description of the region in a sentence.
     pub text: Sentence,
 }
 
-/// How far a model is off.
+/// Errors of a model.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Figures {
     /// Root mean square over the fitted tests, N.
     pub rmse_n: f64,
-    /// Mean absolute error over the largest force of the test, mean over all tests, percent.
+    /// Mean absolute error relative to the largest force of the test, averaged over all tests, percent.
     pub error_percent: f64,
     /// Root mean square over the left-out tests, N.
     pub left_out_rmse_n: Option<f64>,
-    /// What noise alone makes of the fitted tests, N.
+    /// Root mean square noise of the fitted tests' mean cycles, N: the residual of a perfect model.
     pub noise_n: f64,
-    /// What noise alone makes of the left-out tests, N.
+    /// Root mean square noise of the left-out tests' mean cycles, N: the residual of a perfect model.
     pub left_out_noise_n: Option<f64>,
 }
 
-/// A rig test worth running.
+/// Proposed rig test.
 #[derive(Debug, Clone, Serialize)]
 pub struct NextTest {
-    /// What to do and what it would show.
+    /// Instruction, and the expected information.
     pub text: Sentence,
     /// Amplitude, m.
     pub amplitude_m: Option<f64>,
     /// Frequency, Hz.
     pub frequency_hz: Option<f64>,
-    /// Mean displacement, m, in the direction and from the zero that the files count.
+    /// Mean displacement, m, in the direction and from the zero of the files.
     pub mean_displacement_m: Option<f64>,
     /// Side force, N.
     pub side_force_n: Option<f64>,
-    /// Root mean square by which the rivals' predictions differ there, N.
+    /// Root mean square difference of the rivals' predictions there, N.
     pub difference_n: Option<f64>,
-    /// The names it separates.
+    /// Names that it distinguishes.
     pub separates: Vec<&'static str>,
 }
 
 /// An effect that these records cannot show.
 #[derive(Debug, Clone, Serialize)]
 pub struct CouldNotTest {
-    /// Its name.
+    /// Name of the effect.
     pub effect: &'static str,
-    /// Why, and what test would show it.
+    /// Reason, and the test that would show the effect.
     pub why: Sentence,
 }
 
-/// A number of the base model that moved when effects were added.
+/// Number of the base model that changed when effects were added.
 #[derive(Debug, Clone, Serialize)]
 pub struct Shift {
-    /// Parameter.
+    /// Name of the parameter.
     pub parameter: &'static str,
-    /// Before.
+    /// Value before.
     pub before: f64,
-    /// After.
+    /// Value after.
     pub after: f64,
     /// Unit.
     pub unit: &'static str,
 }
 
-/// One test before and after.
+/// Errors of one test before and after.
 #[derive(Debug, Clone, Serialize)]
 pub struct TestOutcome {
-    /// Name.
+    /// Name of the test.
     pub test: String,
-    /// Whether it was left out.
+    /// Whether the test was left out.
     pub left_out: bool,
     /// Root mean square error before, N.
     pub before_rmse_n: f64,
-    /// After.
+    /// Root mean square error after, N.
     pub after_rmse_n: f64,
-    /// What noise makes, N.
+    /// Root mean square noise, N.
     pub noise_n: f64,
-    /// Error that noise and the form of the curves allow, N: the unit in which the gap counts this test.
+    /// Error from noise and curve form, N. The gap counts this test in this unit.
     pub allowed_n: f64,
-    /// The curves.
+    /// Curves of its mean cycle.
     #[serde(skip)]
     pub curves: Curves,
 }
 
-/// A mean cycle: motion, measured force, both models.
+/// Mean cycle of a test: motion, measured force, and the forces of both models.
 #[derive(Debug, Clone, Default)]
 pub struct Curves {
-    /// m.
+    /// Displacement, m.
     pub displacement: Vec<f64>,
-    /// m/s.
+    /// Velocity, m/s.
     pub velocity: Vec<f64>,
-    /// N.
+    /// Measured force, N.
     pub measured: Vec<f64>,
-    /// N.
+    /// Force of the given model, N.
     pub before: Vec<f64>,
-    /// N.
+    /// Force of the improved model, N.
     pub after: Vec<f64>,
     /// Frequency, Hz; 0 without cycles.
     pub frequency: f64,
 }
 
-/// An effect that was tried by refitting everything with it.
+/// Effect that was tried with a full refit.
 #[derive(Debug, Clone, Serialize)]
 pub struct Trial {
-    /// Its name.
+    /// Name of the effect.
     pub effect: &'static str,
-    /// Its form.
+    /// Form of the effect.
     pub form: &'static str,
-    /// Probability that it is the right name.
+    /// Probability that this name is the right one.
     pub confidence: f64,
-    /// Figures behind it.
+    /// Figures that support the probability.
     pub evidence: Evidence,
 }
 
-/// What a refit with an effect brought.
+/// Figures from a refit with an effect.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Evidence {
-    /// Fraction of the disagreement that it explains, in mean squares beyond the noise.
+    /// Fraction of the disagreement that the effect explains, in mean squares beyond the noise.
     pub fraction: f64,
-    /// Mean square residual of a test before it, in units of what noise and curves leave.
+    /// Mean square residual of a test without the effect, in units of noise and curve error.
     pub mean_square_before: f64,
-    /// Mean square residual of a test with it, in units of what noise and curves leave.
+    /// Mean square residual of a test with the effect, in units of noise and curve error.
     pub mean_square_after: f64,
     /// Natural logarithm of the posterior odds of the records with the effect against those without it.
     ///
-    /// Each test counts as one independent sample; the effect's numbers are penalized.
+    /// Each test counts as one independent sample. The effect's numbers are penalized.
     pub log_odds: f64,
-    /// How many numbers it adds; those that stay near their prior count half.
+    /// Number of parameters that the effect adds. Those that stay near their prior count half.
     pub numbers: f64,
-    /// Negative log prior of its values, in the units of `log_odds`.
+    /// Negative log prior of the effect's values, in the units of `log_odds`.
     pub negative_log_prior: f64,
-    /// Share of the tests of which it leaves less.
+    /// Fraction of the tests whose residual the effect reduces.
     pub tests_better: f64,
 }

@@ -1,9 +1,9 @@
-//! Every text that a diagnosis says, in English, in one place: a language that lacks one of them is found by a test.
+//! English templates of every sentence that a diagnosis reports. A test finds each template that a language lacks.
 
 use dashpot_records::sentence::Template;
 
 dashpot_records::phrases! {
-    // How far a diagnosis is.
+    // Stages of a diagnosis.
     PREPARING: "preparing records";
     FITTING_REFERENCE: "fitting the model to the reference";
     REFITTING: "refitting the model as it is";
@@ -11,7 +11,7 @@ dashpot_records::phrases! {
     WEIGHING: "weighing each name with the others in";
     WHAT_IS_LEFT: "looking at what is left";
     DONE: "done";
-    // Why there is no diagnosis.
+    // Errors of a diagnosis.
     NO_TESTS: "there is no test to diagnose: give a folder or files with at least one record, and leave some of them in";
     UNKNOWN_NAME: "there is no effect called {name}; the effects are {known}";
     NOTHING_TO_COMPARE: "the reference campaign has none of the tests of this one (same amplitude, frequency, mean displacement and side force, within 5 %): run the same matrix on both dampers{turned}";
@@ -22,7 +22,7 @@ dashpot_records::phrases! {
     // Lists.
     COMMA: ", ";
     AND: " and ";
-    // The answer.
+    // Summary.
     TIMES: "{times} times the error that noise and the form of curves leave";
     NAME_AND_SURE: "{effect} ({percent} sure{instead})";
     INSTEAD_OF: ", instead of {effect}";
@@ -69,7 +69,7 @@ dashpot_records::phrases! {
     LOOKS_LIKE: "; it looks like {what}";
     NEAREST: "; the nearest, {effect}, explains {percent}";
     EXPLAINS: "explains {percent} of the disagreement";
-    // What a disagreement without a name looks like.
+    // Descriptions of unnamed disagreements.
     LIKE_GUIDES: "friction that grows with the force, as a tilted cross-head or eye makes in the guides";
     LIKE_LOAD_CELL: "a loop over force whatever the speed, as a load cell with hysteresis draws";
     LIKE_RESONANCE: "a resonance in the path of the force, as of a frame or of oil in a hose";
@@ -84,14 +84,14 @@ dashpot_records::phrases! {
     MORE_TENSILE: "measured force is {mean} N ± {error} more tensile than computed";
     MORE_COMPRESSIVE: "measured force is {mean} N ± {error} more compressive than computed";
     OFF_BOTH_WAYS: "{rms} N rms off in both senses";
-    // Tests that would tell more.
+    // Proposed tests.
     RUN_SINE: "run a sine of {amplitude} {unit} at {frequency} Hz{about}{under}: {a} and {b} differ there by {difference} N rms";
     ABOUT_MEAN: " about {mean} {unit} as the files count";
     UNDER_SIDE_FORCE: " under {force} N side force";
     SHOWS_BEST: "{effect} shows best in: {remedy}";
     NO_TRACE: "at a usual strength it would leave no trace in these tests: {remedy}";
     SUM_ALONE: "the tube widens in proportion to pressure like the oil column yields: a rig shows their sum, which oil_compressibility stands for";
-    // The test that shows an effect best.
+    // Test that shows an effect best.
     SHOW_MORE: "more amplitudes and frequencies";
     SHOW_SLOW: "slow triangles at 0.5 to 30 mm/s, two strokes, two temperatures";
     SHOW_SPRING: "stroke the whole travel slowly, and once at 1 Hz, at two mean positions";
@@ -113,7 +113,7 @@ dashpot_records::phrases! {
     SHOW_MASS: "run the rig without the damper";
     SHOW_DELAY: "run a spring in place of the damper: its loop must close";
     SHOW_DRIFT: "repeat a reference test at the start, middle and end";
-    // Why records cannot show an effect.
+    // Reasons why records cannot show an effect.
     NEEDS_SERIES: "it is part of the series path: the model needs series_compliance first";
     NEEDS_FIXED_CURVE: "a free FV curve takes a v² term up: it needs the curve fixed by a specification";
     NEEDS_SIDE_FORCE: "the side force does not vary: run the same sine under two or more side forces, with the channel recorded";
@@ -125,20 +125,20 @@ dashpot_records::phrases! {
     NEEDS_FREQUENCIES: "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz";
     NEEDS_ZERO: "a zero error of the load cell and the gas force are the same constant: read the load cell with the damper unhooked, before and after";
     NEEDS_ONE_CLOCK: "every record starts its clock anew: keep one clock through the campaign and repeat a reference test";
-    // What is said of the improved model.
+    // Remarks on the improved model.
     DIAGNOSIS: "diagnosis: {answer}";
     ADDED: "{effect} ({percent} sure) added to this model";
     OF_THE_RIG: "{effect} ({percent} sure) of the rig: corrected in the comparison, not in the damper of this model";
     OR_WARM_GAS: "no temperature varies in all records: gas that warms through a campaign lets the force at rest fall as a zero that drifts does, and cannot be told from it. Record the temperature of the oil or the tube";
     ALL_FITTED_TESTS: "all fitted tests";
-    // How the comparison was made.
+    // Method of comparison.
     WITHOUT_REFERENCE: "without a reference campaign a name may stand for what is always wrong in the form of the model; where a good damper was measured on the same rig, --reference asks what changed";
     AGAINST_REFERENCE: "compared with the reference campaign: what the model leaves of the same tests there is taken out{nearest}{aside}";
     BY_NEAREST_MOTION: "; tests without a counterpart of the same motion were compared by the form error of the nearest one: {tests}";
     WITHOUT_COUNTERPART: "; the reference has no motion like these, so that the form error of the model is in them: {tests}";
 }
 
-/// Forms of effects.
+/// Names of the forms of effects.
 pub(super) const FORMS: &[&str] = &[
     "changed",
     "full",
@@ -198,7 +198,7 @@ pub(super) const FORMS: &[&str] = &[
     "settles as the rig warms up",
 ];
 
-/// Every template of a sentence.
+/// Returns every template of a sentence.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }

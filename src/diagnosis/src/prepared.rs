@@ -1,4 +1,4 @@
-//! Records made ready for a diagnosis, and the same against a reference.
+//! Preparation of records for a diagnosis, with or without a reference.
 
 use super::options::{DiagnosisError, Options};
 use super::{opposite, reference};
@@ -17,19 +17,19 @@ use dashpot_estimation::structure::starts::{self, StartModel};
 use dashpot_records::Record;
 use std::sync::Arc;
 
-/// What a diagnosis works on.
+/// Prepared input of a diagnosis.
 pub(super) struct Prepared {
-    /// Tests that refits see.
+    /// Tests that refits use.
     pub fitted: Vec<Test>,
-    /// Those left out.
+    /// Left-out tests.
     pub left: Vec<Test>,
-    /// Heat that went into the damper, test by test.
+    /// Heat that the damper absorbed, for each test.
     pub heating: Arc<Heating>,
-    /// What the tests show.
+    /// Properties of the tests.
     pub situation: Situation,
 }
 
-/// Tests and situation of records.
+/// Splits the records into fitted and left-out tests, and computes the [`Situation`] of the fitted ones.
 pub(super) fn prepare(records: &[&Record], held_out: &[bool], params: &Params) -> Prepared {
     let all = samples::as_long_as_remembered(samples::tests(records), params);
     let out = |test: &Test| held_out.get(test.record).copied().unwrap_or(false);
@@ -39,25 +39,26 @@ pub(super) fn prepare(records: &[&Record], held_out: &[bool], params: &Params) -
     Prepared { fitted, left, heating, situation }
 }
 
-/// The reference damper.
+/// Reference damper.
 pub(super) struct Against {
-    /// The model as the reference damper has it.
+    /// Structure of the model fitted to the reference damper.
     pub structure: Structure,
-    /// Tests that the reference campaign does not have.
+    /// Names of tests without a counterpart in the reference campaign.
     pub missing: Vec<String>,
-    /// Tests that it has at another speed or stroke alone.
+    /// Names of tests whose counterpart has another speed or stroke.
     pub shifted: Vec<String>,
 }
 
-/// Whether a model has dry friction of any kind.
+/// Returns whether a model has any kind of dry friction.
 fn has_friction(params: &Params) -> bool {
     let kinds = [element!("presliding_friction"), element!("coulomb_friction"), element!("stribeck_friction")];
     kinds.iter().any(|friction| params.is_on(*friction))
 }
 
-/// The structure with the step of its curve at rest read as friction, where it has no friction and the records leave the split open.
+/// Returns the structure with the step of its curve at rest converted to friction. This requires that it has no friction and that the
+/// records allow both.
 fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure>) -> Structure {
-    /// Mean square residual, relative to that without friction, up to which the records do not contradict it.
+    /// Largest mean square residual, relative to that without friction, that does not contradict the friction.
     const OPEN: f64 = 1.05;
     let params = structure.hypothesis.params(&structure.refit.theta);
     if has_friction(&params) {
@@ -68,7 +69,7 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
 }
 
 impl Prepared {
-    /// Fits the model to the reference, takes the form error that both dampers share out of the tests, and keeps the reference's numbers.
+    /// Fits the model to the reference, corrects the tests by the form error that both dampers share, and keeps the reference's numbers.
     pub fn against(
         &mut self,
         records: &[&Record],
@@ -82,7 +83,7 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // The given model, and what a plain model would be: a reference without friction in its model could not say that friction changed.
+        // Fit the given model and a plain model. A reference without friction in its model could not show that friction changed.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
             (hypothesis.with_priors(&options.priors), components)
@@ -101,7 +102,7 @@ impl Prepared {
             .max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
             .ok_or(DiagnosisError::NotFinite)?;
         let structure = with_friction(structure, |params| fit(start(params)));
-        // By the integration of the refits: its error is the same on both dampers.
+        // Use the integration of the refits, whose error is equal on both dampers.
         let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;
         let (mut missing, mut shifted) = (Vec::new(), Vec::new());
@@ -115,7 +116,7 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // Heat is counted by the index of the test.
+        // Heat is indexed by test.
         self.heating = Arc::new(self.heating.of_tests(&self.fitted));
         Ok(Against { structure, missing, shifted })
     }

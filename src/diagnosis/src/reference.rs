@@ -1,5 +1,5 @@
-//! Against a reference: the same tests on a good damper. What the model leaves of them is the error of its form, which both dampers
-//! share; taken out of the comparison, what remains is what changed.
+//! Correction by a reference: the same tests on a good damper.
+//! The residual of the model on these tests is its form error, which both dampers share. After the correction only the changes remain.
 
 use dashpot_core::Input;
 use dashpot_estimation::samples::Test;
@@ -7,12 +7,12 @@ use std::f64::consts::TAU;
 
 /// Largest relative difference of amplitude and frequency between two tests that count as one.
 ///
-/// The mean displacement may differ by the second fraction of the amplitude, the side force by the third value, N.
+/// `SAME_PLACE` is the largest difference of the mean displacement, relative to the amplitude. `SAME_SIDE` is that of the side force, N.
 const SAME: f64 = 0.05;
 const SAME_PLACE: f64 = 0.1;
 const SAME_SIDE: f64 = 25.0;
 
-/// What a test is run at.
+/// Operating point of a test.
 struct At {
     frequency: f64,
     amplitude: f64,
@@ -41,14 +41,14 @@ fn is_same(a: &At, b: &At) -> bool {
         && (a.side - b.side).abs() <= SAME_SIDE
 }
 
-/// Phase of a sample of a cycle, 0 to 2π: 0 where it passes the middle in rebound.
+/// Returns the phase of a sample in its cycle, 0 to 2π: 0 at the middle in rebound.
 fn phase(input: &Input, at: &At) -> f64 {
     let x = (input.displacement.unwrap_or(at.mean) - at.mean) / at.amplitude;
     let v = input.velocity / (TAU * at.frequency * at.amplitude);
     libm::atan2(x, v).rem_euclid(TAU)
 }
 
-/// What is left of one cycle over its phase.
+/// Residual of one cycle over its phase.
 struct Left {
     by_phase: Vec<(f64, f64)>,
 }
@@ -61,7 +61,7 @@ impl Left {
         Left { by_phase }
     }
 
-    /// Between the two samples around a phase, in proportion.
+    /// Interpolates linearly between the two samples around a phase.
     fn at(&self, phase: f64) -> f64 {
         let n = self.by_phase.len();
         let right = self.by_phase.partition_point(|p| p.0 <= phase);
@@ -72,20 +72,21 @@ impl Left {
     }
 }
 
-/// Tests whose forces are freed of the form error that the reference shows.
+/// Tests whose forces are corrected by the form error from the reference.
 pub struct Freed {
-    /// The tests.
+    /// Corrected tests.
     pub tests: Vec<Test>,
-    /// Names of those that are compared without a counterpart of like motion.
+    /// Names of tests that are compared without a counterpart of similar motion.
     pub missing: Vec<String>,
-    /// Names of those whose nearest counterpart has another speed or stroke.
+    /// Names of tests whose nearest counterpart has another speed or stroke.
     pub shifted: Vec<String>,
 }
 
-/// Logarithmic distance of two motions, in speed and amplitude, up to which their form errors are taken as alike: a factor of two in each.
+/// Largest logarithmic distance of two motions, in speed and amplitude, at which their form errors count as similar: a factor of two in
+/// each.
 const ALIKE: f64 = 0.98;
 
-/// Distance of two motions; `None` where one has no cycles or another mean displacement or side force.
+/// Returns the distance of two motions; `None` if one has no cycles, or if mean displacement or side force differ.
 fn distance(a: &At, b: &At) -> Option<f64> {
     let speed = |at: &At| at.amplitude * at.frequency;
     let is_comparable = a.frequency > 0.0
@@ -95,9 +96,10 @@ fn distance(a: &At, b: &At) -> Option<f64> {
     is_comparable.then(|| libm::hypot(libm::log(speed(a) / speed(b)), libm::log(a.amplitude / b.amplitude)))
 }
 
-/// Takes what the model leaves of the same test on the reference out of each test, and adds its noise. Where the reference has no such
-/// test, the form error of the nearest motion is taken, scaled with the force, and counts as uncertain by half of itself; a test without a
-/// near one keeps its forces. `residual` is measured less computed force of every reference test, N.
+/// Corrects each test by the residual of the model on the same test of the reference, and adds the noise of this residual.
+///
+/// If the reference lacks the test, the form error of the nearest motion is used. It is scaled with the force, and half of it counts as
+/// uncertain. A test without a similar motion is not corrected. `residual` is measured minus computed force of every reference test, N.
 pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Vec<f64>]) -> Freed {
     let known: Vec<(At, Left, f64, f64)> = reference
         .iter()
@@ -129,7 +131,7 @@ pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Ve
                 }
             }
         }
-        // A test that the reference has several times is known better.
+        // Several repetitions of a test in the reference reduce its noise.
         let count = same.len() as f64;
         let noise = same.iter().map(|(_, _, noise, _)| noise * noise).sum::<f64>().sqrt() / count;
         let from = test.segment.from;

@@ -1,4 +1,4 @@
-//! A model refitted as a diagnosis does it, and the samples that it looks at: for whoever hides an effect at a stated severity.
+//! Refit of a model and samples as in a diagnosis, for programs that inject an effect of a stated severity.
 
 use dashpot_core::Params;
 use dashpot_estimation::hypothesis::Hypothesis;
@@ -8,8 +8,9 @@ use dashpot_estimation::samples;
 use dashpot_estimation::vocabulary::base_numbers;
 use dashpot_records::Record;
 
-/// A model refitted to noise-free records, and what it leaves of every sample in units of the noise stated for each record.
-/// `None` where the model gives no finite force.
+/// Refits a model to noise-free records. Returns it with the residual of every sample in units of the noise stated for each record.
+///
+/// Returns `None` if the model gives no finite force.
 pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(Params, Vec<f64>)> {
     let mut tests = samples::as_long_as_remembered(samples::tests(records), params);
     for test in &mut tests {
@@ -21,7 +22,7 @@ pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(
     Some((base.params(&found.theta), found.residual.as_slice().to_vec()))
 }
 
-/// The mean cycle's force of every record, by name, at the samples that a diagnosis looks at.
+/// Returns the mean cycle's force of every record, by name, at the samples that a diagnosis uses.
 pub fn mean_cycles(records: &[&Record]) -> Vec<(String, Vec<f64>)> {
     samples::tests(records).iter().map(|t| (t.segment.name.clone(), t.forces().to_vec())).collect()
 }

@@ -1,5 +1,4 @@
-//! Where model and records disagree: the cells of direction, speed and acceleration in which the residual stands out of
-//! the noise, in words and figures.
+//! Regions where model and records disagree: combinations of direction, speed and acceleration in which the residual exceeds the noise.
 
 use super::outcome::Region;
 use super::phrases;
@@ -9,11 +8,11 @@ use dashpot_records::sentence::Sentence;
 
 /// Bounds of the speed bands, m/s.
 const SPEEDS: [f64; 7] = [0.0, 0.05, 0.15, 0.3, 0.6, 1.2, f64::INFINITY];
-/// Most regions told.
+/// Largest number of reported regions.
 const TOLD: usize = 12;
-/// How far above the noise a region must stand.
+/// Smallest ratio of the residual to the noise of a reported region.
 const STANDS_OUT: f64 = 1.5;
-/// Fewest samples of a region.
+/// Smallest number of samples of a region.
 const FEWEST: usize = 5;
 
 struct Cell {
@@ -22,7 +21,7 @@ struct Cell {
     rising: bool,
 }
 
-/// Finds the regions; `residual` is measured less computed force of every scored sample, N.
+/// Finds the regions. `residual` is measured minus computed force of every scored sample, N.
 pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
     let mut all = Vec::new();
     for (which, name) in std::iter::once((None, "all".to_owned()))
@@ -32,7 +31,7 @@ pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
             for band in 0..SPEEDS.len() - 1 {
                 let mut halves = [true, false]
                     .map(|rising| region(tests, residual, which, &name, &Cell { direction, band, rising }));
-                // Alike while speeding up and slowing down: one region.
+                // If the errors while speeding up and slowing down are similar, both form one region.
                 if let [Some(up), Some(down)] = &mut halves
                     && (up.mean_n - down.mean_n).abs() < 0.5 * up.mean_n.abs().max(down.mean_n.abs())
                 {
@@ -44,7 +43,7 @@ pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
         }
     }
     all.retain(|r| r.rmse_n > STANDS_OUT * r.noise_n);
-    // What holds for all tests comes first, then single tests, each by how far it stands out.
+    // Regions of all tests come first, then those of single tests, each in the order of the ratio to the noise.
     let weight = |r: &Region| (r.rmse_n / r.noise_n.max(1e-9)) * if r.test == "all" { 10.0 } else { 1.0 };
     all.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     all.truncate(TOLD);

@@ -1,4 +1,4 @@
-//! Effects that got no name but explain a part of the disagreement: beside the names, and in the place of one.
+//! Unnamed effects that explain a part of the disagreement, in addition to the named ones or instead of one.
 
 use super::outcome::Rival;
 use super::wording::percent;
@@ -8,24 +8,24 @@ use dashpot_estimation::structure::search::{StructureSearch, Visited};
 use dashpot_records::Sentence;
 use std::collections::BTreeMap;
 
-/// Most rivals and suspects that are listed.
+/// Largest number of rivals and suspects that are listed.
 pub(super) const LISTED: usize = 4;
-/// Probability below which an effect is no suspect.
+/// Smallest probability of a suspect.
 const SUSPECT: f64 = 0.03;
-/// Fraction of the disagreement that a suspect explains at least.
+/// Smallest fraction of the disagreement that a suspect explains.
 ///
-/// Without it, a model that leaves less than its allowed error was said to miss the friction that most dampers have.
+/// Without it, a model with a residual below its allowed error was reported to lack the friction that most dampers have.
 const EXPLAINING: f64 = 0.01;
 
-/// Fraction of what is beyond the noise that is explained: of mean squares in units of what noise and curves leave.
+/// Returns the explained fraction of the residual beyond the noise, from mean squares in units of noise and curve error.
 pub(super) fn explained(before: f64, after: f64) -> f64 {
     if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
 }
 
-/// What a search says of the effects that are not in its best structure.
+/// Results of a search about effects that are not in its best structure.
 pub(super) struct Open<'a> {
     pub search: &'a StructureSearch,
-    /// The given model, or the reference's, refitted.
+    /// The given model, or the one fitted to the reference, refitted.
     pub start: &'a Structure,
     /// The most probable structure, refitted.
     pub best: &'a Structure,
@@ -33,7 +33,7 @@ pub(super) struct Open<'a> {
 }
 
 impl Open<'_> {
-    /// Suspects: effects that are not in the best structure, most probable first.
+    /// Returns the suspects: effects that are not in the best structure, most probable first.
     pub fn suspects(&self) -> Vec<Rival> {
         let before = self.best.evidence.mean();
         let mut all: Vec<Rival> = Vec::new();
@@ -43,7 +43,7 @@ impl Open<'_> {
                 all.push(self.rival(effect, explained(before, trial.structure.evidence.mean())));
             }
         }
-        // Rivals of a swap are in the table alone.
+        // Rivals of an exchange appear only in the table.
         for (effect, row) in self.best_rows(None) {
             if all.iter().all(|r| r.effect != effect) {
                 all.push(self.rival(effect, explained(self.start.evidence.mean(), row.mean_square)));
@@ -55,7 +55,7 @@ impl Open<'_> {
         all
     }
 
-    /// Effects that explain the records in the place of a named one, most probable first, each in its most probable structure.
+    /// Returns effects that explain the records instead of a named one, most probable first, each in its most probable structure.
     pub fn rivals(&self, named: &str) -> Vec<Rival> {
         let mut rows: Vec<(&'static str, &Visited)> = self.best_rows(Some(named)).into_iter().collect();
         rows.sort_by(|(a, one), (b, other)| other.log_posterior.total_cmp(&one.log_posterior).then(a.cmp(b)));
@@ -64,12 +64,12 @@ impl Open<'_> {
         all.filter(is_listed).take(LISTED).collect()
     }
 
-    /// Whether an effect might be missing: it has a card and is not in the best structure.
+    /// Returns whether an effect might be missing: it has a description and is not in the best structure.
     fn is_open(&self, effect: &str) -> bool {
         self.best.components.iter().all(|c| c.effect != effect) && effects::card(effect).is_some()
     }
 
-    /// The most probable structure of the table with each effect that is open, of those without another effect.
+    /// Returns, for each open effect, the most probable structure of the table that has it and lacks `without`.
     fn best_rows(&self, without: Option<&str>) -> BTreeMap<&'static str, &Visited> {
         let mut best: BTreeMap<&'static str, &Visited> = BTreeMap::new();
         for (key, row) in self.search.table.iter().filter(|(key, _)| key.iter().all(|form| Some(form.0) != without)) {
@@ -90,7 +90,7 @@ impl Open<'_> {
     }
 }
 
-/// What explains nothing is probable because most dampers have it, and misses in none of these tests.
+/// Returns whether a rival is listed. An effect that explains nothing may be probable only because most dampers have it.
 fn is_listed(rival: &Rival) -> bool {
     rival.confidence >= SUSPECT && rival.fraction >= EXPLAINING
 }

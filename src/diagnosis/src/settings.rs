@@ -1,4 +1,4 @@
-//! One damper diagnosed at several settings: the records of each, what all of them show, and what only some do.
+//! Diagnosis of one damper at several settings: the records of each, and effects at all or some settings.
 
 use crate::changes::Change;
 use crate::outcome::{Diagnosis, Finding, Verdict};
@@ -15,9 +15,9 @@ use serde::Serialize;
 pub struct SettingPart {
     /// Value of the setting.
     pub setting: f64,
-    /// The damper there.
+    /// Damper at this setting.
     pub params: Params,
-    /// Places of its records among all.
+    /// Indices of its records among all.
     pub places: Vec<usize>,
     /// Its records.
     pub records: Vec<Record>,
@@ -25,7 +25,7 @@ pub struct SettingPart {
     pub reference: Vec<Record>,
 }
 
-/// Records with the setting of each; `None` where it changes within the record, which belongs to no setting.
+/// Records with the setting of each. `None` marks a record whose setting changes, which belongs to no single setting.
 #[derive(Debug, Clone, Copy)]
 pub struct WithSettings<'a> {
     /// The records.
@@ -34,7 +34,7 @@ pub struct WithSettings<'a> {
     pub settings: &'a [Option<f64>],
 }
 
-/// The records of each setting with the damper there, lowest setting first.
+/// Splits records by their setting, with the damper at each, lowest setting first.
 ///
 /// # Errors
 /// The first setting at which a reference has no record.
@@ -72,7 +72,7 @@ pub fn split_by_setting(
     distinct.into_iter().map(part).collect()
 }
 
-/// The setting of a damper, as figures name it.
+/// Setting of a damper in the figures.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct AxisFigures<'a> {
     name: &'a str,
@@ -80,17 +80,17 @@ struct AxisFigures<'a> {
     grid: &'a [f64],
 }
 
-/// The diagnosis at one setting; `D` has the keys of an ordinary one.
+/// Diagnosis at one setting. `D` has the keys of an ordinary diagnosis.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingFigures<D> {
     /// Value of the setting.
     pub setting: f64,
-    /// What was found there.
+    /// Diagnosis there.
     #[serde(flatten)]
     pub diagnosis: D,
 }
 
-/// The figures of a diagnosis at several settings, as the command writes them and Python reads them.
+/// Figures of a diagnosis at several settings, as the command writes them and Python reads them.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingsFigures<'a, D> {
     setting: AxisFigures<'a>,
@@ -103,7 +103,7 @@ pub struct SettingsFigures<'a, D> {
 }
 
 impl<'a, D> SettingsFigures<'a, D> {
-    /// Figures over the settings of an axis. `as_the_fit_saw` is what was taken out of the records.
+    /// Collects the figures over the settings of an axis. `as_the_fit_saw` reports the correction of the records.
     pub fn new(
         axis: &'a Axis,
         over: &'a OverSettings,
@@ -125,13 +125,13 @@ impl<'a, D> SettingsFigures<'a, D> {
 pub struct EffectAtSetting {
     /// Value of the setting.
     pub setting: f64,
-    /// Probability that the damper has it there: of the name where it was found, else of the effect of the model.
+    /// Probability that the damper has the effect there: of the name if it was found, otherwise of the model's effect.
     pub probability: f64,
-    /// Force that it carries there, N rms.
+    /// Force of the effect there, N rms.
     pub force_n_rms: f64,
-    /// What became of it there.
+    /// Status of the effect there.
     pub status: Status,
-    /// The effect of the model that it stands instead of there.
+    /// Effect of the model that it replaces there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replaces: Option<&'static str>,
 }
@@ -139,13 +139,13 @@ pub struct EffectAtSetting {
 /// An effect over all settings.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EffectOverSettings {
-    /// Its name.
+    /// Name of the effect.
     pub effect: &'static str,
-    /// Whether the damper shows it at every setting that was diagnosed.
+    /// Whether the damper shows the effect at every diagnosed setting.
     pub at_all_settings: bool,
-    /// Whether it was missing in the model at any of them.
+    /// Whether the model lacked the effect at any of the settings.
     pub is_found: bool,
-    /// Every setting at which the model has it, had it, or lacked it.
+    /// Settings at which the model has, had or lacked the effect.
     pub settings: Vec<EffectAtSetting>,
 }
 
@@ -154,7 +154,7 @@ pub struct EffectOverSettings {
 pub struct ChangeAtSetting {
     /// Value of the setting.
     pub setting: f64,
-    /// What changed there.
+    /// Change at this setting.
     #[serde(flatten)]
     pub change: Change,
 }
@@ -164,25 +164,25 @@ pub struct ChangeAtSetting {
 pub struct ChangeOverSettings {
     /// A parameter of the model, or a part of its FV curve.
     pub name: &'static str,
-    /// Whether it changed at every setting that was diagnosed.
+    /// Whether it changed at every diagnosed setting.
     pub at_all_settings: bool,
     /// Every setting at which it changed.
     pub settings: Vec<ChangeAtSetting>,
 }
 
-/// What the diagnoses of one damper at several settings say together.
+/// Combined results of the diagnoses of one damper at several settings.
 #[derive(Debug, Clone, Serialize)]
 pub struct OverSettings {
-    /// The answer in sentences: an effect or a change of all settings is named once.
+    /// Summary in sentences. An effect or a change of all settings is named once.
     pub summary: Vec<Sentence>,
-    /// Every effect: those of all settings first, then by force.
+    /// Every effect: first those at all settings, then by force.
     pub effects: Vec<EffectOverSettings>,
-    /// Against a reference: every change, in the same order.
+    /// Every change against a reference, in the same order.
     pub changes: Vec<ChangeOverSettings>,
 }
 
 impl OverSettings {
-    /// Of the answers at the settings; against a reference where `is_against` says so.
+    /// Combines the diagnoses at the settings. `is_against` states whether there is a reference.
     pub fn new(answers: &[(f64, &Diagnosis)], unit: &str, is_against: bool) -> OverSettings {
         let (effects, changes) = (effects_over_settings(answers), changes_over_settings(answers));
         let has_no_name = |found: &Diagnosis| matches!(found.verdict, Verdict::Ambiguous | Verdict::UnknownEffect);
@@ -193,12 +193,12 @@ impl OverSettings {
     }
 }
 
-/// Whether the most probable damper has an effect of this status.
+/// Returns whether the most probable damper has an effect of this status.
 pub fn is_shown(status: Status) -> bool {
     matches!(status, Status::Kept | Status::Added)
 }
 
-/// Every change of the diagnoses of one damper at several settings: those at all of them first, then by force.
+/// Collects the changes of one damper at several settings: first those at all settings, then by force.
 fn changes_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<ChangeOverSettings> {
     let mut all: Vec<ChangeOverSettings> = Vec::new();
     for (setting, found) in answers {
@@ -221,7 +221,7 @@ fn changes_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<ChangeOverSetting
     all
 }
 
-/// Every effect of the diagnoses of one damper at several settings: those at all of them first, then by force.
+/// Collects the effects of one damper at several settings: first those at all settings, then by force.
 fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSettings> {
     let mut all: Vec<EffectOverSettings> = Vec::new();
     let mut add = |effect: &'static str, at: EffectAtSetting| match all.iter_mut().find(|of| of.effect == effect) {
@@ -235,7 +235,7 @@ fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSetting
         for item in &found.inventory {
             add(item.effect, at_setting(*setting, item, named(item.effect)));
         }
-        // What is of the rig carries no force of the damper and stands in no inventory.
+        // Effects of the rig have no force of the damper, and appear in no inventory.
         let is_listed = |effect: &str| found.inventory.iter().any(|item| item.effect == effect);
         for finding in found.findings.iter().filter(|finding| !is_listed(finding.effect)) {
             add(finding.effect, of_finding(*setting, finding));
@@ -271,7 +271,7 @@ fn of_finding(setting: f64, finding: &Finding) -> EffectAtSetting {
     }
 }
 
-/// Probabilities in percent, from the least to the largest.
+/// Formats probabilities in percent, from the lowest to the highest.
 fn percents(probabilities: impl Iterator<Item = f64>) -> String {
     let percent = |probability: f64| (100.0 * probability).round();
     let (low, high) =
@@ -279,7 +279,7 @@ fn percents(probabilities: impl Iterator<Item = f64>) -> String {
     if low == high { format!("{low} %") } else { format!("{low}–{high} %") }
 }
 
-/// What was found at the settings, with those at which something is missing that has no name.
+/// Summarizes the findings at the settings, and the settings with an unnamed disagreement.
 fn summarize(
     effects: &[EffectOverSettings],
     changes: &[ChangeOverSettings],
@@ -300,7 +300,7 @@ fn summarize(
             continue;
         }
         let at = added.iter().map(|at| at.setting).collect();
-        // An exchange is no effect that was missing beside the others.
+        // An exchange is not reported as an additional missing effect.
         let mut replaced = added.iter().filter_map(|at| at.replaces);
         let first = replaced.next().filter(|first| replaced.all(|other| other == *first));
         let instead = first.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));
@@ -358,19 +358,19 @@ mod tests {
         assert_eq!(said.len(), 2, "{said:?}");
         assert!(said[0].contains("every setting") && said[0].contains("free_play (90–94 % sure)"), "{said:?}");
         assert!(said[1].contains("cavitation") && said[1].contains("at 1 A"), "{said:?}");
-        // An exchange is said as one.
+        // An exchange is reported as one finding.
         let mut exchanged = effect("series_compliance", &[(0.0, Status::Added), (1.0, Status::Added)]);
         exchanged.settings.iter_mut().for_each(|at| at.replaces = Some("oil_compressibility"));
         let said = summary(&[exchanged], &[], &[], false);
         assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
-        // What has no name is no "nothing".
+        // An unnamed disagreement is not reported as "nothing".
         let said = summary(&all[2..], &[], &[2.0], false);
         assert!(said.len() == 1 && said[0].starts_with("at 2 A something is missing"), "{said:?}");
         let said = summary(&all[2..], &[], &[0.0, 1.0, 2.0], false);
         assert!(said.len() == 1 && said[0].contains("at every setting") && said[0].contains("no name"), "{said:?}");
-        // Against a reference the headline is what changed.
+        // Against a reference the summary begins with the changes.
         let change = Change {
             name: "coulomb_force",
             reference: 20.0,

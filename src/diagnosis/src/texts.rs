@@ -1,10 +1,10 @@
-//! All that a diagnosis says, for those who translate it.
+//! All texts that a diagnosis reports, for translators.
 
 use super::effects::{CARDS, EFFECTS, meaning};
 use super::phrases::{FORMS, TEMPLATES};
 use dashpot_records::sentence::each_once;
 
-/// Every English text of a diagnosis, each once.
+/// Returns every English text of a diagnosis, each once.
 ///
 /// These are sentences with placeholders for their values, and the names of paths, families, effects and forms.
 pub fn texts() -> Vec<&'static str> {

@@ -1,19 +1,19 @@
-//! All probabilities: path, family, effect, form.
+//! Tree of all probabilities: path, family, effect, form.
 
 use super::effects::CARDS;
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use serde::Serialize;
 
-/// A branch: everything below it together has its probability.
+/// Branch of the tree, with the probability of everything below it.
 #[derive(Debug, Clone, Serialize)]
 pub struct Branch {
     /// Path, family, effect or form.
     pub name: String,
     /// `path`, `family`, `effect` or `form`.
     pub level: &'static str,
-    /// Probability that the damper has at least one of them.
+    /// Probability that the damper has at least one effect of the branch.
     pub probability: f64,
-    /// What it divides into, most probable first.
+    /// Subdivision, most probable first.
     pub branches: Vec<Branch>,
 }
 
@@ -22,7 +22,7 @@ fn sorted(mut branches: Vec<Branch>) -> Vec<Branch> {
     branches
 }
 
-/// The tree of a search.
+/// Returns the tree of a search.
 pub fn tree(search: &StructureSearch, at: Temperatures) -> Vec<Branch> {
     let distinct = |names: Vec<&'static str>| {
         let mut all: Vec<&'static str> = Vec::new();

@@ -1,4 +1,4 @@
-//! Effects that these records cannot show, and the test that would.
+//! Effects that these records cannot show, and the tests that would show them.
 
 use super::effects::{CARDS, remedy};
 use super::outcome::CouldNotTest;
@@ -7,10 +7,10 @@ use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
 use dashpot_records::sentence::Sentence;
 
-/// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.
+/// Smallest remaining response of an effect, in σ² over all tests, that is visible at typical strength.
 const TRACE: f64 = 20.0;
 
-/// All that could not be tested: by channels and ranges, and by the trace that a typical strength would leave.
+/// Lists all effects that could not be tested: by channels and ranges, and by the response at a typical strength.
 pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {

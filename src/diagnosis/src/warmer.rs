@@ -7,16 +7,16 @@ use dashpot_records::{Record, Sentence};
 
 /// Smallest reported difference of the mean temperatures of a test, K.
 ///
-/// Gas force differs by 3 % then, as much as valves of one series do.
+/// At this difference the gas force differs by 3 %, as much as valves of one series.
 const WARMER: f64 = 8.0;
 
-/// How warm a record was in the mean, °C, where it says so.
+/// Returns the mean temperature of a record, °C, if recorded.
 fn mean_temperature(record: &Record) -> Option<f64> {
     let known: Vec<f64> = record.temperature.as_ref()?.iter().copied().filter(|t| t.is_finite()).collect();
     (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
 }
 
-/// That tests of a damper were warmer or colder than those of the same name on the reference.
+/// Reports that tests of a damper were warmer or colder than those of the same name on the reference.
 pub(super) fn warmer(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let pair = |record: &Record| {
         let there = reference.iter().find(|other| other.name == record.name)?;

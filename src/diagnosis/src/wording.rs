@@ -1,14 +1,14 @@
-//! Figures as an answer writes them.
+//! Formatting of figures in reports.
 
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 
-/// A fraction in percent.
+/// Formats a fraction in percent.
 pub fn percent(x: f64) -> String {
     format!("{:.0} %", 100.0 * x)
 }
 
-/// A free number in its physical unit.
+/// Converts a free number to its physical unit.
 pub fn physical(free: &Free, value: f64) -> f64 {
     match free {
         Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => libm::exp(value),

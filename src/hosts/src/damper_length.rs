@@ -1,23 +1,23 @@
-//! The length of a damper as users give it.
+//! Parsing of the length of a damper.
 //!
-//! Adams counts it in mm and CarMaker in m, so a number may bear its unit, and one that no damper has is taken for
-//! one in the other unit and refused.
+//! Adams uses mm and CarMaker m, so a number may carry its unit. A length that no damper has was probably meant in the other unit, and is
+//! rejected.
 
 use crate::fmu::LONGEST;
 
-/// Shortest damper, m: a model car's has 50 mm, with room.
+/// Shortest damper, m: a model car's has 50 mm, and this allows a margin.
 const SHORTEST: f64 = 0.03;
 
-/// A number with a length's unit behind it, or without one.
+/// Splits a text into a number and an optional unit of length.
 pub fn parts(text: &str) -> (&str, Option<&'static str>) {
     let given = ["mm", "m"].into_iter().find_map(|unit| Some((text.strip_suffix(unit)?.trim_end(), Some(unit))));
     given.unwrap_or((text, None))
 }
 
-/// A length in a model's own unit, which has a name and so many metres; the number alone is one.
+/// Parses a length in a model's own unit, given by name and size in meters. A number without a unit is in this unit.
 ///
 /// # Errors
-/// What is no length of a damper.
+/// A text that is not the length of a damper.
 pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
     let (number, given) = parts(text);
     let Ok(value) = number.parse::<f64>() else {
@@ -36,7 +36,7 @@ pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
             0.4125 / metres
         ));
     }
-    // From the number itself where that is in the model's unit: 412.3 stays 412.3.
+    // Use the number itself if it is in the model's unit: 412.3 stays 412.3.
     Ok(match given {
         None => value,
         Some("mm") if metres == 1e-3 => value,
@@ -45,23 +45,23 @@ pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
     })
 }
 
-/// A length in mm; the number alone is one.
+/// Parses a length in mm. A number without a unit is in mm.
 ///
 /// # Errors
-/// What is no length of a damper.
+/// A text that is not the length of a damper.
 pub fn in_millimetres(text: &str) -> Result<f64, String> {
     read(text, "mm")
 }
 
-/// A length in m; the number alone is one.
+/// Parses a length in m. A number without a unit is in m.
 ///
 /// # Errors
-/// What is no length of a damper.
+/// A text that is not the length of a damper.
 pub fn in_metres(text: &str) -> Result<f64, String> {
     read(text, "m")
 }
 
-/// A length in `unit`, which a number alone is in.
+/// Parses a length in `unit`. A number without a unit is in this unit.
 fn read(text: &str, unit: &str) -> Result<f64, String> {
     let (number, given) = parts(text);
     let given = given.unwrap_or(unit);
@@ -78,7 +78,7 @@ fn read(text: &str, unit: &str) -> Result<f64, String> {
             "no damper is {value} {given} long (they have {SHORTEST} to {LONGEST} m); a number alone is in {unit}, so give such as {example}"
         ));
     }
-    // From the number itself, not by way of m and back: 412.3 stays 412.3.
+    // Use the number itself, without conversion to m and back: 412.3 stays 412.3.
     Ok(match (given, unit) {
         ("m", "mm") => value * 1e3,
         ("mm", "m") => value / 1e3,

@@ -1,4 +1,4 @@
-//! What the command and the window hand out alike: names, remarks and files around a model on its way to a host.
+//! Names, remarks and files for exports, shared by the command and the graphical user interface.
 
 use crate::adams::akima::Difference;
 use crate::adams::folder::{self, SineTest};
@@ -11,19 +11,19 @@ use dashpot_core::{element, number};
 use dashpot_identification::model_file::ModelFile;
 use std::path::{Path, PathBuf};
 
-/// What an FMU is called by the name of its model file.
+/// Returns the name of an FMU from the name of its model file.
 pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
     let stem = model_file.file_stem().map_or_else(|| "damper".into(), |stem| stem.to_string_lossy().into_owned());
     if four_corners { format!("dashpot vehicle, four dampers ({stem})") } else { format!("dashpot {stem}") }
 }
 
-/// The static library that an FMU can be compiled from.
+/// Returns the path of the static library from which an FMU can be compiled.
 ///
-/// Beside the program, where cargo puts it, or in `lib` beside the program's folder, where the packages have it.
-/// Where it is in neither, the first, which is then no file.
+/// It lies next to the program, where cargo puts it, or in `lib` next to the program's folder, where the packages have it. If it is at
+/// neither place, the first path is returned, although no such file exists.
 ///
 /// # Errors
-/// Where the program's own place is not known.
+/// An unknown path of the program.
 pub fn static_library() -> anyhow::Result<PathBuf> {
     Ok(static_library_of(&std::env::current_exe()?))
 }
@@ -34,13 +34,13 @@ fn static_library_of(program: &Path) -> PathBuf {
     of_package.filter(|library| library.is_file() && !beside.is_file()).unwrap_or(beside)
 }
 
-/// The routine that every model of `export adams` and `export adm` calls.
+/// Routine that every model of `export adams` and `export adm` calls.
 const ROUTINE: &[u8] = b"Dashpot_sfosub";
 
-/// What kind of library for Adams it is, by the name that it gets in a run folder.
+/// Returns the name of a library for Adams in a run folder, which depends on its platform.
 ///
 /// # Errors
-/// Where it does not hold the routines.
+/// A library that does not contain the routines.
 pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
     if !content.windows(ROUTINE.len()).any(|part| part == ROUTINE) {
         bail!(
@@ -48,31 +48,31 @@ pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
             String::from_utf8_lossy(ROUTINE)
         );
     }
-    // A library for Windows keeps its name on Linux too.
+    // A library for Windows keeps its name on Linux.
     Ok(if content.starts_with(b"MZ") { "dashpot_adams.dll" } else { "dashpot_adams.so" })
 }
 
-/// A property file ready to be written.
+/// Property file to be written.
 pub struct PropertyFile {
-    /// Its text.
+    /// Text of the file.
     pub text: String,
-    /// Points of its curve.
+    /// Number of points of its curve.
     pub points: usize,
-    /// Elements of the model that it has no place for.
+    /// Elements of the model that the file cannot represent.
     pub left_out: Vec<&'static str>,
-    /// What stands in it beside the curve, and must be known.
+    /// Remarks about the content besides the curve.
     pub remarks: Vec<String>,
 }
 
-/// The property file of a model by the name of the file to write.
+/// Makes the property file of a model. The name of the file to write selects the format.
 ///
-/// `own` asks for the model's own curve where the file has a plain one too.
+/// With `own` it contains the model's own curve even if the file has a plain one.
 ///
-/// `named` is what the model is called (left out where it is no ASCII, which these files are), `text` the model file; `chatters` says of
-/// the curve alone, which is all that the file holds, whether it chatters.
+/// `named` is the name of the model, which is omitted if it is not ASCII, as these files require. `text` is the model file. `chatters`
+/// reports whether the curve alone, which is all that the file contains, chatters.
 ///
 /// # Errors
-/// Where the model has no curve.
+/// A model without a curve.
 pub fn property_file(
     file: &ModelFile,
     own: bool,
@@ -97,7 +97,7 @@ pub fn property_file(
     remarks.push(followed(own_points, curve.velocities.len() - own_points, &left));
     let mut alone = plain.params;
     alone.enable(element!("gas_preload"), false);
-    // Adams Car takes the force with its slope; other programs read these files too.
+    // Adams Car uses the force with its derivative, but other programs read these files too.
     let held = "In a program that takes the force once a fixed step and holds it:";
     remarks.extend(chatters(&alone).into_iter().map(|chatter| format!("{held} {chatter}")));
     let named = if named.is_ascii() && !named.is_empty() { named } else { "a model file" };
@@ -115,7 +115,7 @@ pub fn property_file(
     Ok(PropertyFile { text, points, left_out, remarks })
 }
 
-/// What Adams makes of the points of a property file.
+/// Describes how Adams interpolates the points of a property file.
 fn followed(own: usize, added: usize, left: &Difference) -> String {
     let reads = "Adams Car joins the points by Akima's method (AKISPL), the model by its own.";
     let now = format!("The two curves differ by {}.", left.describe());
@@ -130,13 +130,13 @@ fn followed(own: usize, added: usize, left: &Difference) -> String {
     }
 }
 
-/// The library for Adams on this platform.
+/// Name of the library for Adams on this platform.
 const ADAMS: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
 
-/// Names and contents of the libraries for Adams: the one named, those that this program holds, or the one beside it.
+/// Returns names and contents of the libraries for Adams: the given one, the embedded ones, or the one next to the program.
 ///
 /// # Errors
-/// Where it cannot be read, or does not hold the routines.
+/// A library that cannot be read, or does not contain the routines.
 pub fn adams_libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
     let read = |path: &Path| std::fs::read(path).with_context(|| format!("cannot read {}", path.display()));
     if let Some(path) = named {
@@ -155,7 +155,7 @@ pub fn adams_libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<
     Ok(beside.map(|path| read(&path)).transpose()?.map(|content| (ADAMS.to_owned(), content)).into_iter().collect())
 }
 
-/// How to come by a library for Adams.
+/// Describes how to obtain a library for Adams.
 pub fn no_adams_library() -> String {
     format!(
         "This program holds no Adams library and there is no {ADAMS} beside it: {}; or `make -C adams-usersub` and --library FILE.",
@@ -163,11 +163,11 @@ pub fn no_adams_library() -> String {
     )
 }
 
-/// A run folder of Adams ready to be written.
+/// Run folder for Adams to be written.
 pub struct RunFolder {
-    /// Names and contents of its files.
+    /// Names and contents of the files.
     pub files: Vec<(String, Vec<u8>)>,
-    /// Why there is no native.adm, where there is none.
+    /// Reason for a missing native.adm.
     pub no_native: Option<String>,
     has_library: bool,
     replaced: Vec<String>,
@@ -175,7 +175,7 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// What is to be known of it, written into `folder`.
+    /// Returns remarks about the folder, if it is written to `folder`.
     pub fn notes(&self, folder: &Path) -> Vec<String> {
         let mut notes = Vec::new();
         if let Some(reason) = &self.no_native {
@@ -192,14 +192,14 @@ impl RunFolder {
         notes
     }
 
-    /// What is to be known of it by who couples Adams to a program of fixed steps. Adams itself solves for the force with its slopes.
+    /// Returns remarks for users who couple Adams to a program with fixed steps. Adams itself solves for the force with its derivatives.
     pub fn if_coupled(&self) -> impl Iterator<Item = String> {
         let coupled = "if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned)";
         self.chatters.iter().map(move |note| format!("{coupled}: {note}"))
     }
 }
 
-/// What a run folder is made from.
+/// Input for a run folder.
 pub struct RunFolderInput<'a> {
     /// The parameters.
     pub params: &'a Params,
@@ -207,15 +207,15 @@ pub struct RunFolderInput<'a> {
     pub model: &'a Model,
     /// The text of the model file.
     pub text: &'a [u8],
-    /// Distance of the markers at zero displacement, mm.
+    /// Distance between the markers at zero displacement, mm.
     pub length: f64,
     /// The tests that the rig of the folder runs.
     pub tests: &'a [SineTest],
     /// The libraries with their names.
     pub libraries: Vec<(String, Vec<u8>)>,
-    /// Elements that were replaced in the model, in sentences: README.txt begins with them.
+    /// Elements that were replaced in the model, as sentences at the beginning of README.txt.
     pub replaced: Vec<String>,
-    /// How the model chatters in a program of fixed steps: README.txt ends with it, for Adams has no such steps.
+    /// Chatter of the model in a program with fixed steps, as sentences at the end of README.txt. Adams itself has no such steps.
     pub chatters: Vec<String>,
 }
 

@@ -1,6 +1,6 @@
-//! What a damper becomes for a host: Adams files and an FMU, written from a model file.
+//! Export of a damper for hosts: Adams files and an FMU, made from a model file.
 //!
-//! The C code that these files compile with or hold lies in `adams-usersub/` and `vi-crt-bridge/`.
+//! The C code with which these files are compiled, or which they contain, is in `adams-usersub/` and `vi-crt-bridge/`.
 
 pub mod adams;
 pub mod damper_length;

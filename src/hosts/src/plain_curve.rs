@@ -1,7 +1,7 @@
-//! The curve for a host that gets nothing but a curve: a property file, the damper that CarMaker's equilibrium is looked for with.
+//! FV curve for hosts that use only a curve: a property file, and the damper with which CarMaker computes its equilibrium.
 //!
-//! The model's own curve is that of its valves; friction stands beside it. Alone it misses most of the force at low velocity, so a host that
-//! cannot run the rest gets the plain FV curve that a fit leaves in the model file, the best that a curve can do on the same tests.
+//! The model's own curve is that of its valves, and friction is separate. Alone it lacks most of the force at low velocity. So a host that
+//! uses only a curve gets the plain FV curve of the fit in the model file. No other curve is closer on the same tests.
 
 use crate::adams::akima::{self, Difference};
 use crate::adams::property::Curve;
@@ -11,34 +11,34 @@ use dashpot_core::parameter::Element;
 use dashpot_core::{Params, element};
 use dashpot_identification::model_file::{FvOnly, ModelFile, prepared};
 
-/// Whose curve it is.
+/// Origin of the curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
-    /// The plain one that was fitted to the same tests.
+    /// The plain curve fitted to the same tests.
     Fitted,
-    /// The model's own: it was asked for.
+    /// The model's own curve, as requested.
     Asked,
-    /// The model's own: the file has no other.
+    /// The model's own curve, because the file has no other.
     Only,
-    /// The model's own: the file was changed after its fit, so that the plain curve is one of another damper.
+    /// The model's own curve, because the file was changed after its fit, so the plain curve belongs to another damper.
     Changed,
 }
 
-/// A curve, with a gas force where there is one.
+/// A curve, with a gas force if there is one.
 pub struct PlainCurve {
-    /// The damper of `fv_curve` and, where there is some, `gas_preload`.
+    /// Damper with `fv_curve` and, if present, `gas_preload`.
     pub params: Params,
-    /// Whose it is.
+    /// Origin of the curve.
     pub source: Source,
     /// Elements of the model that its curve does not contain.
     pub omitted_elements: Vec<&'static str>,
 }
 
 impl PlainCurve {
-    /// That of a model file; `own` asks for the model's own. None where there is neither.
+    /// Returns the curve of a model file, or the model's own with `own`; `None` if there is neither.
     ///
     /// # Errors
-    /// Where the plain curve of the file is no curve.
+    /// A plain curve in the file that is not valid.
     pub fn from_model_file(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
         let on = Element::all().filter(|element| file.params.is_on(*element) && *element != element!("fv_curve"));
         let omitted_elements = on.map(Element::name).collect();
@@ -62,18 +62,19 @@ impl PlainCurve {
         Ok(Some(PlainCurve { params, source, omitted_elements }))
     }
 
-    /// Its points.
+    /// Returns the points of the curve.
     ///
     /// # Errors
-    /// Where they make no model.
+    /// Points that form no valid model.
     pub fn curve(&self) -> anyhow::Result<Curve> {
         Ok(Curve::from_model(&self.params, &prepared(&self.params)?))
     }
 
-    /// Points through which Akima's curve, which Adams makes of a property file, follows it; how many of them are its own, and what is left.
+    /// Returns points whose Akima curve follows this curve, as Adams interpolates a property file. Also returns the number of original
+    /// points and the remaining difference.
     ///
     /// # Errors
-    /// As [`PlainCurve::curve`].
+    /// The errors of [`PlainCurve::curve`].
     pub fn for_akima(&self) -> anyhow::Result<(Curve, usize, Difference)> {
         let model = prepared(&self.params)?;
         let own = Curve::from_model(&self.params, &model);
@@ -83,7 +84,7 @@ impl PlainCurve {
         Ok((curve, count, left))
     }
 
-    /// Whose curve it is, in a sentence.
+    /// Returns the origin of the curve as a sentence.
     pub fn note(&self) -> &'static str {
         match self.source {
             Source::Fitted => {
@@ -132,7 +133,7 @@ mod tests {
         for (text, own, source) in [
             (format!("{DAMPER}{FIT}"), true, Source::Asked),
             (DAMPER.to_owned(), false, Source::Only),
-            // Tuned by hand after the fit, whose tables the file keeps: a point of the curve, and an element.
+            // The damper was changed by hand after the fit, whose tables the file keeps: a point of the curve, and an element.
             (format!("{DAMPER}{FIT}").replace("1300.0]", "1500.0]"), false, Source::Changed),
             (
                 format!("{DAMPER}{FIT}").replace("\"stribeck_friction\"", "\"gas_preload\"").replace(
@@ -148,7 +149,7 @@ mod tests {
             assert_eq!(plain.curve().unwrap().velocities, plain.params.list(list!("fv_velocity")));
             assert!(plain.curve().unwrap().forces.len() == 3 && plain.note().contains("own fv_curve"));
         }
-        // Within its interval a number says nothing else of the damper.
+        // A change within its interval does not count.
         assert_eq!(of(&format!("{DAMPER}{FIT}").replace("1300.0]", "1305.0]"), false).source, Source::Fitted);
     }
 

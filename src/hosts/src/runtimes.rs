@@ -1,12 +1,12 @@
-//! What the command holds compiled for those who have no compiler; empty where it was built without (`vi-crt-bridge/runtimes.sh`).
+//! Compiled files in the command, for users without a compiler. Empty if it was built without them (`vi-crt-bridge/runtimes.sh`).
 
 include!(concat!(env!("OUT_DIR"), "/runtimes.rs"));
 
-/// How to get a command that holds them.
+/// Instructions to build a command that contains them.
 pub const HOW: &str =
     "build the command with it: `sh vi-crt-bridge/runtimes.sh`, then `cargo build --release -p dashpot-cli`";
 
-/// One file, by its platform's name in FMI 2.0.
+/// Returns one file, by its platform's name in FMI 2.0.
 pub fn compiled(platform: &str, file: &str) -> Option<&'static [u8]> {
     COMPILED.iter().find(|(p, f, _)| *p == platform && *f == file).map(|(_, _, content)| *content)
 }

@@ -1,7 +1,7 @@
-//! Records as the model's own fit saw them: without what it found the measurement to be off by.
+//! Correction of records by the measurement errors that the model's own fit found.
 //!
-//! What a rig does belongs to the campaign and not to the damper, so that it is in no model. A validation or diagnosis that looks at the same
-//! campaign again would meet it again, and take it for something that the model lacks.
+//! Measurement errors belong to the campaign and not to the damper, so no model contains them. A validation or diagnosis of the same
+//! campaign would meet them again, and would attribute them to the model.
 
 use super::model_file::Identification;
 use super::of_the_rig::{Measured, to_measurement_error};
@@ -10,19 +10,19 @@ use dashpot_records::measurement_correction::{MeasurementError, correct_record};
 use dashpot_records::{Note, Record, Sentence};
 use rayon::prelude::*;
 
-/// The kind of the note that says so.
+/// Kind of the note that reports this correction.
 pub const AS_THE_FIT_SAW: &str = "as_the_fit_saw";
 
 impl Identification {
-    /// What the fit found its records to be off by.
+    /// Returns the measurement errors that the fit found in its records.
     pub fn measured(&self) -> Vec<Measured> {
         self.measurement.iter().filter_map(|(name, numbers)| Measured::named(name, *numbers)).collect()
     }
 
-    /// Takes out of the records what the fit found them to be off by, in place, and says so.
+    /// Corrects the records, in place, by the measurement errors that the fit found. Returns a note.
     ///
-    /// Where one of the records is the fit's own they are all of its rig and campaign, those that the fit left out too. Where none is, they
-    /// stay as they are, and the note says what the fit found in its own.
+    /// If one of the records belongs to the fit, all records belong to its rig and campaign, including those that the fit left out. If none
+    /// does, the records stay unchanged, and the note reports the errors that the fit found in its own records.
     pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
         let measured = self.measured();
         let off = to_measurement_error(&measured);
@@ -41,11 +41,11 @@ impl Identification {
             return Some(Note { kind: AS_THE_FIT_SAW, text });
         }
         records.into_par_iter().for_each(|record| {
-            // Drifts count from the fit's own campaign, of which these records may be a part.
+            // Drifts count from the start of the fit's own campaign. These records may be a part of that campaign.
             if let (Some(from), Some(begins)) = (self.clock_from, record.begins) {
                 record.clock_s = begins - from;
             }
-            // What the user gave is out of them already.
+            // The records are already corrected by the errors that the user stated.
             *record = correct_record(record, &off.beyond(&record.stated_error));
         });
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);

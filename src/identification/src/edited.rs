@@ -1,4 +1,4 @@
-//! Which numbers of a model file were changed since its fit: those that lie outside the interval that the fit left for them.
+//! Detection of numbers that were changed since the fit: they lie outside the interval that the fit wrote.
 
 use crate::fit_tables::{Identification, Interval, IntervalOverSetting};
 use dashpot_core::Params;
@@ -6,12 +6,12 @@ use dashpot_core::family::Axis;
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::parameter::{self, Number, Row};
 
-/// An interval that says nothing.
+/// Interval without information.
 const NONE: [f64; 2] = [f64::NAN; 2];
 
-/// Takes out what the fit says of numbers that are not its own, and returns their names, as `not_identified` of a file has them.
+/// Removes the intervals and sources of changed numbers, and returns their names in the format of `not_identified`.
 ///
-/// A curve keeps the intervals of its other points. Whether a number that the fit left without interval was changed cannot be seen.
+/// A curve keeps the intervals of its other points. A change of a number without an interval cannot be detected.
 pub(crate) fn take_out(params: &Params, axis: &Axis, known: &mut Identification) -> Vec<String> {
     let mut edited = Vec::new();
     for row in parameter::table().filter(|row| row.element().is_none_or(|element| params.is_on(element))) {
@@ -42,7 +42,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
         Some(Interval::List(all)) if all.len() == values.len() => {
             edited.extend(blank(all, values).into_iter().map(|at| format!("{name}[{at}]")));
         }
-        // Another number of points: none of the fit's is left.
+        // The number of points changed: no interval of the fit remains.
         Some(Interval::List(_)) => {
             known.intervals.remove(name);
             edited.push(name.to_owned());
@@ -70,7 +70,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
         }
         _ => false,
     };
-    // Another grid or another number of points.
+    // The grid or the number of points changed.
     if is_over_setting && !is_whole {
         known.intervals_over_setting.remove(name);
         edited = vec![name.to_owned()];
@@ -81,7 +81,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
     edited
 }
 
-/// Blanks the intervals that do not hold their value; returns their places.
+/// Sets the intervals that do not contain their value to NaN. Returns their indices.
 fn blank(all: &mut [[f64; 2]], values: &[f64]) -> Vec<usize> {
     let mut places = Vec::new();
     for (at, (ends, value)) in all.iter_mut().zip(values).enumerate() {
@@ -93,7 +93,7 @@ fn blank(all: &mut [[f64; 2]], values: &[f64]) -> Vec<usize> {
     places
 }
 
-/// Whether a value lies within; an interval without ends says nothing, one of a fixed point has two that are alike.
+/// Returns whether an interval contains a value. An interval with NaN ends contains every value; that of a fixed point has two equal ends.
 fn holds(ends: &[f64; 2], value: f64) -> bool {
     let room = 1e-9 * value.abs();
     ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(&value)

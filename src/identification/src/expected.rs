@@ -1,4 +1,4 @@
-//! What is said of priors of one damper: which were used, and which its records contradict.
+//! Sentences about the priors of one damper: the priors used, and those that the records contradict.
 
 use crate::phrases;
 use crate::short::in_words;
@@ -6,7 +6,7 @@ use crate::{Estimate, Standing};
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
 use dashpot_records::Sentence;
 
-/// A sentence for each number of a model that has a prior of its own: what was expected, or that the records contradict it.
+/// Writes a sentence for each number with a prior of its own: its expectation, or the contradiction by the records.
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {
     let own = |estimate: &Estimate| {
         let row = priors.rows().iter().find(|row| row.number.name() == estimate.name)?;
@@ -15,14 +15,14 @@ pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentenc
     estimates.iter().filter_map(own).collect()
 }
 
-/// Whether the interval of the records and that of the prior do not meet.
+/// Returns whether the interval from the records and the interval of the prior are disjoint.
 pub(crate) fn is_contradiction(row: &DamperPrior, estimate: &Estimate) -> bool {
     let (low, high) = row.interval();
     let is_outside = |(from, to): (f64, f64)| to < low || from > high;
     estimate.standing == Standing::Identified && estimate.low.zip(estimate.high).is_some_and(is_outside)
 }
 
-/// What was expected.
+/// Formats the expected value of a number, with its interval and the facts behind it.
 pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
     let (low, high) = row.interval();
     Sentence::from(phrases::EXPECTED)
@@ -34,7 +34,7 @@ pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
         .with("facts", row.facts())
 }
 
-/// By how much the records contradict it.
+/// Formats the ratio of the identified value to the expected one.
 pub(crate) fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
     Sentence::from(phrases::CONTRADICTS)
         .with("name", row.number)

@@ -1,4 +1,4 @@
-//! The whole way from records to an identified model.
+//! Identification of a model from records, with all stages of the fit.
 
 use super::expected::describe_priors;
 use super::intervals::{Estimate, Standing, estimates};
@@ -37,13 +37,13 @@ use dashpot_records::measurement_correction::MeasurementError;
 use dashpot_records::sentence::{Sentence, Template};
 use std::sync::Arc;
 
-/// Which kind of model is fitted.
+/// Kind of model that is fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Family {
     /// The thesis's model.
     #[default]
     Thesis,
-    /// The plain FV curve with a constant gas force: what a vehicle model uses today.
+    /// The plain FV curve with a constant gas force, which vehicle models use today.
     Fv,
     /// Piecewise-linear FV curve with a constant gas force.
     Piecewise,
@@ -51,44 +51,44 @@ pub enum Family {
     Lag,
 }
 
-/// The element that makes the lag model.
+/// Element of the polynomial with lag.
 const LAG: Element = element!("lagged_polynomial");
 
-/// What a fit may do.
+/// Options of a fit.
 #[derive(Debug, Clone, Default)]
 pub struct FitOptions {
     /// Kind of model.
     pub family: Family,
-    /// Elements that may be used; all that dampers usually have where `None`.
+    /// Elements that the fit may use. With `None` it uses all that dampers typically have.
     pub elements: Option<Vec<String>>,
-    /// What is known of this damper beside its records.
+    /// Prior knowledge of this damper, in addition to its records.
     pub priors: PriorSet,
 }
 
 impl FitOptions {
-    /// Whether an element may be used.
+    /// Returns whether the fit may use an element.
     fn allows(&self, element: &str) -> bool {
         self.elements.as_ref().is_none_or(|names| names.iter().any(|name| name == element))
     }
 }
 
-/// Why there is no fit.
+/// Error of a fit.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 pub enum FitError {
-    /// Nothing to fit.
+    /// There is no test to fit.
     NoTests,
     /// An unknown element name.
     UnknownElement {
         /// The name given.
         name: String,
     },
-    /// An element that a fit never tries.
+    /// An element that no fit identifies.
     NotFitted {
         /// The name given.
         name: String,
     },
-    /// The lagged polynomial is a model of its own.
+    /// The lagged polynomial is a model of its own and allows no other element.
     OtherFamily,
     /// No velocity on one side.
     OneSided(&'static str),
@@ -102,7 +102,7 @@ pub enum FitError {
 }
 
 impl FitError {
-    /// What is wrong and what to do, to be said in any language.
+    /// Returns the error and its remedy as a sentence that can be translated.
     pub fn sentence(&self) -> Sentence {
         let quoted = |name: &str| format!("{name:?}");
         match self {
@@ -123,12 +123,12 @@ impl FitError {
     }
 }
 
-/// Where a fit is, for the progress line.
+/// Stage of a fit, for the progress line.
 #[derive(Debug, Clone, Copy)]
 pub struct Stage {
-    /// Share done, 0..1.
+    /// Fraction done, 0..1.
     pub done: f64,
-    /// What is being done.
+    /// Description of the stage.
     pub text: Template,
 }
 
@@ -137,37 +137,37 @@ pub struct Stage {
 pub struct Fit {
     /// The model's parameters.
     pub params: Params,
-    /// What is known of every fitted number.
+    /// Estimates of all fitted numbers.
     pub estimates: Vec<Estimate>,
-    /// Every effect of the model and the likeliest that are not in it, with force and probability.
+    /// Every effect of the model, and the most probable effects that the model lacks, with force and probability.
     pub inventory: Vec<InventoryItem>,
-    /// What the records are off by, taken out of the comparison and never part of the model.
+    /// Measurement errors of the records. The comparison corrects them; the model never contains them.
     pub measured: Vec<Measured>,
-    /// When the clock by which gain and zero drift was nought, s since 1970; where the records bear their date and time.
+    /// Time at which the drifts of gain and zero are zero, s since 1970. Present if the records have date and time.
     pub clock_from: Option<f64>,
-    /// What was known of the damper beside its records.
+    /// Prior knowledge of the damper, in addition to its records.
     pub priors: PriorSet,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
     /// Names of the tests used.
     pub tests: Vec<String>,
-    /// Their contents in short, in the same order.
+    /// Fingerprints of their contents, in the same order.
     pub fingerprints: Vec<String>,
-    /// The plain FV curve fitted to the same tests, to compare with.
+    /// Plain FV curve fitted to the same tests, for comparison.
     pub fv_only: Params,
-    /// Root mean square of the weighted residual: 1 is what noise and floor allow.
+    /// Root mean square of the weighted residual. At 1 the residual equals noise and form error.
     pub misfit: f64,
 }
 
 impl Fit {
-    /// Notes without those of numbers that were not identified, which the estimates state.
+    /// Returns the notes except those about unidentified numbers, which the estimates already state.
     pub fn further_notes(&self) -> impl Iterator<Item = &Sentence> {
         let repeats = [phrases::NOT_IDENTIFIED, phrases::HELD];
         self.notes.iter().filter(move |note| !repeats.contains(&note.template()))
     }
 }
 
-/// What comes out of the least-squares fits, before it is joined with what is known of the records.
+/// Results of the least-squares fits, before the names and fingerprints of the records are added.
 struct Found {
     params: Params,
     estimates: Vec<Estimate>,
@@ -178,7 +178,7 @@ struct Found {
 }
 
 impl Found {
-    /// Names a parameter that this data cannot determine, and whose element therefore stays off.
+    /// Records that this data cannot determine a parameter, and that its element therefore stays off.
     fn leave_out(&mut self, number: Number, why: Template) {
         self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_sentence("why", why));
         let (name, unit) = (number.name(), number.parameter().unit);
@@ -188,7 +188,7 @@ impl Found {
     }
 }
 
-/// The intervals over other structures, each with its weight beside this one.
+/// Mixes the intervals with those of alternative structures. Each alternative has a weight relative to 1 for this structure.
 fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
     let part = |weight: f64, e: &Estimate| Some(Part { weight, value: e.value, ends: [e.low?, e.high?] });
     for estimate in estimates {
@@ -204,7 +204,7 @@ fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
     }
 }
 
-/// Widens the intervals until they hold those of another fit of the same numbers, which the records do not rule out.
+/// Widens the intervals until they contain those of another fit of the same numbers that the records do not exclude.
 pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Item = &'e Estimate> + Clone) {
     for estimate in estimates {
         let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
@@ -215,15 +215,15 @@ pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Ite
     }
 }
 
-/// Prior scale of the delay of the force channel, s: a filter of 200 Hz makes 1 ms.
+/// Prior scale of the delay of the force channel, s: a filter of 200 Hz delays by 1 ms.
 ///
-/// The prior scale of the mass between load cell and damper, kg, is that of eye, clamp and joint of a car's damper.
+/// The prior scale of the mass between load cell and damper, kg, covers eye, clamp and joint of a car's damper.
 const USUAL_DELAY: f64 = 1e-3;
 const USUAL_MASS: f64 = 2.0;
 
 /// A hypothesis that frees a rejected delay and mass of the load cell within their priors.
 ///
-/// `None` where both are free or specified already.
+/// Returns `None` if delay and mass are both free or stated already.
 pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -> Option<Hypothesis> {
     let mut freed = of.clone();
     let scale = Scale::from_params(&freed.base).force();
@@ -232,7 +232,7 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -
         let free = Free::Rig(artefact);
         if freed.position(&free).is_none() {
             let (low, high) = artefact.bounds();
-            // The mean of a mass that is not negative is half its spread at most.
+            // The mean of a nonnegative mass is at most half its spread.
             let start = if artefact == Artefact::Mass { 0.1 * spread } else { 0.0 };
             freed.numbers.push(FreeNumber {
                 free,
@@ -246,9 +246,9 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -
     (freed.numbers.len() > of.numbers.len()).then_some(freed)
 }
 
-/// The estimates with a rejected delay and mass of the load cell free within their priors.
+/// Estimates the numbers again with a rejected delay and mass of the load cell free within their priors.
 ///
-/// A series path that is soft without them is stiff with them.
+/// A soft series path may become stiff once these errors are free.
 fn with_open_measurement(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Vec<Estimate> {
     let Some(freed) = with_free_measurement(&structure.hypothesis, given) else { return Vec::new() };
     let start = freed.start();
@@ -274,7 +274,7 @@ pub(crate) fn check_elements(options: &FitOptions) -> Result<(), FitError> {
     Ok(())
 }
 
-/// Checks that tests move in both directions and have finite forces.
+/// Checks that the tests move in both directions and have finite forces.
 pub(crate) fn check_motion(segments: &[Segment]) -> Result<(), FitError> {
     let any = |test: fn(f64) -> bool| segments.iter().any(|s| s.input.iter().any(|i| test(i.velocity)));
     if !any(|v| v > 0.0) {
@@ -350,7 +350,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     })
 }
 
-/// The FV curve with a gas force that fits tests best by itself.
+/// Fits an FV curve with a gas force, and nothing else, to tests.
 pub(crate) fn plain_curve(segments: &[Segment]) -> Params {
     fv_curve::fit(&observations(segments)).params()
 }
@@ -365,13 +365,13 @@ fn fv_unknowns(from: &Params) -> (Params, Vec<Unknown>) {
     (base, list)
 }
 
-/// What the records say beside motion and force.
+/// Information of the records beyond motion and force.
 pub(crate) struct About {
-    /// Whether their clocks run through the campaign.
+    /// Whether the clocks of the records run on through the campaign.
     clock_runs_on: bool,
-    /// What the user gave of the measurement.
+    /// Measurement errors that the user stated.
     pub(crate) given: MeasurementError,
-    /// Temperature in the middle of those that were measured, °C; nothing where none was, or where it hardly varies.
+    /// Middle of the measured temperatures, °C. `None` if none was measured or if they hardly vary.
     temperature: Option<f64>,
 }
 
@@ -382,7 +382,7 @@ impl About {
     }
 }
 
-/// Effects that a fit looks for: what dampers usually have, and what a rig usually adds. All others are found by a diagnosis.
+/// Effects that a fit tries: those typical of dampers and of rigs. A diagnosis finds all others.
 const USUAL: [&str; 15] = [
     "series_compliance",
     "gas_preload",
@@ -401,27 +401,27 @@ const USUAL: [&str; 15] = [
     "force_drift",
 ];
 
-/// The effect that a fit looks for where the dimensions of the oil column are known.
+/// Effect that a fit tries if the dimensions of the oil column are known.
 const OIL_COLUMN: &str = "oil_compressibility";
 
-/// Elements that a fit can identify.
+/// Returns the elements that a fit can identify.
 pub fn identified() -> Vec<Element> {
     let mut all = vec![element!("fv_curve"), element!("viscous_friction")];
     all.extend(USUAL.iter().filter(|name| **name != "moving_mass").filter_map(|name| Element::find(name).ok()));
     all
 }
 
-/// Smallest number of tests in which a drift can be distinguished from the tests' own differences.
+/// Smallest number of tests in which a drift can be distinguished from differences between the tests.
 ///
-/// Its shortest span, s, follows: in less than a minute a load cell drifts by no more than noise.
+/// `SHORTEST` is the shortest span for a drift, s: in less than a minute a load cell drifts by no more than noise.
 const FEWEST: usize = 6;
 const SHORTEST: f64 = 60.0;
 
-/// Whether a fit of these records may use a candidate.
+/// Returns whether a fit of these records may use a candidate.
 fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options: &FitOptions, tests: &[Test]) -> bool {
     let effect = candidate.effect;
     let is_fault = candidate.is_artefact();
-    // With the oil column's dimensions known, oil and mount separate.
+    // With known dimensions of the oil column, the data separates the oil from the mount.
     let is_known_column = effect == OIL_COLUMN && options.priors.find(number!("oil_stiffness")).is_some();
     if !(USUAL.contains(&effect) || is_known_column)
         || candidate.unnamed.is_some()
@@ -442,11 +442,11 @@ fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options
             _ => false,
         };
     }
-    // A mass of the damper is named by a diagnosis; a fit takes one on the load cell out of the records.
+    // A diagnosis identifies a mass of the damper. A fit removes a mass on the load cell from the records.
     effect != "moving_mass" && effects_can_be_shown(effect, situation, about) && options.allows(effect)
 }
 
-/// Span of side forces, N, from which friction under them is looked for in a damper of a car.
+/// Span of side forces, N, above which a fit tries friction under side force, for a damper of a car.
 const VARIED_SIDE_FORCE: f64 = 20.0;
 
 fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> bool {
@@ -457,14 +457,16 @@ fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> b
     }
 }
 
-/// What every damper has, with its numbers: where the most probable structure lacks it, no test shows it. Effects of one row are alternatives.
+/// Effects of every damper, with their numbers. If the most probable structure lacks one, no test shows it.
+///
+/// Effects of one row are alternatives.
 const IN_EVERY_DAMPER: [(&[&str], &[Number]); 3] = [
     (&["series_compliance"], &[number!("series_stiffness"), number!("internal_mass"), number!("series_damping")]),
     (&["gas_preload"], &[number!("gas_force")]),
     (&["coulomb_friction", "stribeck_friction", "presliding_friction"], &[number!("coulomb_force")]),
 ];
 
-/// Searches for the effects of an ordinary damper, from starts made of its records alone.
+/// Searches for the effects of an ordinary damper, starting from its records alone.
 pub(crate) fn search_structure(
     records: &[&Record],
     tests: &[Test],
@@ -511,7 +513,7 @@ fn fit_thesis(
         |other: &Alternative| (other.weight, estimates(&other.structure.hypothesis, &other.structure.refit, tests));
     mix(&mut found.estimates, &others.iter().map(of).collect::<Vec<_>>());
     found.inventory = inventory;
-    // Without a series path too: a channel that comes early by as much would hide it.
+    // This holds without a series path too: a force channel that leads by the same amount would hide the path.
     if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
     }
@@ -532,7 +534,7 @@ fn fit_thesis(
     Ok(found)
 }
 
-/// Intervals, and what the records leave open.
+/// Computes the intervals, and notes the numbers that the records do not determine.
 fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Found {
     let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
@@ -554,14 +556,14 @@ fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Fo
     Found { params, estimates, inventory: Vec::new(), measured, notes, misfit }
 }
 
-/// What is said of a number of the model.
+/// Formats a sentence about a number of the model.
 pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
-    // Digits that count: four behind the point would make 0.15 mm of m 0.2 mm, and a creep of nm nothing.
+    // Round to significant digits: with four decimals 0.15 mm in m would read 0.2 mm, and a creep of nm would read 0.
     let value = in_words(estimate.value);
     Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
 }
 
-/// Root mean square of the weighted residual.
+/// Computes the root mean square of the weighted residual.
 fn misfit_of(refit: &Refit, tests: &[Test]) -> f64 {
     let scored: usize = tests.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
     (refit.residual.norm_squared() / scored.max(1) as f64).sqrt()
@@ -574,7 +576,7 @@ fn misfit(tests: &[Test], params: &Params) -> f64 {
     residual.map_or(f64::NAN, |r| (r.norm_squared() / scored.max(1) as f64).sqrt())
 }
 
-/// A model of the literature as its own least squares left it, with intervals.
+/// Wraps a model of the literature at the parameters of its own least-squares fit, and adds intervals.
 fn as_found(tests: &[Test], (base, list): (Params, Vec<Unknown>)) -> Found {
     let numbers = list.into_iter().map(|unknown| free_number(&base, unknown)).collect();
     let hypothesis = Hypothesis { base, numbers, heating: None, priors: PriorSet::default() };
@@ -588,7 +590,7 @@ fn as_found(tests: &[Test], (base, list): (Params, Vec<Unknown>)) -> Found {
     Found { params: base, estimates, inventory: Vec::new(), measured: Vec::new(), notes: Vec::new(), misfit }
 }
 
-/// The piecewise-linear curve of the literature, with intervals.
+/// Fits the piecewise-linear curve of the literature, with intervals.
 fn fit_piecewise((segments, tests): (&[Segment], &[Test]), progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: phrases::PIECEWISE });
     let base = kernel_model("piecewise", segments)?;
@@ -597,7 +599,7 @@ fn fit_piecewise((segments, tests): (&[Segment], &[Test]), progress: &impl Fn(St
     Ok(as_found(tests, (base, list)))
 }
 
-/// The polynomial with lag of the literature, with intervals.
+/// Fits the polynomial with lag of the literature, with intervals.
 fn fit_lag((segments, tests): (&[Segment], &[Test]), progress: &impl Fn(Stage)) -> Result<Found, FitError> {
     progress(Stage { done: 0.3, text: phrases::WITH_LAG });
     let base = kernel_model("lag", segments)?;
@@ -607,22 +609,22 @@ fn fit_lag((segments, tests): (&[Segment], &[Test]), progress: &impl Fn(Stage)) 
     Ok(as_found(tests, (base, list)))
 }
 
-/// A model of the literature that the kernel has elements for.
+/// Fits a model of the literature for which the kernel has elements.
 fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitError> {
     let found = Literature::fit(name, &observations(segments))?;
     found.params().ok_or(FitError::Literature(LiteratureError::NotFinite { name }))
 }
 
-/// Smallest fraction of the residual mean square, as a constant force in each test, that is reported.
+/// Smallest reported fraction of the residual mean square that is due to a constant force in each test.
 ///
-/// The residual must also exceed what noise and form allow by the second factor. A model that fits stays below both; one distorted by
-/// moving zeros exceeds them.
+/// `OFF` is the ratio by which the residual must also exceed noise and form error. A model that fits stays below both limits. A model
+/// distorted by zeros that differ between tests exceeds both.
 const CONSTANT: f64 = 0.2;
 const OFF: f64 = 2.0;
 
-/// The remark where the residual has a different constant force in each test.
+/// Returns a remark if the residual has a different constant force in each test.
 ///
-/// No number of a model differs from test to test, so the zero of the channel drifts, or the gas changes with its temperature.
+/// No number of a model differs from test to test. So the zero of the channel drifts, or the gas force changes with its temperature.
 fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     let model = Model::new(params).ok()?;
     let (mut constant, mut rest) = (Vec::new(), 0.0);
@@ -640,21 +642,21 @@ fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     })
 }
 
-/// Positions of the tests that a search uses, with a note; `None` where these are all.
+/// Returns the indices of the tests that a search uses, with a note; `None` if it uses all tests.
 pub fn select_tests(records: &[&Record]) -> Option<(Vec<usize>, Sentence)> {
     let selected = select(records)?;
     let note = Sentence::from(phrases::SELECTED).with("all", records.len()).with("selected", selected.len());
     Some((selected, note))
 }
 
-/// That long roads are run in stretches, where they are.
+/// Notes that long roads are simulated in sections, if there are such roads.
 pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     let Shortened { roads, stretches, seconds } = shortened(tests)?;
     let said = Sentence::from(phrases::ROADS).with("roads", roads).with("stretches", stretches);
     Some(said.with("seconds", format!("{seconds:.1}")))
 }
 
-/// What the campaign cannot show.
+/// Returns notes about effects that the campaign cannot show.
 pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     let mut notes = Vec::new();
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
@@ -721,7 +723,7 @@ mod tests {
 
     #[test]
     fn a_single_slow_record_is_no_reason_to_panic_for_any_kind_of_model() {
-        // The seventh power of 0.07 m/s asks for coefficients that the parameter table refuses.
+        // The seventh power of 0.07 m/s needs coefficients that the parameter table rejects.
         let record = slow_sine();
         for family in [Family::Lag, Family::Piecewise, Family::Fv] {
             let found = fit(&[&record], &FitOptions { family, ..FitOptions::default() }, |_| ()).unwrap();

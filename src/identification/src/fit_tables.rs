@@ -1,4 +1,4 @@
-//! The tables of a model file behind its flat part: what the fit knows of the damper.
+//! Tables of a model file after its flat part: the results of the fit.
 
 use crate::Measured;
 use dashpot_core::{Params, element, list, number};
@@ -6,13 +6,13 @@ use dashpot_records::{Record, clock, restrict};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 
-/// The tables behind the flat part.
+/// Tables after the flat part of a model file.
 #[derive(Debug, Clone, Default, Deserialize, Serialize)]
 pub struct Identification {
     /// Names of the tests that the fit used.
     #[serde(default)]
     pub tests: Vec<String>,
-    /// Their contents in short.
+    /// Fingerprints of their contents.
     #[serde(default)]
     pub fingerprints: Vec<String>,
     /// Parameters that the data does not determine.
@@ -21,7 +21,7 @@ pub struct Identification {
     /// Remarks of the fit.
     #[serde(default)]
     pub notes: Vec<String>,
-    /// When the clock by which gain and zero drift was nought, s since 1970 by the rig's own clock.
+    /// Time at which the drifts of gain and zero are zero, s since 1970 by the rig's own clock.
     #[serde(
         default,
         deserialize_with = "known_time",
@@ -29,22 +29,22 @@ pub struct Identification {
         skip_serializing_if = "Option::is_none"
     )]
     pub clock_from: Option<f64>,
-    /// What the fit found its records to be off by, with the ends of the 95 % interval; no part of the damper.
+    /// Measurement errors that the fit found in its records, each with the ends of its 95 % interval. They are not part of the damper.
     #[serde(default, deserialize_with = "known_numbers", skip_serializing_if = "BTreeMap::is_empty")]
     pub measurement: BTreeMap<String, [f64; 3]>,
-    /// 95 % intervals by parameter; curves have one pair per point, and points without one have NaN.
+    /// 95 % intervals by parameter. Curves have one pair for each point. A point without an interval has NaN.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub intervals: BTreeMap<String, Interval>,
-    /// 95 % intervals of what depends on the setting, one entry for each value of it.
+    /// 95 % intervals of the parameters that depend on the setting, with one entry for each value of the setting.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub intervals_over_setting: BTreeMap<String, IntervalOverSetting>,
-    /// Which tests a parameter was identified from.
+    /// Kinds of tests from which each parameter was identified.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sources: BTreeMap<String, String>,
-    /// The plain FV curve fitted to the same tests.
+    /// Plain FV curve fitted to the same tests.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fv_only: Option<FvOnly>,
-    /// The plain FV curve fitted to the tests of each setting.
+    /// Plain FV curves fitted to the tests of each setting.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fv_only_over_setting: Vec<FvOnlyAt>,
 }
@@ -60,7 +60,7 @@ fn known_time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Erro
     clock::seconds(&text).map(Some).ok_or_else(|| serde::de::Error::custom(refusal()))
 }
 
-/// Refuses what no fit finds: a name that is not known could not be taken out of any record.
+/// Rejects names that no fit finds: an error of unknown name could not be removed from any record.
 fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
     let numbers = BTreeMap::<String, [f64; 3]>::deserialize(from)?;
     match numbers.iter().find(|(name, numbers)| Measured::named(name, **numbers).is_none()) {
@@ -76,9 +76,9 @@ fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(untagged, expecting = "an interval is [low, high], that of a list has one such pair for each entry")]
 pub enum Interval {
-    /// Of one number: low, high.
+    /// Interval of one number: low, high.
     Number([f64; 2]),
-    /// Of a list: low and high of each entry.
+    /// Interval of a list: low and high of each entry.
     List(Vec<[f64; 2]>),
 }
 
@@ -89,9 +89,9 @@ pub enum Interval {
     expecting = "an interval over the setting is one [low, high] for each of its values, that of a list one pair for each entry"
 )]
 pub enum IntervalOverSetting {
-    /// Of a number: low and high at each value.
+    /// Interval of a number: low and high at each value of the setting.
     Number(Vec<[f64; 2]>),
-    /// Of a list: low and high of each entry at each value.
+    /// Interval of a list: low and high of each entry at each value of the setting.
     List(Vec<Vec<[f64; 2]>>),
 }
 
@@ -117,7 +117,7 @@ pub struct FvOnly {
 }
 
 impl Identification {
-    /// Whether the fit used this record: the same measurement, not only the same name.
+    /// Returns whether the fit used this record: the same measurement, not only the same name.
     pub fn used(&self, record: &Record) -> bool {
         if self.fingerprints.is_empty() {
             return self.tests.contains(&record.name);
@@ -127,7 +127,7 @@ impl Identification {
 }
 
 impl FvOnly {
-    /// The curve of a parameter set.
+    /// Returns the FV curve and the gas force of a parameter set.
     pub fn from_params(params: &Params) -> FvOnly {
         FvOnly {
             velocity: params.list(list!("fv_velocity")).to_vec(),
@@ -136,7 +136,7 @@ impl FvOnly {
         }
     }
 
-    /// The force at a velocity, on straight lines that go on beyond the ends; `None` of fewer than two points.
+    /// Returns the force at a velocity by linear interpolation and extrapolation. Returns `None` for fewer than two points.
     fn at(&self, velocity: f64) -> Option<f64> {
         let right =
             restrict(self.velocity.partition_point(|known| *known < velocity), 1, self.velocity.len().max(2) - 1);
@@ -145,7 +145,7 @@ impl FvOnly {
         Some(low + (velocity - from) / (to - from) * (high - low))
     }
 
-    /// The curve between this one and another, `part` of the way; `None` where one has fewer than two points.
+    /// Interpolates between this curve and another at the fraction `part`. Returns `None` if a curve has fewer than two points.
     pub(crate) fn between(&self, other: &FvOnly, part: f64) -> Option<FvOnly> {
         let mix = |from: f64, to: f64| from + part * (to - from);
         let velocity = if part < 0.5 { &self.velocity } else { &other.velocity };
@@ -154,7 +154,7 @@ impl FvOnly {
         Some(FvOnly { velocity: velocity.clone(), force, gas_force: mix(self.gas_force, other.gas_force) })
     }
 
-    /// The lines of a model file that hold it, below the heading of a table.
+    /// Formats the lines of the model file that contain this curve, below the heading of a table.
     pub(crate) fn lines(&self) -> String {
         let floats = |v: &[f64]| v.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(", ");
         format!(
@@ -165,10 +165,10 @@ impl FvOnly {
         )
     }
 
-    /// As a parameter set.
+    /// Converts the curve to a parameter set.
     ///
     /// # Errors
-    /// What the parameter table refuses.
+    /// A value that the parameter table rejects.
     pub fn params(&self) -> Result<Params, String> {
         let mut p = Params::new();
         p.disable_all();

@@ -1,4 +1,4 @@
-//! 95 % intervals, where each parameter was identified from, and which were not.
+//! 95 % intervals, the tests from which each parameter was identified, and the parameters that were not identified.
 
 use super::phrases;
 use dashpot_core::parameter::Number;
@@ -17,21 +17,21 @@ use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
 pub(crate) const Z: f64 = 1.96;
-/// Half-width beyond which a parameter is not identified: relative to its value ...
+/// Half-width, relative to the value, beyond which a parameter is not identified ...
 const RELATIVE: f64 = 0.5;
-/// ... unless its force effect is known to within this share of the largest force.
+/// ... unless its force effect is known to within this fraction of the largest force.
 const SHARE: f64 = 0.005;
-/// Side force, N, by which the force of its friction is judged.
+/// Side force, N, at which the force of side-force friction is evaluated.
 const SIDE_FORCE: f64 = 300.0;
-/// Strokes up to this amplitude, m, count as small in the account of where a parameter comes from.
+/// Amplitude, m, up to which strokes count as small in the sources of a parameter.
 const SMALL_STROKE: f64 = 0.006;
 
-/// What a fit says of one number of the model.
+/// Estimate of one number of the model.
 #[derive(Debug, Clone, Serialize)]
 pub struct Estimate {
     /// Name of the parameter.
     pub name: &'static str,
-    /// Place in its list, for curves.
+    /// Index in its list, for curves.
     pub index: Option<usize>,
     /// Value.
     pub value: f64,
@@ -41,7 +41,7 @@ pub struct Estimate {
     pub high: Option<f64>,
     /// Unit.
     pub unit: &'static str,
-    /// Which tests it was identified from.
+    /// Kinds of tests from which it was identified.
     pub from: Sentence,
     /// Whether the data determines it.
     pub standing: Standing,
@@ -59,25 +59,25 @@ pub enum Standing {
     AtBound,
 }
 
-/// Estimates of all numbers of the model at a refit.
+/// Computes the estimates of all numbers of the model at a refit.
 pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Estimate> {
     let Some((covariance, determined)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
     let known = Known { covariance, determined, sources: sources(hypothesis, refit, tests) };
     known.estimates(hypothesis, &refit.theta, tests, refit.residual.as_slice())
 }
 
-/// What the records say of free numbers.
+/// Information of the records about free numbers.
 pub struct Known {
-    /// Their covariance.
+    /// Covariance of the numbers.
     pub covariance: DMatrix<f64>,
-    /// How well each is determined apart from all others and from its prior, 0 to 1.
+    /// Degree to which each number is determined independently of all others and of its prior, 0 to 1.
     pub determined: Vec<f64>,
-    /// Which tests each was identified from.
+    /// Kinds of tests from which each number was identified.
     pub sources: Vec<Sentence>,
 }
 
 impl Known {
-    /// What is known of some of these numbers: those at these indices, in their order.
+    /// Selects the numbers at these indices, in their order.
     pub fn select(&self, indices: &[usize]) -> Known {
         Known {
             covariance: DMatrix::from_fn(indices.len(), indices.len(), |i, j| {
@@ -88,7 +88,7 @@ impl Known {
         }
     }
 
-    /// Estimates of all numbers of a hypothesis at `theta`, where the fit leaves this residual of the tests.
+    /// Computes estimates of all numbers of a hypothesis at `theta`, from the residual of the tests there.
     pub fn estimates(&self, hypothesis: &Hypothesis, theta: &[f64], tests: &[Test], residual: &[f64]) -> Vec<Estimate> {
         let Known { covariance: cov, determined, sources } = self;
         let params = hypothesis.params(theta);
@@ -113,7 +113,7 @@ impl Known {
                     let (a, b) = match unknown {
                         Unknown::Log(_) => (value * libm::exp(-Z * sd), value * libm::exp(Z * sd)),
                         Unknown::Above(_, below) => {
-                            // level (1 + share): both are uncertain.
+                            // The value is level · (1 + fraction), and both factors are uncertain.
                             let level = params.number(*below);
                             let k = unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
                             let factor = 1.0 + theta[i];
@@ -125,7 +125,7 @@ impl Known {
                         _ => (value - Z * sd, value + Z * sd),
                     };
                     let half = 0.5 * (b - a);
-                    // A parameter may be known to be nearly nothing: judge it by the force it makes, too.
+                    // A parameter may be known to be almost zero. So its force counts too.
                     let force = half * per_unit(*number, stroke, speed);
                     let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
                     let (bound_low, bound_high) = scale.reach(*number);
@@ -139,7 +139,7 @@ impl Known {
                         from: sources[i].clone(),
                         standing: match (identified, at_bound) {
                             (false, _) => Standing::NotIdentified,
-                            // Where the bound is the plain law, as Dahl's power of one is, nothing more is asked for.
+                            // A bound that is the default law, such as Dahl's exponent of 1, needs no report.
                             (true, true) if value != 0.0 && value != number.default() => Standing::AtBound,
                             _ => Standing::Identified,
                         },
@@ -165,7 +165,7 @@ impl Known {
                         .map(|(k, _)| k)
                         .collect();
                     let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
-                    // No point is surer than the curve beside it is near the records.
+                    // No point is more certain than the curve's deviation from the records near that point.
                     let miss = if *curve == CurveName::Fv { misses.get(*point).copied().unwrap_or(0.0) } else { 0.0 };
                     let half = (Z * Z * variance.max(0.0) + miss * miss).sqrt();
                     let value = params.list(curve.forces())[*point];
@@ -200,7 +200,7 @@ impl Known {
     }
 }
 
-/// Force that a unit of a number makes at most; without end where that is not known.
+/// Returns the largest force that one unit of a number makes; infinity if unknown.
 fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     const POWERS: [Number; 4] =
         [number!("spring_linear"), number!("spring_quadratic"), number!("spring_cubic"), number!("spring_quartic")];
@@ -217,7 +217,7 @@ fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     }
 }
 
-/// For every number, which kind of test carries its information.
+/// Determines for every number the kinds of tests that carry its information.
 pub fn sources(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Sentence> {
     let mut information = vec![[0.0; 3]; hypothesis.numbers.len()];
     let mut first = 0;

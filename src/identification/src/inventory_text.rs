@@ -4,7 +4,7 @@ use super::phrases;
 use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_records::Sentence;
 
-/// An item in one sentence: effect, form, force and probability.
+/// Formats an item as one sentence: effect, form, force and probability.
 pub fn describe_item(item: &InventoryItem) -> Sentence {
     let percent = |x: f64| format!("{:.0} %", 100.0 * x);
     let sentence = if item.form.is_empty() {

@@ -1,17 +1,17 @@
-//! What a model that is asked for by its name becomes: for the command and for Python.
+//! Kinds of model that the command and Python select by name.
 
 use crate::fit::Family;
 
-/// What a kind of model becomes.
+/// Kind of output of a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A model file, which every verb and host runs.
+    /// A model file, which every command and host can run.
     Model(Family),
-    /// A file of a model of the literature, by its name there: to be compared with alone, for the kernel cannot run it.
+    /// A file of a model of the literature, with its name there. The kernel cannot run it; it serves for comparison only.
     Comparison(&'static str),
 }
 
-/// Every kind by its name.
+/// All kinds with their names.
 pub const KINDS: [(&str, Kind); 10] = [
     ("thesis", Kind::Model(Family::Thesis)),
     ("fv", Kind::Model(Family::Fv)),
@@ -26,12 +26,12 @@ pub const KINDS: [(&str, Kind); 10] = [
 ];
 
 impl Kind {
-    /// The kind of this name.
+    /// Returns the kind with this name.
     pub fn named(name: &str) -> Option<Kind> {
         KINDS.iter().find(|known| known.0 == name).map(|known| known.1)
     }
 
-    /// Names of what becomes a model file, or of what does not.
+    /// Returns the names of the kinds that produce a model file if `of_models`, else the names of all other kinds.
     pub fn names(of_models: bool) -> Vec<&'static str> {
         let is_asked = |kind: Kind| matches!(kind, Kind::Model(_)) == of_models;
         KINDS.iter().filter(|known| is_asked(known.1)).map(|known| known.0).collect()

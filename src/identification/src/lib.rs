@@ -1,4 +1,4 @@
-//! Identification: from rig records to a parameter set with intervals.
+//! Identification of a damper: from rig records to a parameter set with intervals.
 //!
 //! The thesis's way (chapter 4): FV curve from the peak-velocity points, friction and gas force from the slow tests,
 //! everything refined together on the stitched records. Variants of friction and spring are chosen by tests that the

@@ -1,7 +1,7 @@
-//! The model file as people and tools see it: the kernel's flat part, then tables with what the fit knows.
+//! Model files for people and tools: the kernel's flat part, then tables with the results of the fit.
 //!
-//! The flat part is read by the kernel's own reader in every host ([`dashpot_core::model_file`]); the tables behind it
-//! are for validation, diagnosis and people.
+//! Every host reads the flat part with the kernel's own reader ([`dashpot_core::model_file`]). The tables after it serve validation,
+//! diagnosis and people.
 
 use super::short::short;
 pub use crate::fit_tables::{FvOnly, FvOnlyAt, Identification, Interval, IntervalOverSetting};
@@ -21,22 +21,22 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// A model file that has been read.
+/// Contents of a model file.
 #[derive(Debug, Clone)]
 pub struct ModelFile {
     /// The damper.
     pub params: Params,
-    /// The setting that it depends on; without a grid in a file that [`read`] accepts.
+    /// Setting on which the damper depends. A file that [`read`] accepts has an empty grid.
     pub axis: Axis,
-    /// What the fit left behind; empty in a file written by hand.
+    /// Results of the fit; empty in a file written by hand.
     pub identification: Identification,
-    /// Places of the parameters that the text gives a value, whether their element is on or off.
+    /// Indices of the parameters that the text gives, whether their element is on or off.
     pub specified: Vec<usize>,
-    /// Numbers that lie outside the interval which the fit left for them, such as `fv_force[3]@0.8`; [`ModelFile::new`] takes that interval out.
+    /// Numbers outside the interval of their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] removes that interval.
     pub edited: Vec<String>,
 }
 
-/// Why a model file cannot be used.
+/// Error of a model file that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum ModelFileError {
     /// The file cannot be read.
@@ -53,7 +53,7 @@ pub enum ModelFileError {
         /// Path.
         file: PathBuf,
     },
-    /// The flat part is wrong.
+    /// The flat part has an error.
     #[error("{file}, line {line}: {subject}{text}")]
     Line {
         /// Path.
@@ -62,15 +62,15 @@ pub enum ModelFileError {
         line: u32,
         /// Parameter at fault with a colon, or nothing.
         subject: String,
-        /// What is wrong.
+        /// Description of the error.
         text: String,
     },
-    /// The tables are wrong.
+    /// The tables have an error.
     #[error("{file}: {why}")]
     Tables {
         /// Path.
         file: PathBuf,
-        /// The reader's words, with line and column.
+        /// Message of the TOML reader, with line and column.
         why: String,
     },
     /// A model of the literature that the kernel cannot run.
@@ -81,27 +81,27 @@ pub enum ModelFileError {
         /// Path.
         file: PathBuf,
     },
-    /// The parameters do not make a model.
+    /// The parameters do not form a valid model.
     #[error("{file}: {fault}")]
     Model {
         /// Path.
         file: PathBuf,
-        /// What is wrong with which parameter.
+        /// Parameter at fault, and the reason.
         fault: NoModel,
     },
 }
 
-/// Why parameters do not make a model.
+/// Error of parameters that do not form a valid model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("{parameter} {text}")]
 pub struct NoModel {
     /// Parameter at fault.
     pub parameter: &'static str,
-    /// What is wrong.
+    /// Reason.
     pub text: &'static str,
 }
 
-/// The model of a parameter set.
+/// Makes the model of a parameter set.
 ///
 /// # Errors
 /// The parameter at fault, and why.
@@ -112,7 +112,7 @@ pub fn prepared(params: &Params) -> Result<Model, NoModel> {
     })
 }
 
-/// The damper over a setting.
+/// Makes the damper family of a definition.
 ///
 /// # Errors
 /// The parameter at fault, and why.
@@ -127,18 +127,19 @@ fn no_family(fault: Fault) -> NoModel {
 }
 
 impl ModelFile {
-    /// The damper, which may depend on a setting.
+    /// Returns the damper, which may depend on a setting.
     pub fn definition(&self) -> Definition {
         Definition { params: self.params, axis: self.axis }
     }
 
-    /// The file of a damper. Intervals of the fit that do not hold their number are taken out of `identification`: the number was changed since.
+    /// Makes the file of a damper. Removes intervals from `identification` that do not contain their number, which was changed since the
+    /// fit.
     pub fn new(params: Params, axis: Axis, mut identification: Identification, specified: Vec<usize>) -> ModelFile {
         let edited = edited::take_out(&params, &axis, &mut identification);
         ModelFile { params, axis, identification, specified, edited }
     }
 
-    /// What its numbers do not do: those of an element that is off, those that are missing, and those that are not the fit's.
+    /// Returns remarks about numbers of an element that is off, about missing numbers and about numbers changed since the fit.
     pub fn remarks(&self) -> Vec<Sentence> {
         let mut all = remarks::idle(&self.specified, &self.params);
         all.extend(remarks::on_defaults(&self.specified, &self.params, &self.identification));
@@ -146,15 +147,16 @@ impl ModelFile {
         all
     }
 
-    /// All remarks that the file has to tell: those of its fit, and those about its numbers.
+    /// Returns all remarks of the file: those of its fit, and those about its numbers.
     pub fn notes(&self) -> Vec<String> {
         let remarks = self.remarks().into_iter().map(|sentence| sentence.to_string());
         self.identification.notes.iter().cloned().chain(remarks).collect()
     }
 
-    /// Whether the damper differs from the one that the fit wrote.
+    /// Returns whether the damper differs from the one that the fit wrote.
     ///
-    /// It does where a number lies outside its interval in the file, or an element with an identified number is off. A file that is tuned by hand keeps the tables of its fit; a change within an interval is none.
+    /// It differs if a number lies outside its interval in the file, or if an element with an identified number is off. A file edited by
+    /// hand keeps the tables of its fit. A change within an interval does not count.
     pub fn was_changed(&self) -> bool {
         let known = &self.identification;
         let is_off = |row: &Row| row.element().is_some_and(|element| !self.params.is_on(element));
@@ -165,7 +167,7 @@ impl ModelFile {
         !self.edited.is_empty() || parameter::table().any(|row| is_identified(&row) && is_off(&row))
     }
 
-    /// The plain FV curve that the fit left beside the model; the model's own curve and gas force where it left none.
+    /// Returns the plain FV curve that the fit stored; else the model's own curve and gas force.
     pub fn plain(&self) -> Params {
         if let Some(Ok(params)) = self.identification.fv_only.as_ref().map(FvOnly::params) {
             return params;
@@ -178,8 +180,10 @@ impl ModelFile {
     }
 }
 
-/// The parameters that say something of a damper. Numbers of elements that are off are none, nor are those of a form that was not chosen (the knees
-/// beside an FV table); settings count where they are not at their default, as a file gives them.
+/// Returns the parameters that affect a damper.
+///
+/// Numbers of elements that are off do not, nor do those of a form that was not chosen (the knees while an FV table is used). Settings are
+/// included if they differ from their default.
 pub fn in_use(params: &Params) -> Vec<Row> {
     let says = |row: &Row| match row.element() {
         None => params.get(row) != row.parameter.default,
@@ -208,10 +212,10 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     family_of_text(&text, path)
 }
 
-/// Reads a model from text and checks that it makes a model; `path` is how messages name it.
+/// Reads a model from text and checks that it makes a model. Messages name it by `path`.
 ///
 /// # Errors
-/// As [`read`].
+/// The errors of [`read`].
 pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
     parsed(text, path, |params, _| model_file::read(text.as_bytes(), params))
 }
@@ -219,7 +223,7 @@ pub fn of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
 /// Parses the text of a model file whose damper may depend on a setting.
 ///
 /// # Errors
-/// As [`read`].
+/// The errors of [`read`].
 pub fn family_of_text(text: &str, path: &Path) -> Result<ModelFile, ModelFileError> {
     parsed(text, path, |params, axis| model_file::read_family(text.as_bytes(), params, axis))
 }
@@ -292,7 +296,7 @@ fn parsed(
     Ok(ModelFile::new(params, axis, tables.identification, given))
 }
 
-/// The number of the setting that does not fit its grid: line, and what is wrong.
+/// Finds the number of the setting that does not fit its grid: line and message.
 fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     let line =
         |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);
@@ -310,8 +314,8 @@ fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     })
 }
 
-/// Refuses a file that names no parameter but in tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits, which hold
-/// intervals under such names, are no damper's.
+/// Rejects a file that gives parameters only inside tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits
+/// do not count, because they contain intervals under such names.
 fn parameters_in_tables(text: &str, path: &Path) -> Result<(), ModelFileError> {
     let mut table = None;
     for (at, line) in text.lines().enumerate() {
@@ -348,7 +352,7 @@ fn bounds(parameter: u16) -> String {
     })
 }
 
-/// The known name that a misspelt one most resembles, as the end of a sentence; empty where none does.
+/// Returns the known name most similar to a misspelled one, as the end of a sentence; empty if none is similar.
 pub fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> String {
     let shared = |other: &str| {
         let pairs = |s: &str| s.as_bytes().windows(2).map(<[u8]>::to_vec).collect::<Vec<_>>();
@@ -366,7 +370,7 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 pub(crate) fn text(value: &str) -> String {
-    // A TOML basic string.
+    // TOML basic string.
     let mut out = String::from("\"");
     for c in value.chars() {
         match c {
@@ -398,24 +402,24 @@ fn value(row: &Row, params: &Params, axis: &Axis) -> String {
     }
 }
 
-/// The flat part alone: what a kernel reads.
+/// Formats the flat part alone, which a kernel reads.
 pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
     flat_keeping(params, &[], comment)
 }
 
-/// The flat part, with the parameters of elements that are off whose indices are `kept`.
+/// Formats the flat part, including parameters at the indices `kept` whose elements are off.
 ///
-/// So a change of another number loses nothing that a file specified: a reader may switch the element on.
+/// A change of another number then loses nothing that a file specified: a reader may switch the element on.
 pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> String) -> String {
     flat_over(params, &Axis::NONE, kept, comment)
 }
 
-/// The model file of a damper that may depend on a setting, without what a fit says of it.
+/// Formats the flat part of a damper that may depend on a setting.
 pub fn flat_family(damper: &Definition, comment: impl Fn(&Row) -> String) -> String {
     flat_over(&damper.params, &damper.axis, &[], comment)
 }
 
-/// The lines of the setting.
+/// Formats the lines of the setting.
 fn setting(axis: &Axis) -> String {
     if !axis.is_some() {
         return String::new();
@@ -429,7 +433,7 @@ fn setting(axis: &Axis) -> String {
     }
     for (index, entry) in ENTRIES.iter().enumerate() {
         let value = axis.number(index);
-        // Times, rates and hysteresis of 0 are none.
+        // Times, rates and hysteresis of 0 are absent.
         if index == 0 || value != 0.0 {
             let _ = writeln!(out, "{} = {}  # {}", entry.name, number(value), entry.meaning);
         }
@@ -446,7 +450,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
         let rows: Vec<Row> = parameter::table()
             .filter(|row| row.group == g)
             .filter(|row| !is_off || kept.contains(&row.index))
-            // Settings at their default and empty lists say nothing.
+            // Skip settings at their default and empty lists.
             .filter(|row| element.is_some() || params.get(row) != row.parameter.default)
             .filter(|row| !params.get(row).is_empty())
             .collect();
@@ -462,7 +466,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
     out
 }
 
-/// A model file of a damper that no fit stands behind any more, with remarks at its head.
+/// Formats a model file without results of a fit, with remarks at its head.
 pub fn plain(params: &Params, remarks: &[String]) -> String {
     let mut out = String::from(
         "# A damper for dashpot. SI units; extension (rebound) and tension positive.\n\
@@ -478,15 +482,15 @@ pub fn plain(params: &Params, remarks: &[String]) -> String {
     }) + "\n[end]\n"
 }
 
-/// The table of a model file that holds a plain FV curve.
+/// Formats the table of a model file that contains a plain FV curve.
 fn fv_only_table(curve: &FvOnly) -> String {
     format!("\n[identification.fv_only]  # the plain FV curve fitted to the same tests\n{}", curve.lines())
 }
 
-/// The model file of an ordinary damper whose fit is known: its numbers, then the tables of the fit.
+/// Formats the model file of an ordinary damper with known fit: its numbers, then the tables of the fit.
 ///
 /// # Errors
-/// Tables that are no TOML.
+/// Tables that TOML cannot represent.
 pub fn with_tables(file: &ModelFile, remarks: &[String]) -> Result<String, toml::ser::Error> {
     #[derive(Serialize)]
     struct Tables<'a> {
@@ -499,7 +503,7 @@ pub fn with_tables(file: &ModelFile, remarks: &[String]) -> Result<String, toml:
     Ok(plain(&file.params, remarks) + "\n" + &toml::to_string(&Tables { identification: known })?)
 }
 
-/// Unit and meaning of a parameter, with what a fit knows of it where it has one estimate.
+/// Formats unit and meaning of a parameter, and the estimate of the fit if there is exactly one.
 pub(crate) fn describe_parameter(row: &Row, estimates: &[&Estimate]) -> String {
     let p = row.parameter;
     let mut words = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
@@ -516,7 +520,7 @@ pub(crate) fn describe_parameter(row: &Row, estimates: &[&Estimate]) -> String {
     words
 }
 
-/// The pair of an interval; the value twice where it has none.
+/// Formats the ends of an interval; twice the value if it has none.
 pub(crate) fn format_pair(estimate: Option<&Estimate>, value: f64) -> String {
     match estimate {
         Some(Estimate { low: Some(low), high: Some(high), .. }) => format!("[{}, {}]", number(*low), number(*high)),
@@ -524,14 +528,14 @@ pub(crate) fn format_pair(estimate: Option<&Estimate>, value: f64) -> String {
     }
 }
 
-/// Intervals of the points of a curve, whose fixed point is exact by definition.
+/// Formats the intervals of the points of a curve. Its fixed point is exact by definition.
 pub(crate) fn format_points(estimates: &[&Estimate], values: &[f64]) -> String {
     let of = |k: usize| estimates.iter().find(|e| e.index == Some(k)).copied();
     let pairs: Vec<String> = values.iter().enumerate().map(|(k, value)| format_pair(of(k), *value)).collect();
     format!("[{}]", pairs.join(", "))
 }
 
-/// What a fit says of its records, for the table `[identification]`.
+/// Information of a fit about its records, for the table `[identification]`.
 pub(crate) struct Account<'f> {
     pub(crate) tests: &'f [String],
     pub(crate) fingerprints: &'f [String],
@@ -560,7 +564,7 @@ pub(crate) fn write_account(out: &mut String, account: &Account) {
     }
 }
 
-/// Writes the interval of a parameter; none of a number that has none.
+/// Writes the interval of a parameter. Writes nothing for a number without an interval.
 pub(crate) fn write_interval(out: &mut String, name: &str, estimates: &[&Estimate], params: &Params) {
     if let [estimate @ Estimate { index: None, .. }] = estimates {
         if estimate.low.is_some() {
@@ -572,7 +576,7 @@ pub(crate) fn write_interval(out: &mut String, name: &str, estimates: &[&Estimat
     }
 }
 
-/// Writes what the records are off by, and which kinds of test each number of a list is from.
+/// Writes the measurement errors of the records, and the kinds of tests behind each number of a list.
 pub(crate) fn write_origins<'e>(
     out: &mut String,
     measured: &[Measured],
@@ -592,7 +596,7 @@ pub(crate) fn write_origins<'e>(
     }
 }
 
-/// A model file for a fit.
+/// Formats the model file of a fit.
 pub fn write(fit: &Fit) -> String {
     let of = |name: &str| fit.estimates.iter().filter(|e| e.name == name).collect::<Vec<&Estimate>>();
     let mut out = String::from(
@@ -686,7 +690,7 @@ mod tests {
         let file = family_of_text(&text, Path::new("family.toml")).unwrap();
         assert_eq!(file.definition(), damper);
         assert_eq!(flat_family(&file.definition(), |row| row.parameter.meaning.to_owned()), text);
-        // Where an ordinary damper is wanted it is none, and the message says what to do.
+        // A reader of ordinary dampers rejects this file, and the message states the remedy.
         let error = of_text(&text, Path::new("family.toml")).unwrap_err().to_string();
         assert!(error.starts_with("family.toml, line 5: \"setting\": the damper depends on this setting"), "{error}");
         let error = family_of_text(&text.replace("setting_start = 0.1", "setting_start = 9.0"), Path::new("f.toml"))
@@ -711,12 +715,12 @@ mod tests {
         let with = |name: &str| said.iter().find(|note| note.contains(name)).unwrap().clone();
         assert!(with("gas_force").contains("gas_preload is off"), "{said:?}");
         assert!(with("coulomb_force").contains("coulomb_steepness"), "{said:?}");
-        // A window may switch it on.
+        // A user interface may switch the element on.
         file.params.enable(element!("gas_preload"), true);
         assert_eq!(file.notes().len(), 1);
         let on = "elements = [\"gas_preload\"]\ngas_force = 150\n[identification]\nnotes = [\"kept\"]\n";
         assert_eq!(of(on).notes(), ["kept"]);
-        // What this program writes gives no number that does nothing.
+        // A file that this program writes gives no number without effect.
         assert_eq!(
             of(flat(&Params::new(), |_| String::new()).trim_start_matches("format = 1\n")).notes(),
             Vec::<String>::new()
@@ -730,7 +734,7 @@ mod tests {
         assert!(error.starts_with("m.toml, line 5: fv_form: parameters stand above the first [table]"), "{error}");
         let error = of("fv_form = \"table\"\n[fv_curve]\nfv_form = \"piecewise\"\n").unwrap_err().to_string();
         assert!(error.starts_with("m.toml, line 4: parameters stand above the first [table]"), "{error}");
-        // What people keep beside a damper, and what a fit knows of it.
+        // Tables with notes of people, and tables of a fit, are allowed.
         for rest in [
             "substeps = 2\n[notes]\nsubsteps = 4\n",
             "[notes]\nwhy = \"mine\"\n",
@@ -752,7 +756,7 @@ mod tests {
         let knees = names("elements = [\"fv_curve\"]\nfv_form = \"piecewise\"\nsubsteps = 4\n");
         assert!(knees.contains(&"fv_rebound_v2") && knees.contains(&"substeps"), "{knees:?}");
         assert!(!knees.contains(&"fv_force") && !knees.contains(&"method"), "{knees:?}");
-        // Whatever an element is, switched on by itself it has numbers that count.
+        // Every element has numbers that count once it is switched on.
         for element in Element::all() {
             let mut params = Params::new();
             params.enable(element, true);

@@ -1,5 +1,5 @@
-//! A model to begin with, from a table of peak force over peak velocity (PVP, CVP). Gas force and friction, which such a table holds without
-//! naming them, are taken out where they are given.
+//! Creation of an initial model from a table of peak force over peak velocity (PVP, CVP).
+//! Such a table contains gas force and friction without naming them. They are subtracted if the user states them.
 
 use crate::model_file::{self, NoModel, prepared};
 use dashpot_core::family::interpolation::MAX_GRID;
@@ -10,30 +10,30 @@ use dashpot_records::{
 };
 use std::path::Path;
 
-/// Why a table makes no model.
+/// Error of a table that yields no model.
 #[derive(Debug, thiserror::Error)]
 pub enum OfPeaksError {
     /// The table cannot be read.
     #[error(transparent)]
     Table(#[from] RecordError),
-    /// A force that is none.
+    /// A gas force or friction that is negative or not finite.
     #[error("{name} is {value}; it must be 0 N or more")]
     Negative {
-        /// The option.
+        /// Name of the option.
         name: &'static str,
-        /// What was given.
+        /// Given value.
         value: f64,
     },
-    /// The force falls where the speed grows.
+    /// The force decreases while the speed increases.
     #[error(
         "{file}, line {line}: at {} mm/s the damper's own force is {force:.1} N and thus weaker than at a lower speed ({end:.1} N); \
          check the row, or give --gas-force and --friction as they are in the table",
         1e3 * velocity
     )]
     Weaker {
-        /// The table.
+        /// Name of the table.
         file: String,
-        /// Its line.
+        /// Line in the table.
         line: usize,
         /// Velocity there, m/s.
         velocity: f64,
@@ -42,14 +42,14 @@ pub enum OfPeaksError {
         /// Force at the next lower speed, N.
         end: f64,
     },
-    /// A number that no damper has.
+    /// A number that the parameter table rejects.
     #[error("{file}: {name} {reason}")]
     Rejected {
-        /// The table.
+        /// Name of the table.
         file: String,
         /// The parameter.
         name: &'static str,
-        /// What is wrong with it.
+        /// Reason of the rejection.
         reason: &'static str,
     },
     /// A table of one click or none, or of more than a model holds.
@@ -57,25 +57,25 @@ pub enum OfPeaksError {
         "{file}: has {count} clicks, and a model over clicks holds 2 to {MAX_GRID}: --clicks all makes a model of each, --clicks N of one"
     )]
     Clicks {
-        /// The table.
+        /// Name of the table.
         file: String,
-        /// How many it has.
+        /// Number of its clicks.
         count: usize,
     },
-    /// No speed that all clicks have.
+    /// No speed of both strokes has a force at every click.
     #[error(
         "{file}: there is no speed of both strokes at which all clicks have a force; --clicks all makes a model of each"
     )]
     NoCommonSpeed {
-        /// The table.
+        /// Name of the table.
         file: String,
     },
-    /// The numbers go together in no model.
+    /// The numbers together make no model.
     #[error("{file}")]
     NoModel {
-        /// The table.
+        /// Name of the table.
         file: String,
-        /// Why.
+        /// Reason.
         source: NoModel,
     },
 }
@@ -83,15 +83,15 @@ pub enum OfPeaksError {
 /// A model file made from a table.
 #[derive(Debug, Clone)]
 pub struct Begun {
-    /// Its text.
+    /// Text of the model file.
     pub text: String,
-    /// Points of its curve.
+    /// Number of points of its curve.
     pub points: usize,
-    /// Which columns were taken for what.
+    /// Columns that were used, with their quantity and unit.
     pub columns: String,
-    /// Which side was taken as rebound, and whether its forces speak for that.
+    /// Side that was interpreted as rebound, and whether the forces support that.
     pub direction: String,
-    /// Whether they speak against it.
+    /// Whether the forces contradict that direction.
     pub is_doubtful: bool,
     /// Speeds that were left out because a click has no force there, m/s.
     pub left_out: Vec<f64>,
@@ -104,7 +104,7 @@ struct Read {
     curve: Vec<(f64, f64)>,
 }
 
-/// Makes a model file of a table; gas force and friction in its forces, N, are taken out.
+/// Makes a model file from a table. Subtracts gas force and friction, N, from the forces of the table.
 ///
 /// # Errors
 /// [`OfPeaksError`].
@@ -217,7 +217,7 @@ fn begun(path: &Path, read: &Read, damper: &Definition, left_out: Vec<f64>) -> B
     }
 }
 
-/// Which columns were taken for what.
+/// Describes the columns that were used.
 fn columns(peaks: &Peaks) -> String {
     let pairs = peaks.pairs.iter().map(|pair| {
         let stroke = pair.stroke.map_or("both strokes", Stroke::name);
@@ -230,9 +230,9 @@ fn columns(peaks: &Peaks) -> String {
     pairs.collect::<Vec<_>>().join(", ")
 }
 
-/// Which side was taken as rebound, and whether its forces speak for that.
+/// Describes the side that was interpreted as rebound. Returns whether the forces contradict it.
 fn direction(peaks: &Peaks) -> (String, bool) {
-    /// How much stronger the compression must be to be remarked: dampers that resist both alike scatter by less.
+    /// Ratio of compression to rebound force from which a remark is made. Dampers that are alike on both sides scatter by less.
     const CLEARLY: f64 = 1.2;
     let taken = match peaks.source {
         StrokeSource::Headings => "rebound and compression taken as the headings name them",

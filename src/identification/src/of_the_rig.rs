@@ -1,8 +1,10 @@
 //! Measurement errors that a fit estimates: delay of the force channel, mass on the load cell, drift of gain and zero through a campaign.
 //!
-//! A zero that is off all the time is not among them: of the force it is the same as another gas force, of the displacement the same as
-//! another table of the spring, so that only the user can tell them ([`dashpot_records::Options`]). The others are estimated beside the
-//! numbers of the model, where tests left out of the fit are predicted better with them, and never become part of the model.
+//! A constant zero error is not among them. In the force it is equivalent to another gas force, in the displacement to another table of the
+//! spring. So only the user can state it ([`dashpot_records::Options`]).
+//!
+//! The other errors are estimated together with the numbers of the model, if they improve the prediction of tests left out of the fit. They
+//! never become part of the model.
 
 use super::phrases;
 use dashpot_estimation::deviations::sandwich;
@@ -14,16 +16,16 @@ use dashpot_records::Sentence;
 use dashpot_records::measurement_correction::MeasurementError;
 use serde::Serialize;
 
-/// All that is looked for, in the order in which the load cell makes it.
+/// Errors that a fit tries, in the order in which the load cell produces them.
 const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::GainDrift, Artefact::Drift];
 
 /// Smallest ratio of the highest to the lowest frequency at which a delay can be distinguished from compliance.
 ///
-/// The phase of both grows with frequency, but along different curves. At one frequency they are the same; half as much again is a choice. A mass and a spring are told apart
-/// in the same way.
+/// The phases of both grow with frequency, but along different curves. At one frequency both phases are equal. The value 1.5 is a choice. A
+/// mass is distinguished from a spring in the same way.
 const APART: f64 = 1.5;
 
-/// Whether the frequencies of the tests distinguish a delay from a soft series path.
+/// Returns whether the frequencies of the tests distinguish a delay from a soft series path.
 pub fn can_distinguish_delay(tests: &[Test]) -> bool {
     let turns = |t: &Test| t.segment.peak_velocity / t.segment.amplitude;
     let (low, high) = tests
@@ -34,10 +36,10 @@ pub fn can_distinguish_delay(tests: &[Test]) -> bool {
     high > APART * low
 }
 
-/// One number of the measurement that the records are off by.
+/// One measurement error of the records.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
-    /// What it is: `delay`, `rig_mass`, `gain_drift` or `drift` (of the force's zero).
+    /// Name: `delay`, `rig_mass`, `gain_drift` or `drift` (of the force's zero).
     pub name: &'static str,
     /// Value.
     pub value: f64,
@@ -47,13 +49,13 @@ pub struct Measured {
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
-    /// How to tell the reader of records, where it has an option for it.
+    /// Option that states this error to the reader of records, if the reader has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub option: Option<&'static str>,
 }
 
 impl Measured {
-    /// One number, as a fit found it.
+    /// Makes a measurement error from the result of a fit.
     fn new(artefact: Artefact, [value, low, high]: [f64; 3]) -> Measured {
         let option = match artefact {
             Artefact::Delay => Some("--delay"),
@@ -63,19 +65,19 @@ impl Measured {
         Measured { name: artefact.parameter(), value, low, high, unit: artefact.unit(), option }
     }
 
-    /// One number, as a model file states it; `None` for a name that no fit looks for, and for what is no number.
+    /// Makes a measurement error from a model file. Returns `None` for a name that no fit tries, and for values that are not finite.
     pub fn named(name: &str, numbers: [f64; 3]) -> Option<Measured> {
         let artefact = LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == name)?;
         numbers.iter().all(|n| n.is_finite()).then(|| Measured::new(artefact, numbers))
     }
 
-    /// One number, as a diagnosis found it; `None` for what the reader of records cannot take out.
+    /// Makes a measurement error from a diagnosis. Returns `None` for an error that the reader of records cannot correct.
     pub fn from_artefact(artefact: Artefact, numbers: [f64; 3]) -> Option<Measured> {
         let may = LOOKED_FOR.contains(&artefact) && numbers.iter().all(|n| n.is_finite());
         may.then(|| Measured::new(artefact, numbers))
     }
 
-    /// What was found in records out of which the user had some taken before: of both together.
+    /// Adds the error that the user had stated to the error found in the corrected records.
     pub fn with_stated(self, given: &MeasurementError) -> Measured {
         let before = match self.name {
             "delay" => given.delay_s,
@@ -85,9 +87,9 @@ impl Measured {
         Measured { value: self.value + before, low: self.low + before, high: self.high + before, ..self }
     }
 
-    /// What was taken out with what was found in the rest: of both together.
+    /// Adds the error found in the corrected records to the one corrected before.
     ///
-    /// The intervals are of separate records of the same thing, so that their squares add.
+    /// The two intervals come from separate records of the same quantity, so their squares add.
     pub fn and(self, rest: Measured) -> Measured {
         let value = self.value + rest.value;
         let half = |m: &Measured| 0.5 * (m.high - m.low);
@@ -95,26 +97,26 @@ impl Measured {
         Measured { value, low: value - half, high: value + half, ..self }
     }
 
-    /// Name in the vocabulary of the diagnosis.
+    /// Returns the name of this error in the vocabulary of the diagnosis.
     pub fn effect(&self) -> Option<&'static str> {
         LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == self.name).map(Artefact::name)
     }
 
-    /// Whether the interval is off zero.
+    /// Returns whether the interval excludes zero.
     pub fn is_there(&self) -> bool {
         self.low > 0.0 || self.high < 0.0
     }
 
-    /// How to say it to the reader of other records.
+    /// Formats the option that states this error to the reader of other records.
     pub fn as_option(&self) -> Option<String> {
         self.option.map(|option| format!("{option}={:.6}", self.value))
     }
 
-    /// What was found, in words.
+    /// Formats the finding as a sentence.
     pub fn finding(&self) -> Sentence {
         let (factor, what) = match self.name {
             "delay" if self.value < 0.0 => {
-                // Said as a lead: who reads of a negative delay takes it for a mistake.
+                // Report a negative delay as a lead: readers would take a negative delay for a mistake.
                 let of = |value: f64| format!("{:.3}", -1e3 * value);
                 return Sentence::from(phrases::FOUND_EARLY)
                     .with("value", of(self.value))
@@ -130,7 +132,7 @@ impl Measured {
         Sentence::from(what).with("value", of(self.value)).with("low", of(self.low)).with("high", of(self.high))
     }
 
-    /// The finding as a sentence that says how the comparison corrects it.
+    /// Formats the finding as a sentence that states how the comparison corrects it.
     pub fn in_words(&self) -> Sentence {
         let option = self.as_option().map(|option| Sentence::from(phrases::GIVE_OPTION).with("option", option));
         Sentence::from(phrases::TAKEN_OUT_HERE).with_sentence("finding", self.finding()).with_any("option", option)
@@ -148,7 +150,7 @@ pub fn to_measurement_error(measured: &[Measured]) -> MeasurementError {
     }
 }
 
-/// What a fit found of the measurement.
+/// Returns the measurement errors that a fit found, with intervals.
 pub fn measured(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Measured> {
     let is_rig = |free: &Free| matches!(free, Free::Rig(_));
     if !hypothesis.numbers.iter().any(|n| is_rig(&n.free)) {

@@ -1,38 +1,40 @@
-//! Force at peak velocity: the points that a damper's FV diagram is read from (PVP, peak velocity pick-off).
+//! Force at peak velocity: the points of a damper's FV diagram (PVP, peak velocity pick-off).
 
 use dashpot_records::{Record, smoothing};
 use serde::{Deserialize, Serialize};
 
-/// Share of a stroke's fastest velocity from which on a sample counts as being at peak velocity. On a sine that is 11° to
-/// either side: a few samples even at forty per cycle, and a force that a smooth curve changes by less than 2 % over.
+/// Fraction of a stroke's highest velocity above which a sample counts as being at peak velocity.
+///
+/// On a sine this is 11° to either side. That is a few samples even at forty per cycle, and a smooth curve changes its force by less than 2
+/// % there.
 const AT_PEAK: f64 = 0.98;
 
 /// Force at the peak velocity of one stroke of a test, mean over its whole cycles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
-    /// Velocity, m/s, rebound positive: the mean of the samples that count, a little below the fastest.
+    /// Velocity, m/s, rebound positive: the mean of the samples that count, slightly below the highest.
     pub velocity_m_s: f64,
     /// Force, N, tension positive.
     pub force_n: f64,
 }
 
-/// Which samples of a record lie at peak velocity, in both strokes.
+/// Indices of the samples at peak velocity, in both strokes.
 #[derive(Debug, Clone)]
 pub struct AtPeak {
-    /// Velocity freed of noise, m/s.
+    /// Smoothed velocity, m/s.
     velocity: Vec<f64>,
     rebound: Vec<usize>,
     compression: Vec<usize>,
 }
 
 impl AtPeak {
-    /// Finds them; `None` where the motion has no whole cycles and therefore no peak velocity.
+    /// Finds the samples. Returns `None` if the motion has no whole cycles and therefore no peak velocity.
     pub fn find(record: &Record) -> Option<Self> {
         if record.cycles.is_empty() {
             return None;
         }
         let velocity = smoothing::smooth(record).velocity;
-        // The first cycle of several may still settle.
+        // The first of more than two cycles may still be transient.
         let settled = &record.cycles[usize::from(record.cycles.len() > 2)..];
         let stroke = |sign: f64| -> Vec<usize> {
             let samples = settled.iter().flat_map(|cycle| {
@@ -46,7 +48,7 @@ impl AtPeak {
         (!rebound.is_empty() && !compression.is_empty()).then_some(Self { velocity, rebound, compression })
     }
 
-    /// Rebound and compression of a force at the record's samples.
+    /// Returns the peaks in rebound and compression of a force given at the record's samples.
     pub fn pick(&self, force: &[f64]) -> [Peak; 2] {
         let mean = |samples: &[usize], of: &[f64]| samples.iter().map(|i| of[*i]).sum::<f64>() / samples.len() as f64;
         [&self.rebound, &self.compression]
@@ -69,7 +71,7 @@ mod tests {
             record.time.push(phase / w);
             record.displacement.push(0.05 * libm::sin(phase));
             record.velocity.push(0.5 * libm::cos(phase) + 0.01 * noise);
-            // A loop about the curve: it cancels, as a peak is passed from both sides.
+            // A hysteresis loop about the curve: its force cancels in the mean, because the samples lie on both sides of the peak.
             let force = if libm::cos(phase) > 0.0 { 2000.0 } else { 800.0 } * 0.5 * libm::cos(phase);
             record.force.push(force + 60.0 * libm::sin(phase) + 20.0 * noise);
         }

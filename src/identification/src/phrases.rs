@@ -1,6 +1,6 @@
-//! Every text that a fit says, in English, in one place: a language that lacks one of them is found by a test.
+//! English templates of every sentence that a fit reports. A test finds each template that a language lacks.
 //!
-//! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_records::sentence::Reader`]).
+//! A model file keeps these texts in English. A report parses them with the templates ([`dashpot_records::sentence::Reader`]).
 
 use dashpot_records::sentence::Template;
 
@@ -9,29 +9,29 @@ dashpot_records::phrases! {
     COMMA: ", ";
     SEMICOLON: "; ";
     THAT: ", that ";
-    // Which tests a number was identified from.
+    // Tests from which a number was identified.
     SHARE_OF: "{tests} {percent} %";
     NO_TEST: "no test shows it";
     // The inventory.
     CARRIES: "{effect}: {force} N rms, {share} of the force; probability {probability}";
     CARRIES_IN_FORM: "{effect} ({form}): {force} N rms, {share} of the force; probability {probability}";
-    // What the data does not determine.
+    // Parameters that the data does not determine.
     NOT_IDENTIFIED: "{name} could not be identified from this data ({why}); its element is off";
     NEEDS_SIDE_FORCES: "it needs slow tests at two or more side forces, with a side-force channel";
     TAKEN_UP: "a free FV curve takes a v² term up";
     HELD: "{name} could not be identified from this data; it is held at {value} {unit}";
     AT_BOUND: "{name} ran into the bound of its range at {value} {unit}: the data asks for something this element cannot do";
-    // What was known of the damper beside its records.
+    // Prior knowledge of the damper.
     EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
-    // What the campaign cannot show.
+    // Limits of the campaign.
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
     ROADS: "{roads} long tests without cycles are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_SLOW_TEST: "there is no slow test (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
     ZERO_MOVES: "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
-    // What the measurement is off by.
+    // Measurement errors.
     FOUND_EARLY: "the force channel comes early by {value} ms (95 %: {low} to {high})";
     FOUND_DELAY: "the force channel comes late by {value} ms (95 %: {low} to {high})";
     FOUND_MASS: "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})";
@@ -44,14 +44,14 @@ dashpot_records::phrases! {
     TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";
     FOUND_IN_ITS_OWN: "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}";
     IF_THE_SAME_RIG: ": if the same rig measured these, give {options}";
-    // What a model file holds that does nothing.
+    // Numbers of the model file that have no effect.
     IDLE: "the model file gives {names}, but the element {element} is off, so that this does nothing; add it to elements to use it";
-    // Numbers that a model file does not give, and numbers that are not those of its fit.
+    // Numbers that the model file lacks, and numbers that changed since the fit.
     FAMILY_WORSE: "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, or these tests are too few to show that it does";
     ALONE_WORSE: "a fit of this setting alone misses by {ratio} times as much as the family, so its search ended at a poorer structure: the ratio to it says nothing";
     ON_DEFAULTS: "the element {element} is on, but the model file does not give {names}: it runs on the defaults of docs/parameters.md";
     EDITED: "{names}: outside the 95 % interval that the fit left in the model file, so changed since; what the fit knew of it is left out";
-    // How far a fit is.
+    // Stages of a fit.
     PREPARING: "preparing records";
     PLAIN_CURVE: "plain FV curve";
     FIRST_FIT: "first fit from several starts";
@@ -60,7 +60,7 @@ dashpot_records::phrases! {
     PIECEWISE: "piecewise-linear curve";
     WITH_LAG: "polynomial with lag";
     DONE: "done";
-    // A damper over a setting.
+    // Damper whose parameters depend on a setting.
     FAMILY_EACH: "each setting by itself";
     FAMILY_JOINT: "all settings together: what they share and what depends on them";
     FAMILY_LEFT_OUT: "each setting predicted by the others";
@@ -82,7 +82,7 @@ dashpot_records::phrases! {
     FAMILY_AT: "at {name} = {value}: {why}";
     FAMILY_KERNEL: "the settings make no model: {parameter} {why}";
     FAMILY_NOT_FINITE: "no finite force could be computed for all settings together; fit each by itself to find the test at fault";
-    // Why there is no fit.
+    // Errors of a fit.
     NO_TESTS: "there is no test to fit: give a folder or files with at least one record";
     UNKNOWN_ELEMENT: "there is no element called {name}; the elements are {known}";
     NOT_FITTED: "fit does not identify {name}: it is added to a fitted model where dashpot diagnose finds it, or by hand; fit can use {known}";
@@ -91,10 +91,10 @@ dashpot_records::phrases! {
     NOT_FINITE: "no finite force could be computed for test {test}; look at its channels (a jump in displacement?)";
 }
 
-/// Kinds of tests that a number may be identified from.
+/// Kinds of tests from which a number may be identified.
 pub(crate) const KINDS_OF_TESTS: [&str; 3] = ["slow tests", "small strokes", "large strokes"];
 
-/// Every template of a sentence.
+/// Returns every template of a sentence.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }

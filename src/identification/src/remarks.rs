@@ -1,4 +1,4 @@
-//! Remarks about the numbers of a model file. They name numbers of an element that is off, numbers that are missing, and numbers that are not the fit's.
+//! Remarks about the numbers of a model file: numbers of an element that is off, missing numbers, and numbers changed since the fit.
 
 use crate::fit_tables::Identification;
 use crate::phrases;
@@ -8,7 +8,7 @@ use dashpot_records::sentence::Sentence;
 
 /// Reports the specified parameters whose element is off, in a sentence for each element.
 ///
-/// `specified` holds indices of parameters, `params` the damper that was read with them.
+/// `specified` holds the indices of the parameters that the file gives. `params` is the damper read from the same file.
 pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
     let mut of: Vec<(&str, Vec<&str>)> = Vec::new();
     for row in parameter::table().filter(|row| specified.contains(&row.index)) {
@@ -25,9 +25,9 @@ pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
         .collect()
 }
 
-/// Reports the missing numbers of elements that are on, in a sentence for each element: they are at their defaults.
+/// Reports the missing numbers of elements that are on, in a sentence for each element. Missing numbers have their defaults.
 ///
-/// An element may leave numbers to their defaults. It is reported where it gives none at all, and where the fit knows a number that is missing.
+/// An element may omit numbers. It is reported if it gives none at all, or if it omits a number that the fit identified.
 pub fn on_defaults(specified: &[usize], params: &Params, known: &Identification) -> Vec<Sentence> {
     let is_known = |name: &str| {
         let is_open = |open: &String| open.split(['[', '@']).next() == Some(name);
@@ -57,7 +57,7 @@ pub fn on_defaults(specified: &[usize], params: &Params, known: &Identification)
     Element::all().filter(|element| params.is_on(*element)).filter_map(of_element).collect()
 }
 
-/// Reports the numbers that lie outside the interval of their fit.
+/// Reports the numbers that lie outside the interval of their fit, and therefore changed since.
 pub fn edited(names: &[String]) -> Option<Sentence> {
     let named = Sentence::from(phrases::EDITED).with_names("names", names.iter().map(String::as_str), phrases::COMMA);
     (!names.is_empty()).then_some(named)

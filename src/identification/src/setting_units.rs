@@ -1,9 +1,9 @@
-//! Settings of records in the unit of the damper that they are compared with.
+//! Conversion of the settings of records to the unit of the damper with which they are compared.
 
 use dashpot_core::family::Axis;
 use dashpot_records::{Record, restate_in_unit};
 
-/// Settings that cannot be compared.
+/// Error for settings that cannot be compared.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
     "test '{test}' has its {name} in {unit}, the model in {own}: state the one that is right as setting_unit in campaign.toml beside the records, or in the model file"
@@ -19,12 +19,14 @@ pub struct SettingUnitError {
     pub own: String,
 }
 
-/// Whether what is called so is the setting of an axis; an axis without a name takes any.
+/// Returns whether `name` is the setting of an axis. An axis without a name accepts any.
 pub fn is_of_axis(axis: &Axis, name: &str) -> bool {
     axis.name().is_empty() || axis.name() == name
 }
 
-/// Restates values of what is called so in the unit of the axis, where it is its setting. Returns whether the units are of one kind.
+/// Converts values of the setting `name` to the unit of the axis, if it is the setting of that axis.
+///
+/// Returns whether both units measure the same quantity.
 pub fn restate<'v>(axis: &Axis, name: &str, unit: &mut String, values: impl IntoIterator<Item = &'v mut f64>) -> bool {
     if !axis.is_some() || !is_of_axis(axis, name) {
         return true;
@@ -32,10 +34,10 @@ pub fn restate<'v>(axis: &Axis, name: &str, unit: &mut String, values: impl Into
     restate_in_unit(unit, axis.unit(), values)
 }
 
-/// Restates the settings of records in the unit of the damper's setting, where they are the same quantity.
+/// Converts the settings of records to the unit of the damper's setting, where both are the same quantity.
 ///
 /// # Errors
-/// A unit that is not of one kind with the damper's.
+/// A setting whose unit measures another quantity than the damper's unit.
 pub fn restate_settings<'r>(
     axis: &Axis,
     records: impl IntoIterator<Item = &'r mut Record>,
@@ -79,11 +81,11 @@ mod tests {
         restate_settings(&axis, &mut all).unwrap();
         assert!((all[0].setting.as_ref().unwrap().value - 400.0).abs() < 1e-9);
         assert!((all[1].setting_signal.as_ref().unwrap().range[1] - 1200.0).abs() < 1e-9);
-        // An ordinary damper, or one that names no unit, leaves the unit of the record.
+        // An ordinary damper, or a setting without a unit, keeps the unit of the record.
         let mut ordinary = [Record { setting: Some(setting("A")), ..Record::default() }];
         restate_settings(&Axis::NONE, &mut ordinary).unwrap();
         assert_eq!(ordinary[0].setting, Some(setting("A")));
-        // Once more changes nothing, and another quantity has no factor.
+        // A second conversion changes nothing. Another quantity has no conversion factor.
         restate_settings(&axis, &mut all).unwrap();
         assert!((all[0].setting.as_ref().unwrap().value - 400.0).abs() < 1e-9);
         let mut wrong = [Record { setting: Some(setting("clicks")), ..Record::default() }];

@@ -1,16 +1,16 @@
-//! Numbers in comments and sentences.
+//! Formatting of numbers in comments and sentences.
 
-/// Decimals of four significant digits; negative where the digits end before the point.
+/// Returns the decimals of four significant digits; negative if the digits end before the decimal point.
 fn decimals(value: f64) -> i32 {
     3 - libm::log10(value.abs()).floor() as i32
 }
 
-/// Four significant digits, as code writes them: enough for a comment.
+/// Formats four significant digits in code notation, which is enough for a comment.
 pub(super) fn short(value: f64) -> String {
     if value.abs() >= 1e5 { format!("{value:.3e}") } else { in_words(value) }
 }
 
-/// Four significant digits, as a sentence writes them in any language: without an exponent.
+/// Formats four significant digits without an exponent, as sentences of any language do.
 pub(super) fn in_words(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

@@ -1,9 +1,9 @@
-//! All that a fit says, for those who translate it.
+//! All texts that a fit reports, for translators.
 
 use super::phrases::{KINDS_OF_TESTS, TEMPLATES};
 use dashpot_records::sentence::each_once;
 
-/// Every English text that is said of a fit, each once: sentences with the places of their values, and words.
+/// Returns every English text of a fit, each once: sentences with placeholders for their values, and words.
 pub fn texts() -> Vec<&'static str> {
     each_once(TEMPLATES, KINDS_OF_TESTS)
 }

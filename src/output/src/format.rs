@@ -1,6 +1,6 @@
-//! An error as one sentence.
+//! Formatting of an error as one sentence.
 
-/// The error with its causes, without those that it already names.
+/// Formats an error with its causes, without causes that it already contains.
 pub fn format_once(error: &anyhow::Error) -> String {
     error.chain().fold(String::new(), |told, cause| match cause.to_string() {
         cause if told.contains(&cause) => told,

@@ -1,4 +1,4 @@
-//! What an output may take the place of: nothing, or an older output of its own kind.
+//! Protection of existing files: an output may only replace an older output of its own kind.
 
 use super::inputs;
 use super::kind::Kind;
@@ -8,32 +8,32 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether the user said `--force`.
+/// Whether the user gave `--force`.
 static FORCE: AtomicBool = AtomicBool::new(false);
 
-/// Takes over whether the user said `--force`.
+/// Sets whether the user gave `--force`.
 pub fn set_force(force: bool) {
     FORCE.store(force, Ordering::Relaxed);
 }
 
-/// What an output path leads to.
+/// Target of an output path.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Target {
-    /// A file, new or old, at the end of all symbolic links: replaced as a whole.
+    /// A file, new or old, after all symbolic links. It is replaced as a whole.
     File(PathBuf),
-    /// A device or a pipe: written into, never replaced.
+    /// A device or a pipe. It is written to, and never replaced.
     Stream(PathBuf),
 }
 
-/// Most symbolic links that are followed; the limit of Linux.
+/// Largest number of symbolic links that are followed, as in Linux.
 const LINKS: usize = 40;
-/// Largest file, bytes, that is looked into for its kind; what we write is smaller.
+/// Largest file, bytes, whose content is read to detect its kind. Outputs are smaller.
 const LOOKED_INTO: u64 = 1 << 28;
 
-/// Follows links and finds out what may be done there. `new` is what will be written, where that is known.
+/// Follows links and determines the target. `new` is the kind of the output, if known.
 ///
 /// # Errors
-/// Where something would be lost that `--force` was not given for; a sentence that says what.
+/// A message if something would be lost and `--force` was not given.
 pub fn target(path: &Path, new: Option<&Kind>) -> anyhow::Result<Target> {
     target_forced(path, new, FORCE.load(Ordering::Relaxed) || run::is_forced())
 }
@@ -91,7 +91,7 @@ fn target_forced(path: &Path, new: Option<&Kind>, force: bool) -> anyhow::Result
     }
 }
 
-/// The path behind symbolic links, whether or not there is a file at their end.
+/// Follows symbolic links, whether or not a file exists at their end.
 fn follow(path: &Path) -> anyhow::Result<PathBuf> {
     let mut at = path.to_owned();
     for _ in 0..LINKS {
@@ -103,7 +103,7 @@ fn follow(path: &Path) -> anyhow::Result<PathBuf> {
     bail!("{} is a symbolic link that leads in a circle", path.display())
 }
 
-// Windows tells neither pipes nor disks by their metadata.
+// The metadata of Windows distinguish neither pipes nor disks.
 #[cfg_attr(not(unix), allow(dead_code))]
 enum Stream {
     Pipe,
@@ -127,7 +127,7 @@ fn stream(_: &fs::Metadata) -> Stream {
     Stream::Device
 }
 
-/// Whether the description of a campaign in the same folder names this file as one of its records.
+/// Returns whether the campaign description in the same folder lists this file as a record.
 fn is_listed_record(path: &Path) -> bool {
     let description = path.with_file_name("campaign.toml");
     let name = path.file_name().unwrap_or_default().to_string_lossy();

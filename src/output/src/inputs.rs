@@ -1,4 +1,4 @@
-//! The files and folders that a run reads: no output may take their place.
+//! Files and folders that a run reads. No output may replace them.
 
 use super::run;
 use std::path::{Path, PathBuf};
@@ -6,13 +6,13 @@ use std::sync::{PoisonError, RwLock};
 
 static INPUTS: RwLock<Vec<PathBuf>> = RwLock::new(Vec::new());
 
-/// Remembers every existing file or folder that a run was given to read; the window is given more as it runs.
+/// Registers every existing file or folder that a run reads. The user interface registers more while it runs.
 pub fn register(paths: impl IntoIterator<Item = PathBuf>) {
     let mut inputs = INPUTS.write().unwrap_or_else(PoisonError::into_inner);
     inputs.extend(paths.into_iter().filter_map(|p| std::fs::canonicalize(p).ok()));
 }
 
-/// Whether an existing file is read by this run: named itself, or a record in a folder that is named.
+/// Returns whether this run reads an existing file, by its name or as a record in a named folder.
 pub fn reads(path: &Path) -> bool {
     is_among(path, &INPUTS.read().unwrap_or_else(PoisonError::into_inner)) || is_among(path, &run::reads())
 }
@@ -25,7 +25,7 @@ fn is_among(path: &Path, inputs: &[PathBuf]) -> bool {
     })
 }
 
-/// Whether two paths are one file; hard links are.
+/// Returns whether two paths are the same file, for example by a hard link.
 fn same_file(a: &Path, b: &Path) -> bool {
     #[cfg(unix)]
     {

@@ -1,30 +1,30 @@
-//! What kind of file a text is: an output may replace an older file of its own kind, and no other.
+//! Kinds of files. An output may only replace an older file of its own kind.
 
 use std::fmt;
 use std::io::Read as _;
 
-/// What a file holds, as far as the first look tells.
+/// Kind of a file, detected from its beginning.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Kind {
-    /// Nothing at all, as `touch` and `mktemp` leave it.
+    /// An empty file, for example from `touch` or `mktemp`.
     Empty,
     /// A model file of dashpot.
     Model,
-    /// What is known about records, said once beside them.
+    /// Knowledge about records, in a file next to them.
     Profile,
-    /// A model of the literature, which is no model file: to be compared with alone.
+    /// A model of the literature. It is not a model file and only serves for comparison.
     Comparison,
-    /// Figures of one of the verbs as JSON.
+    /// Figures of a verb as JSON.
     Figures,
     /// A report of dashpot.
     Report,
     /// A picture.
     Picture,
-    /// A damper property file of dashpot, in either form.
+    /// A damper property file of dashpot, in either format.
     Property,
-    /// What tells CarMaker how an FMU of dashpot is its damper.
+    /// A file with which CarMaker uses an FMU of dashpot as its damper.
     PlugInfo,
-    /// A dataset or commands for Adams that name dashpot's routines.
+    /// A dataset or commands for Adams that contain dashpot's routines.
     Adams,
     /// A table with this header line.
     Table(String),
@@ -34,13 +34,13 @@ pub enum Kind {
     Fmu,
     /// A program or library; the first four bytes name its format.
     Program([u8; 4]),
-    /// Another text, told apart by its first line.
+    /// Another text, identified by its first line.
     Text(String),
-    /// Anything else.
+    /// Any other file.
     Other(&'static str),
 }
 
-/// Keys that stand together at the top of the JSON of some verb; a foreign JSON file has none of these sets.
+/// Sets of top-level keys in the JSON of the verbs. A foreign JSON file has none of these sets.
 const OWN_KEYS: [&[&str]; 11] = [
     &["quantities", "contradictions"],
     &["effects", "settings"],
@@ -54,22 +54,22 @@ const OWN_KEYS: [&[&str]; 11] = [
     &["corners"],
     &["rms_percent_1ms"],
 ];
-/// Key of a model of the literature that `fit --model` identified, in its file, and under `numbers` in the JSON of that fit.
+/// Key of a model of the literature in its file, and under `numbers` in the JSON of `fit --model`.
 const LITERATURE: &str = "literature_model";
-/// What every workbook of dashpot names as its author. A program that changes one says who did, so an edited one is not taken
-/// for ours.
+/// Author in every workbook of dashpot. A program that changes a workbook records its own user, so an edited workbook is not recognized as
+/// ours.
 pub const AUTHOR: &str = "dashpot";
-/// Largest list of properties, bytes, that is looked into; ours is less than one kilobyte.
+/// Largest list of properties, bytes, that is read. Ours is less than one kilobyte.
 const PROPERTIES: u64 = 1 << 16;
-/// What every report of dashpot says of itself in its head.
+/// Generator tag in the HTML head of every report of dashpot.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
 
-/// How the first comment of every property file of dashpot begins. The vendor's own begin with the same line of XML.
+/// Beginning of the first comment in every property file of dashpot. The vendor's own files begin with the same line of XML.
 pub const WRITTEN: &str = "Written by dashpot ";
-/// What every dataset with dashpot's routines holds; the first line of a dataset, its title, is the same in most models.
+/// Text in every dataset with dashpot's routines. The first line of a dataset, its title, is the same in most models.
 const ROUTINES: &str = "dashpot_adams::";
 
-/// Extensions that promise a kind. Under one of them, another kind would be read as what it is not: a model in `out.csv` as a record.
+/// Extensions that imply a kind. Another kind with this extension would be misread: a model in `out.csv` as a record.
 const PROMISES: [(&str, &[Kind]); 7] = [
     ("toml", &[Kind::Model, Kind::Profile, Kind::Comparison]),
     ("json", &[Kind::Figures]),
@@ -79,19 +79,19 @@ const PROMISES: [(&str, &[Kind]); 7] = [
     ("fmu", &[Kind::Fmu]),
     ("csv", &[]),
 ];
-/// Kinds that people name by one extension.
+/// Kinds with a customary extension.
 const NAMED: [Kind; 7] =
     [Kind::Model, Kind::Profile, Kind::Comparison, Kind::Figures, Kind::Report, Kind::Workbook, Kind::Fmu];
 
 impl Kind {
-    /// The extension of a path, where it promises another kind.
+    /// Returns the extension of a path if it implies another kind.
     pub fn contradicting_extension(&self, path: &std::path::Path) -> Option<&'static str> {
         let extension = path.extension()?.to_str()?;
         let (known, promised) = PROMISES.iter().find(|(known, _)| known.eq_ignore_ascii_case(extension))?;
         (NAMED.contains(self) && !promised.contains(self)).then_some(known)
     }
 
-    /// Looks at the content of a file.
+    /// Detects the kind from the content of a file.
     pub fn detect(bytes: &[u8]) -> Kind {
         if bytes.iter().all(u8::is_ascii_whitespace) {
             return Kind::Empty;
@@ -108,7 +108,7 @@ impl Kind {
             [0x7f, b'E', b'L', b'F', ..] | [b'M', b'Z', ..] | [0xcf, 0xfa, 0xed, 0xfe, ..] => {
                 let mut magic = [0; 4];
                 magic.copy_from_slice(&bytes[..4]);
-                // Windows says no more than `MZ` at this place.
+                // For Windows programs only `MZ` is significant here.
                 if magic.starts_with(b"MZ") {
                     magic = *b"MZ  ";
                 }
@@ -173,7 +173,7 @@ impl Kind {
     }
 }
 
-/// Whether a workbook was written by dashpot and by nobody since.
+/// Returns whether dashpot wrote a workbook, and nobody changed it.
 fn is_own_workbook(bytes: &[u8]) -> bool {
     let properties = || -> Option<String> {
         let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).ok()?;
@@ -247,7 +247,7 @@ mod tests {
         assert!(matches!(Kind::detect(&workbook("Anna")), Kind::Other(_)));
         assert_eq!(Kind::detect(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
         assert_ne!(Kind::detect(b"\x7fELF12"), Kind::detect(b"MZ\x90\x00"));
-        // A newer property file replaces an older one, and never one of the vendor's, whose first line is the same.
+        // A newer property file replaces an older one, and never a file of the vendor, whose first line is the same.
         assert_eq!(of("$ Written by dashpot 0.1.0 from a.toml (check sum 1)\n[MDI_HEADER]\n"), Kind::Property);
         assert_eq!(
             of("<?xml version=\"1.0\"?>\n<afc>\n  <!-- Written by dashpot 0.1.0 from b.toml -->\n</afc>\n"),

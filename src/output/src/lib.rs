@@ -1,4 +1,4 @@
-//! Where results go, for all verbs: files replaced as a whole and only by their own kind, or standard output for `-`.
+//! Output of results, for all verbs: files that are replaced as a whole and only by their own kind, or standard output for `-`.
 
 mod format;
 mod guard;
@@ -25,16 +25,15 @@ pub use run::as_a_run;
 pub use stdout::closed as stdout_closed;
 pub use terminal::{printable, warn};
 
-/// Whether the path stands for standard output.
+/// Returns whether a path denotes standard output.
 pub fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Makes sure, before long work, that files can be written to these paths and that nothing else is lost by it.
+/// Checks, before long work, that these paths can be written and that nothing else is lost.
 ///
 /// # Errors
-/// Where a path is a folder, an input, a device or write-protected, two are the same, or a folder is missing or cannot be
-/// written to.
+/// A path that is a folder, an input, a device or write-protected. Also two equal paths, or a folder that is missing or not writable.
 pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
     check_each(paths.into_iter().map(|path| (path, None)))
 }
@@ -42,7 +41,7 @@ pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()
 /// Checks outputs and their kinds before the work: a file of another kind is rejected.
 ///
 /// # Errors
-/// As [`check`], and where a file of another kind is there already.
+/// The errors of [`check`], and an existing file of another kind.
 pub fn check_kinds<'a>(outputs: impl IntoIterator<Item = (Option<&'a Path>, Kind)>) -> anyhow::Result<()> {
     check_each(outputs.into_iter().filter_map(|(path, kind)| path.map(|path| (path, Some(kind)))))
 }
@@ -70,7 +69,7 @@ fn check_each<'a>(outputs: impl Iterator<Item = (&'a Path, Option<Kind>)>) -> an
     Ok(())
 }
 
-/// Writes text or bytes to a file, or to standard output where the path is `-`.
+/// Writes text or bytes to a file, or to standard output if the path is `-`.
 pub fn write(path: &Path, text: impl AsRef<[u8]>) -> anyhow::Result<()> {
     if is_stdout(path) {
         let mut out = std::io::stdout().lock();
@@ -79,10 +78,10 @@ pub fn write(path: &Path, text: impl AsRef<[u8]>) -> anyhow::Result<()> {
     write_file(path, text.as_ref())
 }
 
-/// Makes a folder for results where there is none.
+/// Makes a folder for results, if it does not exist.
 ///
 /// # Errors
-/// What the system says, with the folder.
+/// The error of the system, with the folder.
 pub fn make_folder(folder: &Path) -> anyhow::Result<()> {
     std::fs::create_dir_all(folder).with_context(|| format!("making the folder {}", folder.display()))
 }
@@ -94,7 +93,7 @@ pub fn json(path: &Path, value: &impl serde::Serialize) -> anyhow::Result<()> {
     write(path, text)
 }
 
-/// Prints a line for people: on standard output, or on standard error where standard output carries `result`.
+/// Prints a message on standard output, or on standard error if standard output carries `result`.
 pub fn say(result: Option<&Path>, text: &str) -> anyhow::Result<()> {
     if result.is_some_and(is_stdout) {
         return terminal::warn_or_fail(text);

@@ -1,21 +1,21 @@
-//! Who is at work: a folder takes the results of one run at a time, and temporary files tell whether their run lives.
+//! Locks: a folder receives the results of one run at a time, and temporary files show whether their run still exists.
 
 use anyhow::{Context as _, bail};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-/// Holds a folder for this run until dropped.
+/// Lock of a folder for this run, until it is dropped.
 pub struct FolderLock {
     held: Option<File>,
-    /// The folder, where this run made it: taken away again if nothing came into it.
+    /// The folder, if this run made it. It is removed again if it stays empty.
     made: Option<PathBuf>,
 }
 
 impl FolderLock {
-    /// Makes the folder if need be and takes it.
+    /// Makes the folder if necessary, and locks it.
     ///
     /// # Errors
-    /// When it cannot be made, or another run holds it.
+    /// A folder that cannot be made, or that another run has locked.
     pub fn take(folder: &Path) -> anyhow::Result<FolderLock> {
         let made = (!folder.exists()).then(|| folder.to_owned());
         fs::create_dir_all(folder).with_context(|| format!("making the folder {}", folder.display()))?;
@@ -33,16 +33,16 @@ impl Drop for FolderLock {
     fn drop(&mut self) {
         drop(self.held.take());
         if let Some(folder) = &self.made {
-            // Fails, as it should, where something is in it.
+            // This fails, as intended, if the folder is not empty.
             let _ = fs::remove_dir(folder);
         }
     }
 }
 
-/// Somebody else holds it.
+/// Error: another run holds the lock.
 struct Held;
 
-/// Locks a folder; nothing where the file system knows no locks.
+/// Locks a folder; `None` if the file system has no locks.
 #[cfg(unix)]
 fn hold(folder: &Path) -> Result<Option<File>, Held> {
     let Ok(file) = File::open(folder) else { return Ok(None) };
@@ -52,7 +52,8 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     }
 }
 
-/// A file that others cannot open and that the system removes with the run: beside the folder, since what is in it is looked at.
+/// Makes a file that others cannot open and that the system removes at the end of the run. It lies next to the folder, because the content
+/// of the folder is checked.
 #[cfg(windows)]
 fn hold(folder: &Path) -> Result<Option<File>, Held> {
     use std::os::windows::fs::OpenOptionsExt as _;
@@ -74,17 +75,17 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     }
 }
 
-/// Marks a temporary file as one of a living run; the mark goes with the run, however it ends.
+/// Marks a temporary file as belonging to an existing run. The mark disappears with the run, however it ends.
 pub fn mark_alive(file: &File) {
-    // Where the file system knows no locks there is no mark, and such files are left alone below.
+    // A file system without locks has no marks, and its temporary files are never removed below.
     #[cfg(unix)]
     let _ = rustix::fs::flock(file, rustix::fs::FlockOperation::NonBlockingLockShared);
-    // Windows refuses to remove a file that is open without leave to delete it; nothing is needed.
+    // Windows refuses to remove an open file that does not permit deletion, so no mark is needed.
     #[cfg(not(unix))]
     let _ = file;
 }
 
-/// Whether a temporary file belongs to a living run, or this cannot be told.
+/// Returns whether a temporary file belongs to an existing run, or this is unknown.
 pub fn is_alive(path: &Path) -> bool {
     #[cfg(unix)]
     {

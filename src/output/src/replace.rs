@@ -1,4 +1,4 @@
-//! Files that are either the old or the new, never half of one.
+//! Atomic replacement of files: a file is either old or new, never partial.
 
 use super::guard::{Target, target};
 use super::kind::Kind;
@@ -8,17 +8,19 @@ use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::Path;
 
-/// Beginning of the names of temporary files.
+/// Prefix of the names of temporary files.
 const TEMPORARY: &str = ".dashpot-";
-/// How often a file is begun anew when another run took its temporary file for one of a dead run.
+/// Number of attempts if another run removes the temporary file as that of a dead run.
 const TRIES: usize = 5;
 
-/// Writes a file, replacing an older one of the same kind by way of a temporary file in the same folder. Symbolic links
-/// stay and lead to the new file, which keeps the rights and the owner of the older one; a device or a pipe is written into.
+/// Writes a file, and replaces an older one of the same kind through a temporary file in the same folder.
+///
+/// Symbolic links remain and point to the new file, which keeps permissions and owner of the older one. A device or a pipe is written to
+/// directly.
 ///
 /// # Errors
-/// When something else is there already and `--force` was not given, when the folder is missing or full, or the file cannot
-/// be replaced; the older file then stays as it was.
+/// An existing file of another kind without `--force`, a missing or full folder, or a file that cannot be replaced. The older file then
+/// stays unchanged.
 pub fn replace_file(path: &Path, contents: &[u8]) -> anyhow::Result<()> {
     match target(path, Some(&Kind::detect(contents)))? {
         Target::Stream(path) => {
@@ -46,7 +48,7 @@ fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
 
 fn replace_once(path: &Path, folder: &Path, contents: &[u8]) -> io::Result<()> {
     let mut builder = tempfile::Builder::new();
-    // Temporary files are private by default; a report is meant to be passed on. The user's mask still applies.
+    // Temporary files are private by default, but a report is meant to be shared. The user's umask still applies.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.prefix(TEMPORARY).tempfile_in(folder)?;
@@ -65,7 +67,7 @@ fn keep_rights(file: &File, older: &fs::Metadata) -> io::Result<()> {
     use std::os::unix::fs::MetadataExt as _;
     let new = file.metadata()?;
     if (new.uid(), new.gid()) != (older.uid(), older.gid()) {
-        // Only root may give files away; for anybody else the file becomes his own, as when an editor saves it.
+        // Only root may change the owner. Otherwise the file belongs to the current user, as when an editor saves it.
         let _ = std::os::unix::fs::fchown(file, Some(older.uid()), Some(older.gid()));
     }
     file.set_permissions(older.permissions())
@@ -76,21 +78,21 @@ fn keep_rights(_: &File, _: &fs::Metadata) -> io::Result<()> {
     Ok(())
 }
 
-/// The folder that a file lies in.
+/// Returns the folder of a file.
 pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Makes sure that a folder takes files.
+/// Checks that a folder is writable.
 ///
 /// # Errors
-/// What the system says.
+/// The error of the system.
 pub fn try_folder(folder: &Path) -> io::Result<()> {
     remove_of_dead_runs(folder);
     tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(folder).map(drop)
 }
 
-/// Removes temporary files of runs that were killed: those that nobody holds. What cannot be removed stays.
+/// Removes temporary files of killed runs, which hold no lock. Files that cannot be removed stay.
 fn remove_of_dead_runs(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten().filter(|e| e.file_name().to_string_lossy().starts_with(TEMPORARY)) {
@@ -100,10 +102,10 @@ fn remove_of_dead_runs(folder: &Path) {
     }
 }
 
-/// Writes a file as [`replace_file`] does, with its path in the error.
+/// Writes a file with [`replace_file`], and adds its path to the error.
 ///
 /// # Errors
-/// As [`replace_file`].
+/// The errors of [`replace_file`].
 pub fn write_file(path: &Path, contents: &[u8]) -> anyhow::Result<()> {
     replace_file(path, contents).with_context(|| format!("cannot write {}", path.display()))
 }

@@ -1,10 +1,10 @@
-//! One piece of work among many of a process: what it reads and whether it may replace other files is its own matter. A command does one and says both
-//! for the whole process; the Python package does many, beside each other.
+//! Runs: units of work in one process, each with its own inputs and its own permission to replace files.
+//! A command is one run and sets both for the whole process. The Python package makes many runs, also concurrently.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-/// What is said of the work of this thread.
+/// Settings of the run of this thread.
 #[derive(Debug, Default, Clone)]
 struct Run {
     force: bool,
@@ -15,7 +15,7 @@ thread_local! {
     static RUN: RefCell<Run> = RefCell::default();
 }
 
-/// Puts back what was said before, however the work ends.
+/// Guard that restores the previous run, however the work ends.
 struct Before(Option<Run>);
 
 impl Drop for Before {
@@ -26,22 +26,21 @@ impl Drop for Before {
     }
 }
 
-/// Does work that writes files in this thread.
+/// Runs work that writes files in this thread.
 ///
-/// With `force` they may replace anything, without it none of the files that it reads, as if these had been named to
-/// the command.
+/// With `force` the files may replace any file. Without it they may not replace a file in `reads`, as if the command line had named it.
 pub fn as_a_run<'a, T>(force: bool, reads: impl IntoIterator<Item = &'a Path>, work: impl FnOnce() -> T) -> T {
     let reads = reads.into_iter().filter_map(|path| std::fs::canonicalize(path).ok()).collect();
     let _before = Before(Some(RUN.replace(Run { force, reads })));
     work()
 }
 
-/// Whether the work of this thread may replace anything.
+/// Returns whether the run of this thread may replace any file.
 pub fn is_forced() -> bool {
     RUN.with_borrow(|run| run.force)
 }
 
-/// What the work of this thread reads, links followed.
+/// Returns the inputs of the run of this thread, with links followed.
 pub fn reads() -> Vec<PathBuf> {
     RUN.with_borrow(|run| run.reads.clone())
 }

@@ -1,6 +1,6 @@
-//! Standard output that is closed: found out before the runtime puts the null device in its place.
+//! Detection of a closed standard output, before the runtime replaces it by the null device.
 
-/// The error where standard output was closed by whoever started the program.
+/// Returns an error if the parent process closed standard output.
 pub fn closed() -> Option<&'static str> {
     was_closed().then_some("standard output is closed; send it to a file, or to /dev/null if nobody reads it")
 }
@@ -12,15 +12,15 @@ mod at_start {
     static CLOSED: AtomicBool = AtomicBool::new(false);
 
     extern "C" fn look() {
-        // SAFETY: a borrowed descriptor is only asked for its flags, which is allowed for one that is closed.
+        // SAFETY: the borrowed descriptor is only queried for its flags, which is allowed for a closed one.
         let out = unsafe { rustix::fd::BorrowedFd::borrow_raw(1) };
         CLOSED.store(rustix::io::fcntl_getfd(out).is_err(), Ordering::Relaxed);
     }
 
-    // The runtime of the language opens the null device on closed standard descriptors before `main`, after which a closed
-    // output cannot be told from one that the user sent there. Functions in this section run earlier still.
-    // SAFETY: the section holds pointers to functions without arguments that the loader calls once; `look` uses nothing
-    // that the runtime has yet to set up.
+    // Before `main` the language runtime opens the null device on closed standard descriptors. A closed output is then indistinguishable
+    // from one that the user redirected there. Functions in this section run earlier.
+    // SAFETY: the section contains pointers to functions without arguments, which the loader calls once. `look` uses nothing that the
+    // runtime initializes later.
     #[used]
     #[cfg_attr(target_os = "linux", unsafe(link_section = ".init_array"))]
     #[cfg_attr(target_os = "macos", unsafe(link_section = "__DATA,__mod_init_func"))]

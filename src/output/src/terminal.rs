@@ -1,20 +1,21 @@
-//! The one place that writes words to the terminal. Names of files, headings and entries of tables come from strangers, so what would
-//! move the cursor, color or reorder the text is shown and not done.
+//! Output of text to the terminal.
+//! Names of files, headings and entries of tables come from unknown sources. So characters that would move the cursor, color or reorder the
+//! text are shown in escaped form.
 
 use anyhow::Context as _;
 use std::borrow::Cow;
 use std::io::Write;
 
-/// Whether a character acts on a terminal or on the order of the text around it.
+/// Returns whether a character affects a terminal, or the order of the text around it.
 ///
-/// Controls but for line feed and tab, and the marks of direction of Unicode's annex 9, with the separators of lines
-/// and paragraphs.
+/// These are control characters except line feed and tab, the direction marks of Unicode's annex 9, and the separators of lines and
+/// paragraphs.
 fn acts(c: char) -> bool {
     let is_mark = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     (c.is_control() && c != '\n' && c != '\t') || is_mark
 }
 
-/// The text with every character that acts on a terminal written as `\u{1b}`.
+/// Escapes every character that affects a terminal, as in `\u{1b}`.
 pub fn printable(text: &str) -> Cow<'_, str> {
     if !text.chars().any(acts) {
         return text.into();
@@ -35,12 +36,12 @@ pub(crate) fn line(text: &str) -> anyhow::Result<()> {
     writeln!(std::io::stdout().lock(), "{}", printable(text)).context("cannot write to standard output")
 }
 
-/// Prints a line on standard error. There is nobody to tell where that fails.
+/// Prints a line on standard error. A failure is ignored, because it cannot be reported.
 pub fn warn(text: &str) {
     let _ = writeln!(std::io::stderr().lock(), "{}", printable(text));
 }
 
-/// Prints a line on standard error, and says where that fails.
+/// Prints a line on standard error, and returns an error if that fails.
 pub(crate) fn warn_or_fail(text: &str) -> anyhow::Result<()> {
     writeln!(std::io::stderr().lock(), "{}", printable(text)).context("cannot write to standard error")
 }

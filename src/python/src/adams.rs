@@ -1,4 +1,4 @@
-//! Files of Adams, and models from them and from tables of peak forces.
+//! Files of Adams, and models from such files and from tables of peak forces.
 
 use crate::errors::{ExportError, ModelError, OutputError, raise, say};
 use crate::model::Model;
@@ -18,15 +18,15 @@ use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A length in mm from a text that has its unit behind it, or is a number in m.
+/// Parses a length in mm from a text with a unit, or from a number in m.
 fn millimetres(length: &str) -> Result<f64, String> {
-    // Its refusal says that a number alone is in m.
+    // The error of this function states that a number alone is in m.
     in_metres(length)?;
     let has_unit = length.trim_end().ends_with('m');
     in_millimetres(&if has_unit { length.to_owned() } else { format!("{length}m") })
 }
 
-/// Writes a run folder of Adams; returns what is to be known of it.
+/// Writes a run folder of Adams; returns notes on it.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn export_adams(
@@ -74,7 +74,7 @@ pub fn export_adams(
     Ok(notes)
 }
 
-/// Writes the FV curve as a property file of Adams Car; `name` is what the model is called. Returns the points in it and what is to be known of it.
+/// Writes the FV curve as a property file of Adams Car; `name` is the name of the model. Returns the number of points, and notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_dpr(
@@ -96,7 +96,7 @@ pub fn export_dpr(
     Ok((made.points, made.remarks))
 }
 
-/// Writes a compiled Adams Car model with dampers replaced: name of its SFORCE, length, model file. Returns what is to be known of it.
+/// Writes a compiled Adams Car model with dampers replaced, each by the name of its SFORCE, its length and its model file. Returns notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_adm(
@@ -117,16 +117,16 @@ pub fn export_adm(
     Ok(made.notes)
 }
 
-/// The model of a property file of Adams Car: the text of its file.
+/// Makes a model from a property file of Adams Car; returns the text of its file.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn import_dpr(path: PathBuf) -> PyResult<String> {
     of_property_file(&path).map(|made| made.text).map_err(raise::<ModelError>)
 }
 
-/// The model of a table of peak forces.
+/// Makes a model from a table of peak forces.
 ///
-/// The text of its file, which side was taken as rebound, and whether the table's forces speak against that.
+/// Returns the text of its file, the side that was interpreted as rebound, and whether the forces contradict that.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn import_peaks(

@@ -1,4 +1,4 @@
-//! Rig records as Python sees them.
+//! Rig records in Python.
 
 use crate::errors::{RecordError, raise, say};
 use crate::work;
@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Records of a campaign, cleaned, in SI, extension and tension positive.
+/// Records of a campaign, cleaned, in SI units; extension and tension positive.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Campaign {
     /// The records.
@@ -20,12 +20,12 @@ pub struct Campaign {
 }
 
 impl Campaign {
-    /// The records by reference, as fits and diagnoses take them.
+    /// Returns references to the records, for fits and diagnoses.
     pub fn records(&self) -> Vec<&Record> {
         self.read.records.iter().collect()
     }
 
-    /// What was found of the campaign as a whole, without its records.
+    /// Returns the findings about the whole campaign, without its records.
     pub fn about(&self) -> dashpot_records::Campaign {
         let read = &self.read;
         dashpot_records::Campaign {
@@ -39,12 +39,12 @@ impl Campaign {
     }
 }
 
-/// What makes a campaign again.
+/// Data from which a campaign is restored.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
-/// Takes sentences apart that were kept in English, so that reports say them in other languages.
+/// Reader that parses sentences stored in English, so that reports give them in other languages.
 ///
-/// Those of reading, and of the fit whose findings were taken out of records.
+/// The sentences are those of reading, and of the fit whose measurement errors were corrected.
 static KEPT: LazyLock<Reader> = LazyLock::new(|| {
     let templates = [dashpot_records::templates(), dashpot_identification::templates()].concat();
     let texts = dashpot_records::texts().into_iter().chain(dashpot_identification::texts());
@@ -52,7 +52,7 @@ static KEPT: LazyLock<Reader> = LazyLock::new(|| {
     Reader::new(templates, words)
 });
 
-/// Makes the sentences of a campaign what they were before they were written as JSON.
+/// Restores the sentences of a campaign after storage as JSON.
 fn say_again(read: &mut dashpot_records::Campaign) {
     let notes = read.records.iter_mut().flat_map(|record| &mut record.notes).chain(&mut read.notes);
     let said = notes.map(|note| &mut note.text).chain(read.unusable.iter_mut().map(|one| &mut one.why));
@@ -61,7 +61,7 @@ fn say_again(read: &mut dashpot_records::Campaign) {
     }
 }
 
-/// How to read records, from the JSON of a profile (the entries of `campaign.toml`).
+/// Makes the options of the reader from the JSON of a profile (the entries of `campaign.toml`).
 pub fn options(mapping: &str, strict: bool) -> PyResult<Options> {
     let profile: Profile = serde_json::from_str(mapping).map_err(raise::<RecordError>)?;
     Ok(Options { strict, ..profile.options().map_err(say::<RecordError>)? })
@@ -69,7 +69,7 @@ pub fn options(mapping: &str, strict: bool) -> PyResult<Options> {
 
 #[pymethods]
 impl Campaign {
-    /// Reads and cleans files and folders as one campaign.
+    /// Reads and clean files and folders as one campaign.
     #[staticmethod]
     #[pyo3(signature = (paths, mapping, strict, progress=None))]
     fn read(
@@ -86,17 +86,17 @@ impl Campaign {
         Ok(Campaign { read: read.map_err(raise::<RecordError>)? })
     }
 
-    /// What was found, without the channels, as JSON.
+    /// Returns the findings as JSON, without the channels.
     fn json(&self) -> PyResult<String> {
         serde_json::to_string(&self.read).map_err(raise::<RecordError>)
     }
 
-    /// Number of tests.
+    /// Returns the number of tests.
     fn __len__(&self) -> usize {
         self.read.records.len()
     }
 
-    /// Channels of one test as arrays, by name.
+    /// Returns the channels of one test as arrays, by name.
     fn channels<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyDict>> {
         let record = self.read.records.get(index).ok_or_else(|| PyIndexError::new_err("no such test"))?;
         let channels = PyDict::new(py);
@@ -115,9 +115,9 @@ impl Campaign {
         Ok(channels)
     }
 
-    /// All that is needed to make this campaign [again](Campaign::again), with one of its tests where one is named.
+    /// Returns all data to [restore](Campaign::again) this campaign, or one of its tests if `only` is given.
     ///
-    /// What was found, as JSON, the channels of every test, and the fingerprints that tests had when they were read.
+    /// These are the findings as JSON, the channels of every test, and the fingerprints of the tests at reading.
     #[pyo3(signature = (only=None))]
     fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
         let one = only.map(|index| {
@@ -131,7 +131,7 @@ impl Campaign {
         Ok((serde_json::to_string(read).map_err(raise::<RecordError>)?, channels, as_read, read.files.clone()))
     }
 
-    /// A campaign from its [state](Campaign::state).
+    /// Restores a campaign from its [state](Campaign::state).
     #[staticmethod]
     fn again(
         json: &str,
@@ -164,7 +164,7 @@ impl Campaign {
         Ok(Campaign { read })
     }
 
-    /// A short name for the content of one test.
+    /// Returns a short identifier of the content of one test.
     fn fingerprint(&self, index: usize) -> PyResult<String> {
         self.read.records.get(index).map(Record::fingerprint).ok_or_else(|| PyIndexError::new_err("no such test"))
     }

@@ -1,4 +1,4 @@
-//! A model in a host that holds its force over a step.
+//! Check of a model in a host with a zero-order hold of its force.
 
 use crate::errors::{ModelError, raise};
 use crate::model::Model;
@@ -7,10 +7,9 @@ use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Figures, Ready};
 use pyo3::prelude::*;
 
-/// Whether a damper chatters in a host.
+/// Checks whether a damper chatters in a host.
 ///
-/// Returns what `dashpot check --json` writes, what the command says, and the text of the model file of the damper as
-/// the host gets it.
+/// Returns the output of `dashpot check --json`, the messages of the command, and the text of the model file of the damper for this host.
 #[pyfunction]
 #[pyo3(signature = (model, host_step, wheel_mass, for_step=None))]
 pub fn check(

@@ -1,4 +1,4 @@
-//! A model against records.
+//! Comparison of a model with records.
 
 use crate::campaign::Campaign;
 use crate::errors::{ValidationError, raise};
@@ -20,13 +20,13 @@ type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 /// Name of a model of the literature, and its forces at the samples of every test, N.
 type OfRival<'py> = (&'static str, Vec<Bound<'py, PyArray1<f64>>>);
 
-/// The result of a comparison.
+/// Result of a comparison.
 ///
-/// Figures as JSON, the forces of every test, the records as they were compared, the note on the models of the
-/// literature, and their forces.
+/// It contains the figures as JSON, the forces of every test, and the records as compared. The note on the models of the literature, and
+/// their forces, follow.
 type Validated<'py> = (String, Vec<Forces<'py>>, Campaign, Option<&'static str>, Vec<OfRival<'py>>);
 
-/// Tests beside forces that are at hand.
+/// Combines tests with existing forces.
 pub fn compared<'a>(
     file: &ModelFile,
     read: &'a dashpot_records::Campaign,
@@ -39,10 +39,10 @@ pub fn compared<'a>(
     read.records.iter().zip(forces).map(of_one).collect()
 }
 
-/// The figures of a comparison.
+/// Computes the figures of a comparison.
 ///
-/// What the fit saw and what could not be used is told by the campaign; limits are judged where there are some, and
-/// models of the literature put beside, by their names and forces.
+/// The campaign supplies the tests of the fit and the unusable tests. Limits are checked if given. Models of the literature are added by
+/// their names and forces.
 pub fn figures(
     read: &dashpot_records::Campaign,
     compared: &[Compared<'_>],
@@ -64,12 +64,12 @@ pub fn figures(
     Ok(validation)
 }
 
-/// Compares a model with records, beside the plain FV curve.
+/// Compares a model with records, and with the plain FV curve.
 ///
-/// Returns what `dashpot validate --json` writes, the simulated forces of every test, and the records as they were
-/// compared: without what the model's own fit found them to be off by. Limits, where some are given, are judged as
-/// `dashpot validate --limits` does; models of the literature, where some are named, stand beside it as `dashpot
-/// validate --against` puts them. What is to be told of these comes behind, and last the forces of each.
+/// Returns the output of `dashpot validate --json`, the simulated forces of every test, and the records as compared, which are corrected by
+/// the measurement errors of the model's own fit.
+/// Given limits are checked like `dashpot validate --limits`. Named models of the literature are compared like `dashpot validate
+/// --against`. The note on these models and the forces of each follow.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, progress=None, limits=None, against=Vec::new()))]
 pub fn validate<'py>(

@@ -1,4 +1,4 @@
-//! Many dampers, stepped together without an allocation for each.
+//! Many dampers, stepped together without an allocation for each damper.
 
 use crate::errors::{StepError, say};
 use crate::model::Model;
@@ -13,28 +13,28 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-/// Numbers of a state.
+/// Number of values of a state.
 const NUMBERS: usize = 14;
-/// Shortest and longest step, s; those of the C interface.
+/// Shortest and longest step, s, equal to those of the C interface.
 const STEP: std::ops::RangeInclusive<f64> = 1e-15..=100.0;
-/// Largest inputs; those of the C interface.
+/// Largest inputs, equal to those of the C interface.
 const LARGEST: f64 = 1e3;
 const LARGEST_SIDE_FORCE: f64 = 1e9;
 const LARGEST_TEMPERATURE: f64 = 1e5;
-/// Dampers from which a step is shared among threads: handing work out costs some microseconds, a step about half of one.
+/// Smallest number of dampers whose step is distributed to threads: the distribution costs some microseconds, a step about half of one.
 const SHARED: usize = 256;
-/// Dampers handed to a thread at a time.
+/// Number of dampers in each unit of work of a thread.
 const CHUNK: usize = 64;
 
-/// One number for all dampers, or one for each.
+/// Values of one channel: one for all dampers, or one for each.
 enum Channel<'py> {
     /// One value for all dampers.
     One(f64),
-    /// One each.
+    /// One value for each damper.
     Each(PyReadonlyArray1<'py, f64>),
 }
 
-/// The values without Python objects.
+/// Values of one channel without Python objects.
 #[derive(Clone, Copy)]
 enum Values<'a> {
     One(f64),
@@ -54,7 +54,7 @@ impl<'py> Channel<'py> {
         if let Ok(one) = given.extract() {
             return Ok(Channel::One(one));
         }
-        // Whatever else may stand for numbers, with a sentence where it may not.
+        // Convert other objects that represent numbers, or raise an error with a message.
         let column = given.py().import("dashpot._numbers")?.getattr("column")?.call1((name, given))?;
         Ok(Channel::Each(column.extract()?))
     }
@@ -85,7 +85,7 @@ impl Values<'_> {
     }
 }
 
-/// Where the forces go.
+/// Returns the array for the forces.
 fn writable<'py>(out: &Bound<'py, PyAny>) -> PyResult<PyReadwriteArray1<'py, f64>> {
     let writable = out.cast::<PyArray1<f64>>().ok().and_then(|array| array.try_readwrite().ok());
     writable.ok_or_else(|| {
@@ -115,31 +115,32 @@ impl Inputs<'_> {
     }
 }
 
-/// Whether a number lies within a limit; false for NaN.
+/// Returns whether all inputs lie within their limits; false for NaN.
 fn sane(input: &Input) -> bool {
     input.displacement.unwrap_or(0.0).abs() + input.velocity.abs() <= LARGEST
         && input.side_force.abs() <= LARGEST_SIDE_FORCE
         && input.temperature.abs() <= LARGEST_TEMPERATURE
 }
 
-/// Whether a motion is none of a damper: mostly one in millimeters. The limits are those beyond which records are refused.
+/// Returns whether a motion is too large for a damper, for example because it is in millimeters. Records beyond these limits are rejected.
 fn is_of_no_damper(input: &Input) -> bool {
     input.displacement.unwrap_or(0.0).abs() > 0.5 || input.velocity.abs() > 20.0
 }
 
-/// Dampers with their states, of one model or of one each.
+/// Dampers with their states, with one model for all or one for each.
 #[pyclass(module = "dashpot._native")]
 pub struct Dampers {
     models: Vec<Py<Model>>,
     states: Vec<State>,
-    /// Where a step is computed, so that a refused one leaves all states as they were.
+    /// States after the step. A rejected step leaves the current states unchanged.
     next: Vec<State>,
 }
 
 #[pymethods]
 impl Dampers {
-    /// Dampers that have long moved steadily in this manner: at their initial positions, m, with initial velocities, m/s, side forces, N, and
-    /// temperatures, °C. That is `dashpot_state_init_motion` of the C interface, and at velocity 0 `dashpot_state_init`.
+    /// Makes dampers in steady motion at their initial positions, m, initial velocities, m/s, side forces, N, and temperatures, °C.
+    ///
+    /// This corresponds to `dashpot_state_init_motion` of the C interface, and at velocity 0 to `dashpot_state_init`.
     #[new]
     fn new(
         py: Python<'_>,
@@ -195,7 +196,8 @@ impl Dampers {
         self.states.len()
     }
 
-    /// Moves all dampers on by `dt` (s) to the inputs given; writes their forces (N) into `out`. Returns whether a motion is none of a damper.
+    /// Steps all dampers by `dt` (s) to the given inputs, and write their forces (N) to `out`. Returns whether a motion is too large for a
+    /// damper.
     #[pyo3(signature = (velocity, dt, displacement, side_force, temperature, out))]
     #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
     fn step<'py>(
@@ -247,10 +249,10 @@ impl Dampers {
         let (states, next) = (&own.states[..], &mut own.next[..]);
         let forces = out.as_array_mut();
         let refused = if count == 1 {
-            // Giving the interpreter's lock back and taking it costs as much as the step.
+            // Releasing and reacquiring the interpreter lock costs as much as the step.
             run(models, states, next, forces, &inputs, dt)
         } else {
-            // Below that all is done by this thread, whatever others there are.
+            // Below that number this thread does all work, however many other threads exist.
             let pool = if count >= SHARED { work::pool(py) } else { None };
             let step = move || run(models, states, next, forces, &inputs, dt);
             py.detach(move || match pool {
@@ -267,7 +269,7 @@ impl Dampers {
         Ok((0..count).any(|k| is_of_no_damper(&inputs.at(k))))
     }
 
-    /// All states, one row of fourteen numbers a damper; a copy.
+    /// Returns a copy of all states, with one row of fourteen numbers for each damper.
     #[getter]
     fn get_state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let array = PyArray2::zeros(py, [self.states.len(), NUMBERS], false);
@@ -283,7 +285,7 @@ impl Dampers {
         Ok(array)
     }
 
-    /// Puts states back that were taken from `state`.
+    /// Restores states that were read from `state`.
     #[setter]
     #[allow(clippy::needless_pass_by_value)]
     fn set_state(&mut self, rows: PyArrayLike2<'_, f64, AllowTypeChange>) -> PyResult<()> {
@@ -313,7 +315,7 @@ impl Dampers {
     }
 }
 
-/// Steps all dampers; the place of the first that has no finite force, if any.
+/// Steps all dampers. Returns the index of the first damper without a finite force, if any.
 fn run(
     models: &[Py<Model>],
     states: &[State],

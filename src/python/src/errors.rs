@@ -1,4 +1,4 @@
-//! Exceptions, with the sentences of the command.
+//! Exceptions with the messages of the command.
 
 use pyo3::create_exception;
 use pyo3::exceptions::PyException;
@@ -22,12 +22,12 @@ create_exception!(dashpot, ExportError, DashpotError, "A model that cannot be ex
 create_exception!(dashpot, RigError, DashpotError, "What the virtual rig cannot measure.");
 create_exception!(dashpot, OutputError, DashpotError, "A file that cannot be written, or would take another's place.");
 
-/// An error of the crates as an exception: itself and its causes in one sentence, as the command prints it.
+/// Converts an error of the crates to an exception. Its text is the error with its causes in one sentence, as the command prints it.
 pub fn raise<E: pyo3::PyTypeInfo>(error: impl Into<anyhow::Error>) -> PyErr {
     PyErr::new::<E, _>(as_arguments(dashpot_output::format_once(&error.into())))
 }
 
-/// Options of the command in a sentence as arguments of the package.
+/// Replaces options of the command in a sentence by arguments of the package.
 fn as_arguments(said: String) -> String {
     if !said.contains("--") {
         return said;
@@ -38,7 +38,7 @@ fn as_arguments(said: String) -> String {
     translated.unwrap_or(said)
 }
 
-/// A sentence as an exception.
+/// Converts a sentence to an exception.
 pub fn say<E: pyo3::PyTypeInfo>(sentence: impl Into<String>) -> PyErr {
     PyErr::new::<E, _>(sentence.into())
 }

@@ -1,4 +1,4 @@
-//! Which physical effect a model lacks.
+//! Diagnosis of the physical effect that a model lacks.
 
 use crate::campaign::Campaign;
 use crate::dimensions::priors;
@@ -21,7 +21,7 @@ use pyo3::types::PyDict;
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// What `dashpot diagnose --json` writes.
+/// Output of `dashpot diagnose --json`.
 #[derive(Serialize)]
 struct DiagnosisJson<'a> {
     #[serde(flatten)]
@@ -32,7 +32,7 @@ struct DiagnosisJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Mean cycle of one test: motion, measured force, force before and after.
+/// Returns the mean cycle of one test: motion, measured force, and the forces before and after.
 pub fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDict>> {
     let Curves { displacement, velocity, measured, before, after, .. } = curves;
     let arrays = PyDict::new(py);
@@ -48,25 +48,26 @@ pub fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDi
     Ok(arrays)
 }
 
-/// A diagnosis as its papers are made from; it lives as long as this process.
+/// Diagnosis as the input of papers; it lives as long as this process.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Diagnosed {
-    /// What was found.
+    /// Diagnosis.
     pub found: Diagnosis,
-    /// How far the models in it are off over every sample.
+    /// Errors of its models over every sample.
     pub over_whole_records: OfDiagnosis,
-    /// The model as it came.
+    /// Diagnosed model.
     pub model: Py<Model>,
-    /// The records as they were read.
+    /// Records as read.
     pub campaign: Py<Campaign>,
-    /// Those of the reference.
+    /// Records of the reference as read.
     pub reference: Option<Py<Campaign>>,
-    /// What is to be told of the records, without them.
+    /// Notes on the campaign, without its records.
     pub about: dashpot_records::Campaign,
 }
 
-/// Diagnoses a damper over a setting at each setting of the records. Returns what `dashpot diagnose --json` writes of it, and the mean cycles of
-/// every test at each setting.
+/// Diagnoses a damper over a setting at each setting of the records.
+///
+/// Returns the output of `dashpot diagnose --json`, and the mean cycles of every test at each setting.
 #[pyfunction]
 #[pyo3(signature = (family, campaign, given=None, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None, dimensions=None))]
 #[allow(clippy::too_many_arguments)]
@@ -151,8 +152,10 @@ pub fn diagnose_family<'py>(
     Ok((json, curves.iter().map(of_setting).collect::<PyResult<_>>()?))
 }
 
-/// Diagnoses a model against records, against a reference where one is given. Returns what `dashpot diagnose --json` writes, the text of the
-/// model file with the named effects added, the mean cycle of every test, and what papers are made from.
+/// Diagnoses a model against records, and against a reference if given.
+///
+/// Returns the output of `dashpot diagnose --json`, the text of the model file with the named effects added, the mean cycle of every test,
+/// and the input of papers.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None, dimensions=None))]
 #[allow(clippy::too_many_arguments)]

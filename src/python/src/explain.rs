@@ -1,4 +1,4 @@
-//! What a model says of gas, oil and valves of its damper.
+//! Properties of gas, oil and valves of a damper that follow from its model.
 
 use crate::errors::{DimensionsError, raise};
 use crate::family::Family;
@@ -8,16 +8,16 @@ use dashpot_identification::model_file::ModelFile;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// Explains a family at a setting by a file of dimensions, as [`explain`] does a model.
+/// Explains a family at a setting with a file of dimensions, as [`explain`] does for a model.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn explain_family(family: &Family, dimensions: PathBuf, setting: f64) -> PyResult<(String, Vec<String>)> {
     explain_file(&at_setting(&family.file, setting), &dimensions)
 }
 
-/// Explains a model by a file of dimensions.
+/// Explains a model with a file of dimensions.
 ///
-/// Returns what `dashpot explain --json` writes, but for the names of the two files, and the lines that it prints.
+/// Returns the output of `dashpot explain --json` without the names of the two files, and the lines that the command prints.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn explain(model: &Model, dimensions: PathBuf) -> PyResult<(String, Vec<String>)> {

@@ -1,4 +1,4 @@
-//! Models as functional mock-up units.
+//! Export of models as functional mock-up units.
 
 use crate::errors::{ExportError, OutputError, raise, say};
 use crate::model::Model;
@@ -13,7 +13,7 @@ use dashpot_simulation::stiffness;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// What goes into an FMU, and for which host.
+/// Options of an FMU and its host.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Wanted {
@@ -26,11 +26,11 @@ pub struct Wanted {
     motion_scale: Option<f64>,
     force_scale: Option<f64>,
     position_offset: f64,
-    /// When the importer sets the inputs of a step: "begin" or "end".
+    /// Instant for which the importer sets the inputs of a step: "begin" or "end".
     inputs: Option<String>,
-    /// Length of the damper for `CarMaker`: a number in m, or with its unit.
+    /// Length of the damper for `CarMaker`: a number in m, or with a unit.
     carmaker: Option<String>,
-    /// For its equilibrium, the model's own curve.
+    /// Whether CarMaker's equilibrium uses the model's own curve.
     model_curve: bool,
     sources: bool,
     hide_parameters: bool,
@@ -43,14 +43,14 @@ pub struct Wanted {
     force: bool,
 }
 
-/// An FMU, and beside it what tells `CarMaker` of it.
+/// An FMU, and the file next to it for `CarMaker`.
 struct Files {
     made: fmu::Made,
     plug_info: Option<String>,
 }
 
 impl Wanted {
-    /// Made before anything is written, since it may be refused.
+    /// Makes the files. This happens before anything is written, because the options may be rejected.
     fn files(&self, models: &[&Model], stem: &str) -> anyhow::Result<Files> {
         let version = match self.fmi {
             2 => Version::Two,
@@ -98,7 +98,7 @@ impl Wanted {
         if self.carmaker.is_none() {
             return Ok(Files { made, plug_info: None });
         }
-        // Where the numbers are hidden, no curve shows them.
+        // With concealed parameters no curve may show them.
         let curve =
             if self.hide_parameters { None } else { PlainCurve::from_model_file(&models[0].file, self.model_curve)? };
         let written = format!(
@@ -112,7 +112,7 @@ impl Wanted {
     }
 }
 
-/// Writes a functional mock-up unit, and beside it how `CarMaker` takes it where that is wanted; returns the platforms that it runs on.
+/// Writes a functional mock-up unit, and the file next to it for `CarMaker` if requested. Returns the platforms on which the FMU runs.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_fmu(py: Python<'_>, models: Vec<Py<Model>>, path: PathBuf, wanted: Wanted) -> PyResult<Vec<String>> {

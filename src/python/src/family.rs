@@ -1,4 +1,4 @@
-//! Model files of dampers that depend on a setting, as Python sees them.
+//! Model files of dampers that depend on a setting, in Python.
 
 use crate::campaign::Campaign;
 use crate::compare::figures;
@@ -26,7 +26,7 @@ use std::path::PathBuf;
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-/// A damper over a setting.
+/// Damper over a setting.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Family {
     /// The model file.
@@ -37,7 +37,7 @@ pub struct Family {
 
 #[pymethods]
 impl Family {
-    /// From the text of a model file; `name` is what errors call it.
+    /// Makes a family from the text of a model file; errors refer to it by `name`.
     #[staticmethod]
     #[allow(clippy::needless_pass_by_value)]
     fn parse(text: String, name: PathBuf) -> PyResult<Family> {
@@ -49,25 +49,25 @@ impl Family {
         Ok(Family { file, prepared, text })
     }
 
-    /// The text of the model file.
+    /// Returns the text of the model file.
     #[getter]
     fn text(&self) -> &str {
         &self.text
     }
 
-    /// The settings of the file, the one where none is given, name and unit.
+    /// Returns the settings of the file, the start setting, name and unit.
     fn setting(&self) -> (Vec<f64>, f64, &str, &str) {
         let axis = &self.file.axis;
         (axis.grid().to_vec(), axis.start(), axis.name(), axis.unit())
     }
 
-    /// The ordinary damper at a setting.
+    /// Returns the ordinary damper at a setting.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
         let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
         Model::from_text(text, &name)
     }
 
-    /// Force of the damper that moves steadily at each velocity at its setting; as many settings as velocities.
+    /// Returns the force of the damper in steady motion at each velocity and its setting. Both arrays have the same length.
     fn steady_force<'py>(
         &self,
         py: Python<'py>,
@@ -88,7 +88,7 @@ impl Family {
             let mut order: Vec<usize> = (0..setting.len()).collect();
             order.sort_by(|a, b| setting[*a].total_cmp(&setting[*b]));
             let mut forces = vec![f64::NAN; velocity.len()];
-            // A damper is made ready once for each setting.
+            // Each damper is prepared once for each setting.
             for run in order.chunk_by(|a, b| setting[*a] == setting[*b]) {
                 let model = model_file::prepared(&definition.params_at(setting[run[0]]))?;
                 for place in run {
@@ -101,7 +101,7 @@ impl Family {
         Ok(PyArray1::from_vec(py, forces.map_err(raise::<ModelError>)?))
     }
 
-    /// Compares the family with records, each at its own setting or at the `given` one; as `dashpot validate`.
+    /// Compares the family with records, each at its own setting or at the `given` one, like `dashpot validate`.
     #[pyo3(signature = (campaign, given=None, progress=None, limits=None))]
     fn validate<'py>(
         &self,
@@ -119,7 +119,7 @@ impl Family {
             restate_settings(&file.axis, &mut read.records)?;
             let note = file.identification.right(&mut read.records);
             read.notes.extend(note);
-            // That the tests have several settings is what the damper is for.
+            // Several settings among the tests are expected here.
             read.accept_settings();
             let compared = compare_family(file, &read, given, &say)?;
             let mut validation = figures(&read, &compared, None, &[])?;
@@ -140,7 +140,7 @@ impl Family {
         Ok((json, forces, Campaign { read }))
     }
 
-    /// Times, displacements, velocities and forces for a motion with a setting for each of its times.
+    /// Returns times, displacements, velocities and forces for a motion with a setting for each time.
     #[allow(clippy::needless_pass_by_value, clippy::type_complexity)]
     fn simulate<'py>(
         &self,
@@ -181,7 +181,7 @@ impl Family {
     }
 }
 
-/// Fits a damper over a setting; returns the text of its model file and the figures as JSON.
+/// Fits a damper over a setting; returns the text of its model file, and the figures as JSON.
 #[pyfunction]
 #[pyo3(signature = (campaign, setting, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
 pub fn fit_family(

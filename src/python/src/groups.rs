@@ -1,4 +1,4 @@
-//! Many dampers, or one at many settings, each against its reference.
+//! Diagnosis of many dampers, or of one at many settings, each against its reference.
 
 use crate::campaign::{Campaign, options};
 use crate::errors::{DiagnosisError, RecordError, raise};
@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 
-/// Records as paths, or as they were read: then the paths are those that they were read from.
+/// Records as paths, or already read. In the latter case the paths are those of the files.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Data {
@@ -22,7 +22,7 @@ pub struct Data {
 }
 
 impl Data {
-    /// What these paths hold: what was read already, or the files, read now.
+    /// Returns the records of these paths: already read, or read now.
     fn of(
         &self,
         paths: &[PathBuf],
@@ -35,34 +35,34 @@ impl Data {
     }
 }
 
-/// How data are split, and what the groups are compared with: where nothing is given, with the first of them.
+/// Split of the data, and the reference of the groups. Without a reference the first group serves as one.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Grouping {
     data: Data,
     by: String,
     reference: Option<Data>,
-    /// What the reference is called.
+    /// Name of the reference.
     reference_name: String,
-    /// Whether each is compared with the one before it.
+    /// Whether each group is compared with the one before it.
     chain: bool,
-    /// Entries of a `campaign.toml` by which files are read, as JSON.
+    /// Entries of a `campaign.toml`, with which files are read, as JSON.
     mapping: String,
     strict: bool,
 }
 
-/// GroupResults for groups as their papers are made from; they live as long as this process.
+/// Diagnoses of groups as the input of papers; they live as long as this process.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Grouped {
-    /// The answers.
+    /// Diagnoses.
     pub results: GroupResults,
-    /// The model as it came.
+    /// Diagnosed model.
     pub model: Py<Model>,
-    /// Every file read beside it.
+    /// Every file that was read in addition to the model.
     pub files: Vec<PathBuf>,
 }
 
-/// What ends the work: records that are not read, or what has no answer.
+/// Error that ends the work: records that cannot be read, or a group that cannot be diagnosed.
 enum Refusal {
     Reading(anyhow::Error),
     Diagnosing(anyhow::Error),
@@ -77,11 +77,13 @@ impl From<GroupError> for Refusal {
     }
 }
 
-/// The mean cycle of every test of a group.
+/// Mean cycles of every test of a group.
 type Cycles<'py> = Vec<Bound<'py, PyDict>>;
 
-/// Diagnoses groups of records, each against the reference. Returns what `dashpot diagnose --group --json` writes, what reading noticed of whole
-/// campaigns, as JSON, the mean cycles of every group, and what papers are made from.
+/// Diagnoses groups of records, each against the reference.
+///
+/// Returns the output of `dashpot diagnose --group --json`, the notes on whole campaigns as JSON, the mean cycles of every group, and the
+/// input of papers.
 #[pyfunction]
 #[pyo3(signature = (model, grouping, max_effects=3, candidates=None, seed=0, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
@@ -97,7 +99,7 @@ pub fn diagnose_groups<'py>(
     let file = &model.get().file;
     let reading = options(&grouping.mapping, grouping.strict)?;
     let done = work::run(py, progress, |progress| -> Result<_, Refusal> {
-        // How far reading many folders is, nobody knows before the last is found.
+        // The progress of reading many folders is unknown before the last is found.
         let read = |paths: &[PathBuf]| load(paths, &reading, &|_| progress.say(0.0, "reading"));
         let Grouping { data, by, reference, reference_name, .. } = &grouping;
         let mut good = match reference {

@@ -1,4 +1,4 @@
-//! From records to a model.
+//! Identification of a model from records.
 
 use crate::campaign::Campaign;
 use crate::dimensions::priors;
@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// What `dashpot fit --json` writes, but for the name of the file.
+/// Output of `dashpot fit --json`, without the name of the file.
 #[derive(Serialize)]
 struct FitJson<'a> {
     tests: &'a [String],
@@ -27,18 +27,18 @@ struct FitJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// A fit as its tables are made from; it lives as long as this process.
+/// Fit as the input of its tables; it lives as long as this process.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Fitted {
-    /// What was found.
+    /// Fit.
     pub fit: Fit,
-    /// How far it is off over every sample.
+    /// Errors over every sample.
     pub over_whole_records: Deviation,
     /// The campaign without its records.
     pub about: dashpot_records::Campaign,
 }
 
-/// Fits a model; returns the text of its model file, the figures as JSON, and what its tables are made from.
+/// Fits a model; returns the text of its model file, the figures as JSON, and the input of its tables.
 #[pyfunction]
 #[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
 #[allow(clippy::needless_pass_by_value)]

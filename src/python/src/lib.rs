@@ -1,7 +1,7 @@
 //! The compiled part of the Python package `dashpot`: records, models and dampers as objects, results as JSON.
 //!
-//! What a user sees is written in Python on top of this (`python/dashpot`), where results become dataclasses. They cross as
-//! the JSON that the command writes, so that both say the same digits: every number is printed so that it reads back to the bit.
+//! The user interface is written in Python on top of this part (`python/dashpot`), where results become dataclasses. Results are passed as
+//! the JSON that the command writes, so both give equal digits. Every number is printed so that it parses back to a bitwise equal value.
 //!
 //! | file | what |
 //! |---|---|
@@ -10,19 +10,19 @@
 //! | `identify`, `compare`, `examine` | fit, validate, diagnose |
 //! | `family` | dampers over a setting: fit, validate, simulate |
 //! | `dimensions` | priors from the dimensions of a damper |
-//! | `explain` | what a model says of gas, oil and valves |
+//! | `explain` | properties of gas, oil and valves that follow from a model |
 //! | `literature` | models of the literature as files |
 //! | `groups` | diagnose many dampers against one |
 //! | `check` | chatter in a host |
-//! | `limits` | tables of limits, and what records say of them |
-//! | `adams` | files of Adams, and models from them and from tables |
+//! | `limits` | tables of limits, and their checks on records |
+//! | `adams` | files of Adams, and models from such files and from tables |
 //! | `damper` | many dampers, stepped together |
 //! | `export` | FMU |
 //! | `papers` | reports, workbooks, certificates, figures |
 //! | `rig` | the virtual rig, and matrices of tests |
-//! | `errors` | exceptions with the sentences of the command |
-//! | `work` | long work without the interpreter's lock, on threads of its own, ended by Ctrl-C |
-//! | `progress` | calls back into Python meanwhile |
+//! | `errors` | exceptions with the messages of the command |
+//! | `work` | long work without the interpreter lock, on separate threads, interrupted by Ctrl-C |
+//! | `progress` | calls to Python during long work |
 
 mod adams;
 mod campaign;
@@ -47,7 +47,7 @@ mod work;
 
 use pyo3::prelude::*;
 
-/// The compiled part of dashpot; use the package `dashpot`, which wraps it.
+/// Compiled part of dashpot. Use the package `dashpot`, which wraps it.
 #[pymodule]
 mod _native {
     #[pymodule_export]
@@ -93,7 +93,7 @@ mod _native {
     /// Version of the package.
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
-    /// Whether a fault of the program becomes an exception instead of the end of the process.
+    /// Whether a panic of the program becomes an exception instead of aborting the process.
     #[pymodule_export]
     const UNWINDS: bool = cfg!(panic = "unwind");
 }

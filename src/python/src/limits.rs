@@ -1,4 +1,4 @@
-//! Limits: a table of them, what records say of each, pass or fail. All of it is what `dashpot validate --limits` does.
+//! Limits: a table of them, and their check on records, like `dashpot validate --limits`.
 
 use crate::campaign::Campaign;
 use crate::errors::{ValidationError, raise, say};
@@ -8,10 +8,10 @@ use dashpot_records::Record;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// One limit as Python hands it over: name, quantity, velocity (m/s), low and high (N), amplitude (m), setting. What has no bound is infinite or none.
+/// One limit from Python: name, quantity, velocity (m/s), low and high (N), amplitude (m), setting. A missing bound is infinite or `None`.
 pub type Row = (String, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
-/// Limits from rows; the first that cannot be kept is named by its place.
+/// Makes limits from rows. An error names the first invalid row by its index.
 pub fn of_rows(rows: Vec<Row>) -> PyResult<Vec<Limit>> {
     let limit = |(k, row): (usize, Row)| {
         let (name, quantity, velocity_m_s, low, high, amplitude_m, setting) = row;
@@ -52,7 +52,7 @@ pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
             )));
         }
         let quantity = quantity_name(quantity);
-        // A limit without a name is called by its quantity, as the file writes it.
+        // A limit without a name has the name of its quantity, as in the file.
         let name =
             if Quantity::named(&name).is_ok_and(|q| quantity_name(q) == quantity) { String::new() } else { name };
         Ok((name, quantity.to_owned(), velocity_m_s, low, high, amplitude_m, setting))
@@ -60,13 +60,13 @@ pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
     found.into_iter().map(row).collect()
 }
 
-/// Whether these can be limits.
+/// Checks whether these are valid limits.
 #[pyfunction]
 pub fn check_limits(limits: Vec<Row>) -> PyResult<()> {
     of_rows(limits).map(|_| ())
 }
 
-/// Everything that a limit may ask of a campaign, taken from its records.
+/// Figures of a campaign from which every limit can be checked.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Figures {
     of: limits::Figures,
@@ -74,7 +74,7 @@ pub struct Figures {
 
 #[pymethods]
 impl Figures {
-    /// Measures records.
+    /// Measures the figures of records.
     #[staticmethod]
     #[pyo3(signature = (campaign, progress=None))]
     fn measure(py: Python<'_>, campaign: &Campaign, progress: Option<Py<PyAny>>) -> PyResult<Figures> {
@@ -86,19 +86,19 @@ impl Figures {
         Ok(Figures { of })
     }
 
-    /// From what [`text`](Figures::text) gave.
+    /// Restores figures from their [`text`](Figures::text).
     #[staticmethod]
     fn parse(text: &str) -> PyResult<Figures> {
         Ok(Figures { of: serde_json::from_str(text).map_err(raise::<ValidationError>)? })
     }
 
-    /// As text, to be kept and asked for other limits later.
+    /// Returns the figures as text, to be stored and checked against other limits later.
     #[getter]
     fn text(&self) -> PyResult<String> {
         serde_json::to_string(&self.of).map_err(raise::<ValidationError>)
     }
 
-    /// Compares them with limits: `limits` in what `dashpot validate --limits --json` writes, without the model.
+    /// Compares the figures with limits. Returns `limits` of the output of `dashpot validate --limits --json`, without the model.
     fn judge(&self, limits: Vec<Row>) -> PyResult<String> {
         let limits = of_rows(limits)?;
         limits::check_without_setting(&limits).map_err(raise::<ValidationError>)?;

@@ -1,4 +1,4 @@
-//! Models of the literature, to be compared with.
+//! Models of the literature for comparison.
 
 use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
@@ -10,7 +10,7 @@ use dashpot_records::{SignFinding, Unusable};
 use pyo3::prelude::*;
 use serde::Serialize;
 
-/// What `dashpot fit --model --json` writes, but for the name of the file.
+/// Output of `dashpot fit --model --json`, without the name of the file.
 #[derive(Serialize)]
 struct LiteratureJson<'a> {
     tests: &'a [String],
@@ -19,7 +19,7 @@ struct LiteratureJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Identifies the model of this name; returns the text of its file, and its figures as JSON.
+/// Identifies the model with this name; returns the text of its file, and its figures as JSON.
 #[pyfunction]
 #[pyo3(signature = (campaign, name, hold_out=Vec::new(), progress=None))]
 pub fn fit_literature(

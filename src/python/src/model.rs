@@ -1,4 +1,4 @@
-//! Model files as Python sees them.
+//! Model files in Python.
 
 use crate::errors::{ModelError, MotionError, OutputError, raise, say};
 use crate::work;
@@ -16,19 +16,19 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-/// A damper: the text of its model file, and what it says.
+/// Damper, with the text and the contents of its model file.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Model {
-    /// What the file says.
+    /// Contents of the file.
     pub file: ModelFile,
-    /// The damper made ready to run.
+    /// Prepared model.
     pub prepared: Box<dashpot_core::Model>,
     text: String,
-    /// The parameters in use, found when they are asked for first: that takes some thousands of times a step.
+    /// Parameters in use, determined at the first request, because that takes some thousand times as long as a step.
     in_use: OnceLock<Vec<parameter::Row>>,
 }
 
-/// One parameter that is in use.
+/// One parameter in use.
 #[derive(Serialize)]
 struct ParameterJson<'a> {
     name: &'a str,
@@ -66,7 +66,7 @@ struct ModelJson<'a> {
 }
 
 impl Model {
-    /// From the text of a model file; `name` is what errors call it.
+    /// Makes a model from the text of a model file; errors refer to it by `name`.
     pub fn from_text(text: String, name: &Path) -> PyResult<Model> {
         let file = model_file::of_text(&text, name).map_err(|error| {
             match model_file::family_of_text(&text, name) {
@@ -81,7 +81,7 @@ impl Model {
         Ok(Model { file, prepared: Box::new(prepared), text, in_use: OnceLock::new() })
     }
 
-    /// The text of the model file.
+    /// Returns the text of the model file.
     pub fn text_of_file(&self) -> &str {
         &self.text
     }
@@ -92,25 +92,25 @@ impl Model {
     /// Reads a model file.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Model> {
-        // The reader's own sentence where the file is not there or no text.
+        // The reader gives its own message if the file is missing or is no text.
         let text = dashpot_records::read_small_text(&path)
             .map_err(|why| raise::<ModelError>(model_file::ModelFileError::Unreadable { file: path.clone(), why }))?;
         Model::from_text(text, &path)
     }
 
-    /// From the text of a model file; `name` is what errors call it.
+    /// Makes a model from the text of a model file; errors refer to it by `name`.
     #[staticmethod]
     fn parse(text: String, name: PathBuf) -> PyResult<Model> {
         Model::from_text(text, &name)
     }
 
-    /// The text of the model file.
+    /// Returns the text of the model file.
     #[getter]
     fn text(&self) -> &str {
         &self.text
     }
 
-    /// Elements, parameters, and what the fit left behind, as JSON.
+    /// Returns elements, parameters and the results of the fit as JSON.
     fn json(&self) -> PyResult<String> {
         let known = &self.file.identification;
         let row = |row: &parameter::Row| {
@@ -146,12 +146,12 @@ impl Model {
         serde_json::to_string(&said).map_err(raise::<ModelError>)
     }
 
-    /// Lowest and highest velocity, m/s, of the FV curve; beyond, it is prolonged straight.
+    /// Returns the lowest and the highest velocity, m/s, of the FV curve, which is extrapolated linearly beyond.
     fn velocity_range(&self) -> (f64, f64) {
         self.prepared.elements().paths.fv_curve.range()
     }
 
-    /// Forces, N, of the damper moving steadily at each velocity, m/s, through displacement 0.
+    /// Returns the forces, N, of the damper in steady motion at each velocity, m/s, at displacement 0.
     #[pyo3(signature = (velocity, progress=None))]
     #[allow(clippy::needless_pass_by_value)]
     fn steady_force<'py>(
@@ -180,7 +180,7 @@ impl Model {
         Ok(PyArray1::from_vec(py, forces))
     }
 
-    /// Times, displacements, velocities and forces for a motion.
+    /// Returns times, displacements, velocities and forces for a motion.
     #[pyo3(signature = (time, displacement, velocity, side_force, temperature, initial_position, step, progress=None))]
     #[allow(clippy::too_many_arguments, clippy::type_complexity)]
     fn simulate<'py>(
@@ -231,7 +231,7 @@ impl Model {
         if record.displacement.is_none() && record.velocity.is_none() {
             return Err(PyValueError::new_err("a motion needs displacement_m or velocity_m_s"));
         }
-        // Instants that it will be run through; what is no step is refused below.
+        // Number of steps of the simulation. An invalid step is rejected below.
         let instants = match step {
             Some(step) if step > 0.0 => ((time[time.len() - 1] - time[0]) / step) as usize,
             _ => time.len(),
@@ -251,8 +251,10 @@ impl Model {
     }
 }
 
-/// Work of so many steps without the interpreter's lock. What takes no longer than a look at Ctrl-C is done by this thread, which costs a tenth of
-/// a millisecond less than threads of its own.
+/// Runs work of so many steps without the interpreter lock.
+///
+/// Work that is shorter than the interval of Ctrl-C checks runs in this thread, which saves a tenth of a millisecond compared with separate
+/// threads.
 fn long<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,
@@ -268,7 +270,7 @@ fn long<T: Send>(
     work::run(py, progress, |progress| work(&|done, all| progress.say(done as f64 / all as f64, text)))
 }
 
-/// Writes a text to a file whole, over a file of another kind with `force` alone.
+/// Writes a text to a file atomically. Only with `force` may it replace a file of another kind.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write(path: PathBuf, text: &str, force: bool) -> PyResult<()> {

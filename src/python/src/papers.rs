@@ -1,4 +1,4 @@
-//! Reports, workbooks, certificates and figures as files: made by the functions of the command, of the same input to the same bytes.
+//! Reports, workbooks, certificates and figures as files. The functions of the command make them, with equal bytes for equal input.
 
 use crate::campaign::Campaign;
 use crate::compare::{compared, figures};
@@ -21,26 +21,26 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// How a paper is written, and what it says of what it was made from.
+/// Format of a paper, and its statement of inputs.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Page {
     /// `en`, `de`, `fr` or `zh`.
     language: String,
     date: Option<String>,
-    /// Whether a printer puts all of a report on paper.
+    /// Whether a printer prints the whole report.
     full: bool,
     /// Whether other files may be replaced.
     force: bool,
     /// Name or path of the model file.
     model: String,
-    /// Whether there is a file that holds the model.
+    /// Whether the model is stored in a file.
     is_file: bool,
     /// Name of the records.
     data: String,
-    /// Words of the command that makes the same; none where no command does.
+    /// Words of the equivalent command; empty if there is none.
     command: Vec<String>,
-    /// Files read beside model and records.
+    /// Files that were read in addition to model and records.
     files: Vec<PathBuf>,
 }
 
@@ -53,14 +53,14 @@ impl Page {
         if self.full { Print::Whole } else { Print::Brief }
     }
 
-    /// Name of the model file without its folder.
+    /// Returns the name of the model file without its folder.
     fn model_file(&self) -> String {
         Path::new(&self.model).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
     }
 
-    /// What a paper is made from.
+    /// Returns the inputs of a paper.
     ///
-    /// The model's file, as it was when it was read or written, then files that are looked at once more.
+    /// These are the model's file, as it was when read or written, and then files that are read again.
     fn made<'a>(&'a self, model: Option<&Model>, files: impl IntoIterator<Item = &'a PathBuf>) -> PyResult<Made> {
         let date = made::date(self.date.as_deref()).map_err(raise::<PyValueError>)?;
         let model = model
@@ -71,9 +71,9 @@ impl Page {
         Ok(Made { date, command: made::command_line(self.command.iter().cloned()), ..Made::of_known(known) })
     }
 
-    /// Does the work that writes a file of this kind, or into a folder where none is told.
+    /// Runs the work that writes a file of this kind, or into a folder if no kind is given.
     ///
-    /// Neither takes the place of what the paper is made from.
+    /// The output may not replace an input of the paper.
     fn write<T: Send>(
         &self,
         py: Python<'_>,
@@ -100,8 +100,9 @@ impl Page {
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
-/// A validation on paper: `report`, `certificate`, `workbook` or `figures`, the last into a folder. Returns the files written. The figures are
-/// computed anew from the forces, which are not: `campaign` has the records as they were compared.
+/// Writes a validation: `report`, `certificate`, `workbook` or `figures`, the last into a folder. Returns the written files.
+///
+/// The figures are computed again from the existing forces. `campaign` has the records as they were compared.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn write_validation(
@@ -162,7 +163,7 @@ pub fn write_validation(
     })
 }
 
-/// A diagnosis on paper: `report`, `workbook` or `figures`, the last into a folder. Returns the files written.
+/// Writes a diagnosis: `report`, `workbook` or `figures`, the last into a folder. Returns the written files.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_diagnosis(
@@ -205,7 +206,7 @@ pub fn write_diagnosis(
     })
 }
 
-/// Answers for groups on paper: `report` or `workbook`.
+/// Writes the diagnoses of groups: `report` or `workbook`.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found: &Grouped) -> PyResult<()> {
@@ -223,9 +224,9 @@ pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found
     })
 }
 
-/// The tests that would tell more, as a test matrix.
+/// Writes the proposed tests as a test matrix.
 ///
-/// Returns its rows, 0 where there is none that a rig could be driven by, and nothing is written.
+/// Returns the number of its rows. Without a test for a rig it is 0, and nothing is written.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_next_tests(path: PathBuf, found: &Diagnosed, force: bool) -> PyResult<usize> {
@@ -239,7 +240,7 @@ pub fn write_next_tests(path: PathBuf, found: &Diagnosed, force: bool) -> PyResu
     Ok(matrix.lines().count() - 1)
 }
 
-/// The tables of a fit as a workbook.
+/// Writes the tables of a fit as a workbook.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_fit(py: Python<'_>, path: PathBuf, page: Page, found: &Fitted) -> PyResult<()> {

@@ -1,4 +1,4 @@
-//! The virtual rig: records to try things on, and matrices of tests.
+//! Virtual rig: records for experiments, and test matrices.
 
 use crate::errors::{OutputError, RigError, raise, say};
 use crate::work;
@@ -9,7 +9,7 @@ use dashpot_severity::request::{Numbers, RequestedEffects, strengths};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// Which tests: of a file, of a plan, or the thesis's, varied.
+/// Tests: from a file, from a plan, or the thesis's with changes.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Tests {
@@ -22,7 +22,7 @@ pub struct Tests {
 }
 
 impl Tests {
-    /// The thesis's tests with what is given put in their place.
+    /// Returns the thesis's tests with the given changes.
     fn of_thesis(&self) -> Result<Matrix, Refusal> {
         let usual = MatrixOptions::default();
         Matrix::thesis(&MatrixOptions {
@@ -38,7 +38,7 @@ impl Tests {
         lists || self.frequency_limit_hz.is_some() || !self.slow_tests
     }
 
-    /// The plan by whose tests a severity is found; none where the tests are of the user's own.
+    /// Returns the plan whose tests determine a severity; `None` for the user's own tests.
     fn searched(&self) -> Result<Option<Plan>, Refusal> {
         match &self.plan {
             _ if self.matrix.is_some() || self.is_varied() => Ok(None),
@@ -47,7 +47,7 @@ impl Tests {
         }
     }
 
-    /// The tests that a campaign is measured by; where nothing is said, the plan that shows hidden effects, or the thesis's tests.
+    /// Returns the tests of a campaign. By default it is the plan that shows injected effects, or the thesis's tests without them.
     fn chosen(&self, hides: bool, order: u64) -> Result<Matrix, Refusal> {
         if let Some(file) = &self.matrix {
             return Matrix::read(file);
@@ -60,7 +60,7 @@ impl Tests {
     }
 }
 
-/// The rig and its sensors.
+/// Rig and its sensors.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Bench {
@@ -76,7 +76,7 @@ pub struct Bench {
     order: Option<u64>,
 }
 
-/// What the rig calls its options, and the arguments that they are here.
+/// Options in messages of the rig, and the corresponding arguments.
 const ARGUMENTS: [(&str, &str); 8] = [
     ("amplitudes", "amplitudes_m"),
     ("peak velocities", "peak_velocities_m_s"),
@@ -88,7 +88,7 @@ const ARGUMENTS: [(&str, &str); 8] = [
     ("sample rate", "sample_rate_hz"),
 ];
 
-/// A refusal of the rig, in the words of arguments.
+/// Converts an error of the rig, with the names of arguments.
 fn refused(error: anyhow::Error) -> PyErr {
     match error.downcast_ref::<Refusal>() {
         Some(Refusal::Option { option, problem }) => {
@@ -99,7 +99,7 @@ fn refused(error: anyhow::Error) -> PyErr {
     }
 }
 
-/// A refusal of the rig by itself, whoever asked it.
+/// Extracts the rig's own error.
 fn of_rig(error: SeverityError) -> anyhow::Error {
     match error {
         SeverityError::Rig(refusal) => refusal.into(),
@@ -107,8 +107,10 @@ fn of_rig(error: SeverityError) -> anyhow::Error {
     }
 }
 
-/// Measures tests on the virtual rig; returns their number. `hide` names effects with their strengths, or with their severities where `severity`
-/// says so, and alone for a typical strong case.
+/// Measures tests on the virtual rig; returns their number.
+///
+/// `hide` names effects with their strengths, or with their severities if `severity` is set. An effect without a number has the strength of
+/// a typical strong case.
 #[pyfunction]
 #[pyo3(signature = (folder, tests, bench, hide, severity, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
@@ -156,7 +158,7 @@ pub fn measure(
     measured?.map_err(refused)
 }
 
-/// The rig's test matrix as the text of a CSV file, and its tests.
+/// Returns the rig's test matrix as the text of a CSV file, and the number of tests.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn test_matrix(tests: Tests) -> PyResult<(String, usize)> {

@@ -1,9 +1,9 @@
-//! Long work without the interpreter's lock, on threads of its own.
+//! Long work without the interpreter lock, on separate threads.
 //!
-//! Ctrl-C ends it, and so does an exception of the progress function.
+//! Ctrl-C and exceptions of the progress function end it.
 //!
-//! The threads belong to one piece of work. Rayon's own, which last as long as the process, would be missing in a process that was forked off
-//! after their start (multiprocessing does that on Linux), and whoever waits for them there waits for ever.
+//! The threads belong to one unit of work. Rayon's global threads last as long as the process and are missing in a process forked after
+//! their start (multiprocessing does that on Linux). A wait for them there never ends.
 
 use crate::progress::{Ended, Progress};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -16,15 +16,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{Builder, scope};
 use std::time::Duration;
 
-/// Between two looks whether Ctrl-C was pressed: a hand does not notice, and taking the interpreter's lock so seldom costs nothing.
+/// Interval between checks for Ctrl-C. A user does not notice it, and acquiring the interpreter lock so rarely costs nothing.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Threads of one piece of work; 0 is as many as there are processors.
+/// Number of threads of one unit of work; 0 means the number of processors.
 static THREADS: AtomicUsize = AtomicUsize::new(0);
 
-/// Threads that each fit, validation, diagnosis and step of many dampers may use from now on, in this process.
+/// Sets the number of threads of each fit, validation, diagnosis and step of many dampers in this process.
 ///
-/// 0, as at the start, is as many as there are processors.
+/// 0, the default, means the number of processors.
 #[pyfunction]
 pub fn set_threads(count: isize) -> PyResult<()> {
     let count = usize::try_from(count).map_err(|_| {
@@ -34,7 +34,7 @@ pub fn set_threads(count: isize) -> PyResult<()> {
     Ok(())
 }
 
-/// Does the work; its result, or the exception that ended it.
+/// Runs the work. Returns its result, or the exception that ended it.
 pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&Progress) -> T + Send) -> PyResult<T> {
     let progress = Progress::new(tell);
     let done = py.detach(|| {
@@ -42,13 +42,13 @@ pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&
             let (alive, ended) = channel::<()>();
             let own = &progress;
             let worker = Builder::new().spawn_scoped(scope, move || {
-                // Dropped at the end, however the work ends.
+                // This value is dropped at the end, however the work ends.
                 let _alive = alive;
                 own.cancel.run_on(THREADS.load(Ordering::Relaxed), || work(own))
             });
             let Ok(worker) = worker else { return Ok(None) };
             while ended.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
-                // Python looks at signals in its first thread alone; in others this does nothing.
+                // Python checks signals only in its first thread. In other threads this does nothing.
                 if let Err(interrupt) = Python::attach(|py| py.check_signals()) {
                     progress.stop(interrupt);
                 }
@@ -67,16 +67,17 @@ pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&
     done.ok_or_else(|| PyRuntimeError::new_err("the system gives no threads to work on"))
 }
 
-/// Threads that steps of many dampers share: made once, and anew after a fork and after [`set_threads`]. None where the system gives none.
+/// Returns the threads that share steps of many dampers; `None` if the system provides none. They are made again after a fork and after
+/// [`set_threads`].
 ///
-/// The lock is held with the interpreter's own, which a fork takes first: no child is born with it held.
+/// The lock is only held together with the interpreter lock, which a fork acquires first. So no child process starts with it held.
 pub fn pool(_: Python<'_>) -> Option<Arc<ThreadPool>> {
     static POOL: Mutex<Option<(u32, usize, Arc<ThreadPool>)>> = Mutex::new(None);
     let wanted = (std::process::id(), THREADS.load(Ordering::Relaxed));
     let mut kept = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     match kept.as_ref() {
         Some((process, threads, pool)) if (*process, *threads) == wanted => return Some(pool.clone()),
-        // The threads of the parent are none of this process: to wait for their end would be for ever.
+        // The parent's threads do not exist in this process, and waiting for their end would never return.
         Some((process, ..)) if *process != wanted.0 => std::mem::forget(kept.take()),
         _ => {}
     }

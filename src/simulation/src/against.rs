@@ -1,6 +1,6 @@
-//! The models of the literature beside a model.
+//! Comparison of a model with models of the literature.
 //!
-//! Those that are asked for, identified from the tests that the model was fitted to, on the same records.
+//! The requested models are identified from the tests of the model's fit, and compared on the same records.
 
 use dashpot_identification::literature::file::{self, FileError};
 use dashpot_identification::literature::{Literature, LiteratureError, MODELS, observation};
@@ -10,53 +10,54 @@ use dashpot_records::{Campaign, Record};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Said where [`Rivals::fitted_to_all`].
+/// Note if [`Rivals::fitted_to_all`].
 pub const FITTED_TO_ALL: &str = "the model file names no tests; the models compared with are fitted to all tests given";
 
-/// Why there is nothing to compare with.
+/// Error of a comparison with models of the literature.
 #[derive(Debug, thiserror::Error)]
 pub enum AgainstError {
-    /// No such model, or none that fits.
+    /// The model is unknown, or its fit failed.
     #[error(transparent)]
     Literature(#[from] LiteratureError),
-    /// A file that is none.
+    /// A file that contains no model of the literature.
     #[error(transparent)]
     File(#[from] FileError),
-    /// Other tests than those that the model was fitted to.
+    /// The tests differ from those of the model's fit.
     #[error(
         "--against identifies its models from the tests that the model was fitted to, and none of those {count} is in the data given, such as \
          {first:?}: give them beside the others"
     )]
     OtherTests {
-        /// How many there are.
+        /// Number of tests of the fit.
         count: usize,
-        /// One of them.
+        /// Name of one of them.
         first: String,
     },
 }
 
-/// A model to compare with, and its forces on every record, N.
+/// A model of the literature, and its forces on every record, N.
 #[derive(Debug, Clone)]
 pub struct Rival {
-    /// The model with its numbers.
+    /// The model with its parameters.
     pub literature: Literature,
-    /// Its forces, record by record.
+    /// Its forces, for each record.
     pub forces: Vec<Vec<f64>>,
 }
 
-/// Models to compare with.
+/// Models of the literature for a comparison.
 #[derive(Debug, Clone, Default)]
 pub struct Rivals {
-    /// In the order in which they were asked for.
+    /// Models in the requested order.
     pub all: Vec<Rival>,
-    /// Whether the model file names no test, so that they were fitted to all of these.
+    /// Whether the models were fitted to all given tests, because the model file names none.
     pub fitted_to_all: bool,
 }
 
-/// The models asked for, each once: names, `all`, or files that `dashpot fit --model` wrote. A mistake is told before minutes of fitting.
+/// Returns the requested models, each once: names, `all`, or files that `dashpot fit --model` wrote. It reports errors before minutes of
+/// fitting.
 ///
 /// # Errors
-/// A name that is neither.
+/// A request that is neither a name nor a file.
 pub fn named(wanted: &[String]) -> Result<Vec<String>, LiteratureError> {
     let mut names: Vec<String> = Vec::new();
     for name in wanted {
@@ -74,8 +75,8 @@ fn is_model(name: &str) -> bool {
 }
 
 impl Rivals {
-    /// Identifies the models asked for, or reads them, and simulates every record with each. `progress` is told the share done and the model
-    /// that comes now.
+    /// Identifies or reads the requested models, and simulates every record with each. `progress` receives the fraction done and the name
+    /// of the next model.
     ///
     /// # Errors
     /// [`AgainstError`].
@@ -108,7 +109,7 @@ impl Rivals {
         Ok(rivals)
     }
 
-    /// Puts their errors into a validation of the same records, behind those of the model itself.
+    /// Appends the errors of the validated model and of these models to a validation of the same records.
     pub fn put_into(&self, validation: &mut Validation, compared: &[Compared<'_>]) {
         let own = validation.as_against();
         validation.against.push(own);
@@ -119,7 +120,7 @@ impl Rivals {
     }
 }
 
-/// The errors of a model of the literature whose forces are at hand.
+/// Computes the errors of a model of the literature from its forces.
 pub fn of_forces(name: &str, compared: &[Compared<'_>], forces: &[Vec<f64>]) -> Against {
     let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
     Against::measure(name, meaning, compared, forces)

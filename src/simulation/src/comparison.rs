@@ -1,4 +1,4 @@
-//! A model and its FV curve alone beside the records of a campaign.
+//! Comparison of a model and its FV curve with the records of a campaign.
 
 use crate::own_setting::OwnSetting;
 use crate::prediction::{between_velocities, predict, predict_family};
@@ -15,16 +15,16 @@ use dashpot_records::{Campaign, Record, is_same_setting, records_without_setting
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Why a model and records cannot be compared.
+/// Error of a comparison of a model with records.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
-    /// The parameters do not make a model.
+    /// The parameters do not form a valid model.
     #[error(transparent)]
     Model(#[from] NoModel),
-    /// The FV curve of the model file does not make one.
+    /// The FV curve of the model file does not form a valid model.
     #[error("the table fv_only of the model file: {0}")]
     FvOnly(String),
-    /// A record does not say what the damper was set to.
+    /// A record does not state the setting of the damper.
     #[error(
         "test '{test}' does not say its {name}, which the model depends on: give it with --setting, in the name of the test, or in campaign.toml under settings"
     )]
@@ -34,16 +34,17 @@ pub enum CompareError {
         /// Name of the setting.
         name: String,
     },
-    /// There is none, and none can be fitted.
+    /// The model file has no FV curve, and none can be fitted.
     #[error(transparent)]
     Fit(#[from] FitError),
 }
 
-/// Simulates every record with the model and with the FV curve alone. `progress` is told how many of how many are done, from
-/// several threads.
+/// Simulates every record with the model and with the FV curve alone.
+///
+/// `progress` receives the number of records done and their total, from several threads.
 ///
 /// # Errors
-/// Where there is no model, or no FV curve.
+/// Parameters that form no valid model, or no FV curve.
 pub fn compare<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -53,11 +54,12 @@ pub fn compare<'a>(
     compare_records(file, campaign, &|_| Ok(Dampers::Constant(file.params, fv_only)), progress)
 }
 
-/// Simulates every record with a damper over a setting, each at its own, or at the `given` one where it has none. The FV curve is that of the
-/// records of each setting; under a setting that changes, that of the family, without an actuator.
+/// Simulates every record with a damper over a setting, each at its own setting, or at the `given` one if it has none.
+///
+/// The FV curve is fitted to the records of each setting. For a changing setting it is that of the family, without an actuator.
 ///
 /// # Errors
-/// A record without a setting where none is given; else those of [`compare`].
+/// A record without a setting if none is given, and the errors of [`compare`].
 pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -78,7 +80,7 @@ pub fn compare_family<'a>(
             let own: Vec<&Record> =
                 (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
-            // Tests in one direction alone have no curve of their own.
+            // Tests in only one direction have no FV curve of their own.
             fit(&own, &options, |_| ())
                 .map_or_else(|_| plain_curve(&file.definition().params_at(*setting)), |fit| fit.params)
         })
@@ -91,18 +93,18 @@ pub fn compare_family<'a>(
     compare_records(file, campaign, &at, progress)
 }
 
-/// The damper that belongs to a record, and the FV curve alone.
+/// Damper of a record, and the FV curve alone.
 enum Dampers {
-    /// At a constant setting.
+    /// Damper and FV curve at a constant setting.
     Constant(Params, Params),
-    /// The damper over the setting, which changes within the record.
+    /// Damper over the setting, which changes within the record.
     Changing,
 }
 
-/// The setting of every record: its own where it is that of the model, else the given one; `None` where it changes within the record.
+/// Returns the setting of every record: its own if it is the model's setting, else the given one. `None` if it changes within the record.
 ///
 /// # Errors
-/// The first record without one.
+/// The first record without a setting.
 pub fn settings_of(
     file: &ModelFile,
     campaign: &Campaign,
@@ -124,10 +126,10 @@ pub fn settings_of(
     campaign.records.iter().map(of).collect()
 }
 
-/// Summarizes a validation by the settings of its tests, with the responses to steps of the setting; returns the setting of every test.
+/// Summarizes a validation by the settings of its tests, with the responses to steps of the setting. Returns the setting of every test.
 ///
 /// # Errors
-/// The errors of [`settings_of`]; parameters that make no model.
+/// The errors of [`settings_of`], and parameters that form no valid model.
 pub fn summarize_settings(
     validation: &mut Validation,
     file: &ModelFile,
@@ -142,7 +144,7 @@ pub fn summarize_settings(
     Ok(settings)
 }
 
-/// The FV curve with the gas force of a damper alone.
+/// Returns only the FV curve with the gas force of a damper.
 fn plain_curve(params: &Params) -> Params {
     let mut curve = *params;
     curve.disable_all();
@@ -151,17 +153,17 @@ fn plain_curve(params: &Params) -> Params {
     curve
 }
 
-/// The FV curve with the gas force of a damper over a setting, which follows every command at once.
+/// Returns only the FV curve with the gas force of a damper over a setting. It follows every command instantaneously.
 fn without_actuator(definition: &Definition) -> Definition {
     let mut plain = Definition { params: plain_curve(&definition.params), axis: definition.axis };
     for index in 1..ENTRIES.len() {
-        // 0 is none, which every entry allows.
+        // Every entry allows 0, which switches it off.
         let _ = plain.axis.set_number(index, 0.0);
     }
     plain
 }
 
-/// Simulates every record with the damper and the FV curve that belong to it.
+/// Simulates every record with its own damper and FV curve.
 fn compare_records<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -197,7 +199,7 @@ fn compare_records<'a>(
         .collect()
 }
 
-/// The model's force at constant velocities over what the tests reach.
+/// Returns the model's forces at constant velocities over the range of the tests.
 pub fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64; 2]> {
     let reach = |sign: f64| {
         let peaks = validation.tests.iter().flat_map(|t| &t.peaks).map(|p| sign * p.velocity_m_s);
@@ -206,7 +208,7 @@ pub fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64;
     between_velocities(model, reach(-1.0), reach(1.0))
 }
 
-/// The plain FV curve of the fit; fitted to these records where the model file brings none.
+/// Returns the plain FV curve of the fit. If the model file has none, it is fitted to these records.
 fn fv_only(file: &ModelFile, campaign: &Campaign) -> Result<Params, CompareError> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(CompareError::FvOnly);

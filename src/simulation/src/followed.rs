@@ -1,11 +1,11 @@
-//! Whether the step follows a mass that rings on its spring.
+//! Check whether the step resolves a mass that rings on its spring.
 
 use crate::limit::plain;
 use dashpot_core::Model;
 
-/// What must be known of a damper in steps of a host, s.
+/// Returns a remark for a damper in host steps of this length, s.
 ///
-/// That its mass rings and they do not follow it; nothing where they do.
+/// The remark states that its mass rings and that the steps do not resolve the oscillation. Returns `None` if they do.
 pub fn remark(model: &Model, step: f64) -> Option<String> {
     let integration = model.integration();
     let longest = integration.longest_that_follows();
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn a_mass_that_rings_is_told_in_steps_longer_than_its_substeps_follow() {
         let (automatic, one, five) = (model(0.02, 0.0, 0.0), model(0.02, 1.0, 1.0), model(0.02, 1.0, 5.0));
-        // 2450 rad/s.
+        // The frequency is 2450 rad/s.
         for (model, substeps) in [(&automatic, 16.0), (&one, 1.0), (&five, 5.0)] {
             let longest = substeps / (3e6f64 / 0.5).sqrt();
             assert_eq!(remark(model, 0.999 * longest), None);

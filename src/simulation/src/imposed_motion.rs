@@ -1,16 +1,16 @@
-//! A motion imposed on a model: made complete, sampled anew if wanted, and run.
+//! A motion imposed on a model: completed, resampled on request, and simulated.
 
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
 use dashpot_records::MotionRecord;
 
-/// Most rows that a motion is sampled to: some gigabytes of output.
+/// Largest number of rows of a resampled motion: some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
 /// Number of samples between two reports of progress.
 ///
-/// They take some hundredths of a second, so that cancelled work ends at once to the eye, and the cost of a report is negligible.
+/// They take some hundredths of a second. So cancellation appears immediate, and the cost of a report is negligible.
 pub const PROGRESS_INTERVAL: usize = 16_384;
 
 /// A motion with which a model can be driven.
@@ -18,21 +18,21 @@ pub const PROGRESS_INTERVAL: usize = 16_384;
 pub struct ImposedMotion {
     /// Time, s, strictly increasing.
     pub time: Vec<f64>,
-    /// Displacement, m; where it is missing the kernel integrates the velocity.
+    /// Displacement, m; if missing, the kernel integrates the velocity.
     pub displacement: Option<Vec<f64>>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
-    /// Side force, N, where known.
+    /// Side force, N, if known.
     pub side_force: Option<Vec<f64>>,
-    /// Damper temperature, °C, where known.
+    /// Damper temperature, °C, if known.
     pub temperature: Option<Vec<f64>>,
-    /// Setting of an adjustable damper, where known.
+    /// Setting of an adjustable damper, if known.
     pub setting: Option<Vec<f64>>,
     /// Displacement at the first sample, m.
     pub initial_position: f64,
 }
 
-/// The answer of a model to a motion at one sample.
+/// Output of a model at one sample of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulatedSample {
     /// Time, s.
@@ -45,22 +45,22 @@ pub struct SimulatedSample {
     pub force: f64,
 }
 
-/// Why a motion cannot be imposed.
+/// Error of an imposed motion.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ImposeError {
-    /// The initial position is already in the file.
+    /// An initial position was given although the file has a displacement.
     #[error(
         "the motion has a displacement, which says where it starts: an initial position is for motions that give \
          velocity alone. Leave it out, or leave the displacement unread with --ignore displacement"
     )]
     InitialPositionKnown,
-    /// The initial position is no number.
+    /// The initial position is not finite.
     #[error("the initial position is {0} m, which is no position")]
     InitialPosition(f64),
-    /// The step is no step.
+    /// The step is not positive.
     #[error("the step is {0} s; it must be above zero")]
     Step(f64),
-    /// The step does not fit into the motion.
+    /// The step is longer than the motion.
     #[error("the step of {step} s is longer than the motion, which lasts {duration} s")]
     LongStep {
         /// The step, s.
@@ -68,17 +68,17 @@ pub enum ImposeError {
         /// Length of the motion, s.
         duration: f64,
     },
-    /// The step is too short for the motion.
+    /// The step makes too many rows.
     #[error("a step of {step} s makes {rows:.0} rows of a motion of {duration} s; at most {MOST_ROWS} are written")]
     ShortStep {
         /// The step, s.
         step: f64,
         /// Length of the motion, s.
         duration: f64,
-        /// Rows it would make.
+        /// Number of rows.
         rows: f64,
     },
-    /// A channel or the force leaves the range of numbers.
+    /// A channel or the force is not finite.
     #[error("at {0} s the {1} is no finite number any more; check the units of the motion")]
     NotFinite(f64, &'static str),
 }
@@ -86,12 +86,12 @@ pub enum ImposeError {
 impl ImposedMotion {
     /// Completes a motion.
     ///
-    /// Displacement and velocity: both are used as they are. Displacement alone: the velocity is the slope of the cubic
-    /// spline through it, which has a continuous acceleration (not-a-knot ends; exact for cubics, of third order in the
-    /// sample time elsewhere). Velocity alone: the kernel integrates it from `initial_position`, 0 if not given.
+    /// A motion with displacement and velocity is used unchanged. From displacement alone, the velocity is the derivative of the cubic
+    /// spline through it, with continuous acceleration (not-a-knot ends; exact for cubics, otherwise of third order in the sample time).
+    /// From velocity alone, the kernel integrates from `initial_position`, by default 0.
     ///
     /// # Errors
-    /// Where an initial position is given for a motion with displacement, or a slope overflows.
+    /// An initial position for a motion with displacement, or a derivative that overflows.
     pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
         let MotionRecord { time, displacement, velocity, side_force, temperature, setting } = record;
         let setting = setting.map(|of| of.values);
@@ -110,13 +110,13 @@ impl ImposedMotion {
         Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, setting, initial_position })
     }
 
-    /// Resamples the motion at a fixed step, s, from its first time on.
+    /// Resamples the motion at a fixed step, s, from its first time.
     ///
-    /// Displacement and velocity from the cubic through displacement and velocity of the neighbouring samples, the
-    /// path that the kernel itself takes between two steps; side force, temperature and setting run straight.
+    /// Displacement and velocity follow the cubic through both at the neighboring samples, which is the path of the kernel between two
+    /// steps. Side force, temperature and setting are linear.
     ///
     /// # Errors
-    /// Where the step is not above zero, longer than the motion, or makes too many rows.
+    /// A step that is not positive, is longer than the motion, or makes too many rows.
     pub fn resampled(&self, step: f64) -> Result<ImposedMotion, ImposeError> {
         if !(step.is_finite() && step > 0.0) {
             return Err(ImposeError::Step(step));
@@ -124,7 +124,7 @@ impl ImposedMotion {
         let n = self.time.len();
         let (start, end) = (self.time[0], self.time[n - 1]);
         let duration = end - start;
-        // The last sample counts although its time is rounded.
+        // The last sample is included although its time is rounded.
         let steps = (duration / step * (1.0 + 1e-9)).floor();
         if steps < 1.0 {
             return Err(ImposeError::LongStep { step, duration });
@@ -176,7 +176,7 @@ impl ImposedMotion {
         Ok(out)
     }
 
-    /// Displacement by the kernel's own rule: the velocity runs straight between samples.
+    /// Computes the displacement with the kernel's rule: the velocity is linear between samples.
     fn integrated(&self) -> Vec<f64> {
         let mut x = self.initial_position;
         let mut displacement = vec![x];
@@ -187,7 +187,7 @@ impl ImposedMotion {
         displacement
     }
 
-    /// What the kernel is given at a sample.
+    /// Returns the kernel's input at a sample.
     pub fn input(&self, i: usize) -> Input {
         Input {
             displacement: self.displacement.as_ref().map(|c| c[i]),
@@ -197,24 +197,23 @@ impl ImposedMotion {
         }
     }
 
-    /// Runs the model through the motion, one step of the kernel per sample, from the state that is settled at the
-    /// first sample.
+    /// Simulates the motion with one kernel step for each sample, from the steady state at the first sample.
     ///
     /// # Errors
-    /// Where the motion is so far from any damper's that a number overflows.
+    /// A motion so extreme that a number overflows.
     pub fn drive(&self, model: &Model) -> Result<Vec<SimulatedSample>, ImposeError> {
         self.drive_telling(model, &|_, _| {})
     }
 
-    /// The command in the step that ends at a sample, where the motion has a setting.
+    /// Returns the command during the step that ends at a sample, if the motion has a setting.
     ///
-    /// It is the mean of the setting at both ends of the step: a change is as likely in the first half of it as in the second.
+    /// It is the mean of the setting at both ends of the step, because a change is equally likely in both halves.
     pub fn command(&self, sample: usize) -> Option<f64> {
         let setting = self.setting.as_ref()?;
         Some(0.5 * (setting.get(sample.saturating_sub(1))? + setting.get(sample)?))
     }
 
-    /// Drives a damper that depends on a setting: `command` is that of the step that ends at a sample.
+    /// Simulates a damper that depends on a setting. `command` returns the setting during the step that ends at a sample.
     ///
     /// # Errors
     /// The errors of [`ImposedMotion::drive`].
@@ -245,10 +244,10 @@ impl ImposedMotion {
         Ok(answers)
     }
 
-    /// Drives a damper and reports every [`PROGRESS_INTERVAL`] samples how many are done.
+    /// Simulates a damper and reports the number of finished samples every [`PROGRESS_INTERVAL`] samples.
     ///
     /// # Errors
-    /// As [`ImposedMotion::drive`].
+    /// The errors of [`ImposedMotion::drive`].
     pub fn drive_telling(
         &self,
         model: &Model,
@@ -275,17 +274,17 @@ impl ImposedMotion {
     }
 }
 
-/// Value and slope at the fraction `s` of an interval of length `h`, of the cubic through values and slopes at its ends.
+/// Evaluates the cubic through values and slopes at both ends of an interval of length `h`: value and slope at the fraction `s`.
 fn hermite(x: [f64; 2], v: [f64; 2], h: f64, s: f64) -> (f64, f64) {
     let (dx, p, q) = (x[1] - x[0], h * v[0], h * v[1]);
     let (square, cube) = (3.0 * dx - 2.0 * p - q, p + q - 2.0 * dx);
     (x[0] + s * (p + s * (square + s * cube)), (p + s * (2.0 * square + s * 3.0 * cube)) / h)
 }
 
-/// Slopes at the samples of the cubic spline through them, not-a-knot at both ends (de Boor, A Practical Guide to
-/// Splines, 1978, IV).
+/// Computes the slopes at the samples of the cubic spline through them, not-a-knot at both ends (de Boor, A Practical Guide to Splines,
+/// 1978, IV).
 ///
-/// Of the parabola through three samples, of the line through two.
+/// Three samples give the slopes of a parabola, two samples those of a line.
 fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
     let n = t.len();
     let h: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();
@@ -299,8 +298,8 @@ fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
         }
         _ => {}
     }
-    // Tridiagonal: below[i] s[i-1] + at[i] s[i] + above[i] s[i+1] = right[i]. The end rows have been freed of the slope
-    // two samples away by the row next to them.
+    // Tridiagonal system: below[i] s[i-1] + at[i] s[i] + above[i] s[i+1] = right[i]. In the end rows the neighboring row has eliminated the
+    // slope two samples away.
     let (l, m) = (n - 2, n - 3);
     let (first, last) = (h[0] + h[1], h[l] + h[m]);
     let (mut below, mut at, mut above, mut right) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
@@ -312,7 +311,7 @@ fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
     }
     (below[n - 1], at[n - 1]) = (last, h[m]);
     right[n - 1] = ((h[l] + 2.0 * last) * h[m] * d[l] + h[l] * h[l] * d[m]) / last;
-    // Elimination without exchange of rows: every pivot stays positive.
+    // Elimination needs no pivoting, because every pivot stays positive.
     for i in 1..n {
         let share = below[i] / at[i - 1];
         at[i] -= share * above[i - 1];
@@ -353,7 +352,7 @@ mod tests {
         motion.drive(&model()).unwrap().iter().map(|a| a.force).collect()
     }
 
-    /// Largest difference as a share of the largest force.
+    /// Returns the largest difference relative to the largest force.
     fn apart(a: &[f64], b: &[f64]) -> f64 {
         let peak = a.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
         a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) / peak

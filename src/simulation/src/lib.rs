@@ -1,21 +1,21 @@
-//! Models at work: what a model does with a motion.
+//! Use of models: simulation of records, motions, hosts and vehicles.
 //!
 //! | module | what |
 //! |---|---|
-//! | [`prediction`] | the forces a model gives for a record |
-//! | [`step_response`] | how fast the force follows a step of the setting |
-//! | [`valve_response`] | how fast the valve does, by the numbers of its actuator |
-//! | [`warm_starts`] | how warm the damper is when each record begins |
-//! | [`own_setting`] | what a record says of the setting that a damper depends on |
-//! | [`comparison`] | a model and its FV curve beside a campaign |
-//! | [`against`] | models of the literature beside them |
-//! | [`whole_records`] | how far a model is off over every sample of records |
+//! | [`prediction`] | forces of a model for a record |
+//! | [`step_response`] | response of the force to a step of the setting |
+//! | [`valve_response`] | response of the valve, from the numbers of its actuator |
+//! | [`warm_starts`] | temperature of the damper when each record begins |
+//! | [`own_setting`] | setting of a record, for a damper that depends on one |
+//! | [`comparison`] | a model and its FV curve compared with a campaign |
+//! | [`against`] | comparison with models of the literature |
+//! | [`whole_records`] | errors of a model over every sample of records |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
-//! | [`vehicle`] | a vehicle on four dampers, and the manoeuvres it drives |
-//! | [`chatter`] | whether a damper chatters in a host that holds its force over a step |
-//! | [`followed`] | whether the step follows a mass that rings on its spring |
-//! | [`stiffness`] | how fast a damper's states move by themselves |
-//! | [`accuracy`] | error of the fixed step against a converged solution |
+//! | [`vehicle`] | a vehicle on four dampers, and its maneuvers |
+//! | [`chatter`] | chatter of a damper in a host with a zero-order hold of its force |
+//! | [`followed`] | resolution of a mass that rings on its spring |
+//! | [`stiffness`] | rates of a damper's states |
+//! | [`accuracy`] | error of the fixed step relative to a converged solution |
 
 pub mod accuracy;
 pub mod against;

@@ -1,6 +1,6 @@
-//! A limit in words.
+//! Formatting of limits.
 
-/// A limit with two digits behind the first that is not 0, never more than it is.
+/// Formats a limit with two digits after the first nonzero digit, rounded down.
 pub(crate) fn plain(limit: f64) -> String {
     let digits = (2.0 - libm::log10(limit.abs().max(1e-9)).floor()).clamp(0.0, 9.0) as usize;
     let scale = 10f64.powi(digits as i32);

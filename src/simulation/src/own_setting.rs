@@ -1,10 +1,10 @@
-//! What a record says of the setting that a damper depends on.
+//! Setting that a record states for a damper over a setting.
 
 use dashpot_core::family::Axis;
 use dashpot_identification::setting_units::is_of_axis;
 use dashpot_records::{Record, setting_factor};
 
-/// The setting of a record.
+/// Setting of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OwnSetting {
     /// The record does not state it.
@@ -16,7 +16,7 @@ pub enum OwnSetting {
 }
 
 impl OwnSetting {
-    /// The setting of a record, where it is the one of the axis and in its unit.
+    /// Returns the setting of a record, if its name and unit are those of the axis.
     pub fn find(axis: &Axis, record: &Record) -> OwnSetting {
         let is_own = |name: &str, unit: &str| is_of_axis(axis, name) && setting_factor(unit, axis.unit()) == Some(1.0);
         if record.setting_signal.as_ref().is_some_and(|signal| is_own(&signal.name, &signal.unit)) {

@@ -1,4 +1,4 @@
-//! The forces that a model gives for the motion of a record.
+//! Forces that a model predicts for the motion of a record.
 
 use crate::warm_starts::warm;
 use dashpot_core::family::Family;
@@ -8,7 +8,7 @@ use dashpot_estimation::samples::input_at;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Forces of the model at the samples of a record, driven by its smoothed motion from the steady state.
+/// Predicts the forces of a model at the samples of a record, from the smoothed motion of the record and the steady state.
 ///
 /// See [`dashpot_records::smoothing::smooth`]. The oil is warmer than the surroundings by `rise`, K
 /// ([`WarmStarts`](crate::warm_starts::WarmStarts)).
@@ -18,7 +18,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     let run = |start: State, range: std::ops::Range<usize>, forces: &mut Vec<f64>| {
         let (mut state, mut force) = (start, 0.0);
         for i in range {
-            // What is no number leaves state and force where they were.
+            // A non-finite result leaves state and force unchanged.
             force = force_in_place(model, &mut state, &input(i), record.time[i] - record.time[i - 1]).unwrap_or(force);
             forces.push(force);
         }
@@ -26,7 +26,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     };
     let mut start = model.steady_state(&input(0));
     warm(model, &mut start, rise);
-    // A periodic record was cut out of a running test: what the damper remembers at its start is what it remembers one
+    // A periodic record was cut from a running test. So the internal state at its start equals the internal state one
     // cycle later.
     if let Some(first) = record.cycles.first().filter(|c| c.start == 0 && c.end < n) {
         let later = run(start, 1..first.end + 1, &mut Vec::new());
@@ -40,9 +40,9 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     forces
 }
 
-/// Forces of a damper over a setting at the samples of a record whose setting changes.
+/// Predicts the forces of a damper over a setting at the samples of a record whose setting changes.
 ///
-/// The command between two samples is the mean of both, since the change is as likely in the first half as in the second.
+/// The command between two samples is their mean, because the change is equally likely in both halves of the interval.
 pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<f64> {
     let n = record.time.len();
     let input = |i: usize| input_at(record, motion, i);
@@ -53,7 +53,7 @@ pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<
     let mut forces = vec![output.force];
     for i in 1..n {
         let dt = record.time[i] - record.time[i - 1];
-        // What is no number leaves state and force where they were.
+        // A non-finite result leaves state and force unchanged.
         let mut next = output;
         if family.step_in_place(&mut state, &mut delay, &input(i), command(i), dt, &mut next, false) {
             output = next;
@@ -63,7 +63,7 @@ pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<
     forces
 }
 
-/// Forces of the model, N, at velocities that are held constant, m/s, at displacement zero: FV curve, friction and gas force.
+/// Returns the forces of the model, N, at constant velocities, m/s, and displacement zero: FV curve, friction and gas force.
 pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     let at = |velocity: f64| {
         let input = Input::motion(0.0, velocity);
@@ -72,11 +72,11 @@ pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     velocities.iter().map(|v| [*v, at(*v)]).filter(|p| p[1].is_finite()).collect()
 }
 
-/// Velocities from one to another on the other side of zero.
+/// Returns the forces at velocities from `low` to `high`, on both sides of zero.
 ///
-/// They are close near zero, where friction and bleed make the shape.
+/// The velocities are dense near zero, where friction and bleed determine the shape.
 pub fn between_velocities(model: &Model, low: f64, high: f64) -> Vec<[f64; 2]> {
-    /// Points to each side of zero.
+    /// Number of points on each side of zero.
     const POINTS: i32 = 120;
     let at = |k: i32| {
         let share = f64::from(k) / f64::from(POINTS);

@@ -1,7 +1,7 @@
-//! How fast the force follows a step of the setting: measured and by the model, up and down.
+//! Response of the force to a step of the setting: measured and modeled, up and down.
 //!
-//! Along the motion of the test the force at the setting before and at the one after the step are known from the model. The response is the fraction
-//! of the way from the one to the other that the force has gone. So a step counts during a sine as well as at constant speed.
+//! Along the motion of the test the model gives the force at the setting before the step and at the one after. The response is the fraction
+//! of the difference that the force has completed. So a step during a sine counts like a step at constant speed.
 
 use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
@@ -11,28 +11,29 @@ use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
 use std::collections::BTreeMap;
 
-/// Time before a step that a response shows, and most time behind it, s.
+/// Time before a step that a response shows, and longest time after the step, s.
 const BEFORE: f64 = 0.01;
 const BEHIND: f64 = 1.0;
-/// Most points of a response.
+/// Largest number of points of a response.
 const POINTS: usize = 1500;
-/// Fraction of the longest level behind steps of a kind below which a step does not count: it would cut the responses of all.
+/// Smallest level after a step, relative to the longest level of its kind. A shorter level would truncate the responses of all.
 const LONG: f64 = 0.5;
-/// Fewest steps of one test in one direction that show a response by themselves; of fewer the noise would be the slowest.
+/// Smallest number of steps of one test in one direction for a response of its own. With fewer steps the noise would determine the slowest
+/// response.
 const FEWEST: usize = 3;
-/// Shortest level behind a step that shows where the response ends, s.
+/// Shortest level after a step that shows the end of the response, s.
 const SHORTEST: f64 = 0.03;
-/// Fraction of a level at its end that shows where the response ends.
+/// Fraction at the end of a level that determines the end of the response.
 const SETTLED: f64 = 0.25;
-/// Fraction of the largest difference of force below which an instant of a step says nothing.
+/// Difference of force, relative to the largest, below which an instant of a step is not used.
 const LEAST: f64 = 0.2;
-/// Fraction of the difference of force up to which an instant counts, by which rounding of the motion may be off there.
+/// Largest error by rounding of the motion, relative to the difference of force, at which an instant is used.
 ///
-/// Where a velocity was taken from the position, a corner of the motion is rounded over the window of that derivative.
-/// At 1 a step shortly before a turn of a triangle showed 41 % of overshoot and 14.8 ms for 10.1; of a sine no instant is left out at 0.1.
+/// If the velocity is a derivative of the position, its window rounds a corner of the motion. At a limit of 1, a step shortly before a turn
+/// of a triangle showed 41 % overshoot and 14.8 ms instead of 10.1 ms. At 0.1 all instants of a sine are used.
 const ROUNDED: f64 = 0.1;
 
-/// One step with the forces around it.
+/// One step with the forces before and after it.
 #[derive(Debug, Clone)]
 pub struct StepForces {
     /// Time since the step, s.
@@ -41,17 +42,18 @@ pub struct StepForces {
     pub force: Vec<f64>,
     /// Force at the setting before the step along the same motion, N.
     pub before: Vec<f64>,
-    /// Force at the setting after it, N.
+    /// Force at the setting after the step along the same motion, N.
     pub after: Vec<f64>,
-    /// Window in which the velocity was taken from the position, s; 0 where it was measured.
+    /// Window of the derivative if the velocity is computed from the position, s; 0 if it was measured.
     pub velocity_window_s: f64,
 }
 
 impl StepForces {
-    /// Whether the forces of the model are known at each instant, whatever corner the window of the velocity rounds.
+    /// Returns, for each instant, whether the forces of the model are unaffected by rounding in the window of the velocity.
     ///
-    /// Rounding moves a value toward the mean of its neighbours in the window: by so much a force may be off. In the middle of a
-    /// corner the rounded velocity is straight again, so half a window around each such instant counts as rounded with it.
+    /// Rounding moves a value toward the mean of its neighbors in the window; this difference estimates the error of the force. In the
+    /// middle of a corner the rounded velocity is linear again. So a quarter of the window to either side of each rounded instant counts as
+    /// rounded too.
     fn has_known_motion(&self) -> Vec<bool> {
         if self.velocity_window_s == 0.0 {
             return vec![true; self.time.len()];
@@ -73,14 +75,14 @@ impl StepForces {
     }
 }
 
-/// The mean response to steps of one kind on a grid of times since the step, from 0 before to 1 at its end.
+/// Averages the responses to steps of one kind on a grid of times since the step. The response is 0 before the step and 1 at its end.
 pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     let raw = fraction_of_way(&steps.iter().collect::<Vec<_>>(), grid);
     let [zero, one] = ends(&raw, grid);
     scaled(&raw, zero, one)
 }
 
-/// The mean fraction of the way between the forces before and after that the force has gone; not a number where no step says it.
+/// Averages the fraction of the force change that is completed. Returns NaN at times without a usable step.
 fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -105,7 +107,7 @@ fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     sums.iter().map(|[product, square]| product / square).collect()
 }
 
-/// Mean fraction before the step, and in the last part of the grid.
+/// Averages the fraction before the step, and in the last part of the grid.
 fn ends(raw: &[f64], grid: &[f64]) -> [f64; 2] {
     let mean = |wanted: &dyn Fn(f64) -> bool| {
         let own = raw.iter().zip(grid).filter(|(r, t)| r.is_finite() && wanted(**t)).map(|(r, _)| *r);
@@ -120,15 +122,16 @@ fn scaled(raw: &[f64], zero: f64, one: f64) -> Vec<f64> {
     raw.iter().map(|r| (r - zero) / (one - zero)).collect()
 }
 
-/// Measured and modelled response on a grid, and the fraction of its way that the model has gone at the end of the grid.
+/// Computes measured and modeled response on a grid, and the fraction that the model has completed at the end of the grid.
 ///
-/// What the model misses at the levels is no part of the response, so the measured one ends where the model does. That is below 1 where the level
-/// is too short for the valve: taken for 1, a time constant of 60 ms would show 47 ms to 63 % of the way.
+/// Force errors of the model at the levels are not part of the response, so the measured response ends at the same fraction as the model.
+/// This fraction is below 1 if the level is too short for the valve. If it were set to 1, a time constant of 60 ms would appear as 47 ms at
+/// 63 %.
 fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     let forces: [fn(&Step) -> &StepForces; 2] = [|step| &step.measured, |step| &step.model];
     let [measured, model] =
         forces.map(|of| fraction_of_way(&steps.iter().map(|step| of(step)).collect::<Vec<_>>(), grid));
-    // The way of a step is counted from where the force stood before it.
+    // The force change of a step starts at the force before it.
     let [zero, one] = ends(&model, grid);
     let model = scaled(&model, zero, 1.0);
     let settled = dashpot_records::restrict((one - zero) / (1.0 - zero), LEAST, 1.0);
@@ -137,7 +140,7 @@ fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     ([measured, model], settled)
 }
 
-/// Steps of one kind: measured and by the model.
+/// Steps of one kind, measured and modeled.
 #[derive(Default)]
 struct Kind {
     levels: [f64; 2],
@@ -145,7 +148,7 @@ struct Kind {
     sample: f64,
 }
 
-/// One step, measured and by the model.
+/// One step, measured and modeled.
 struct Step {
     test: String,
     /// Whether the damper was in rebound.
@@ -156,10 +159,10 @@ struct Step {
     model: StepForces,
 }
 
-/// The responses to the steps of records whose setting steps, by the settings before and after.
+/// Computes the responses to the steps of the setting in records, grouped by the settings before and after.
 ///
 /// # Errors
-/// Parameters that make no model.
+/// Parameters that form no valid model.
 pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Vec<StepResponse>, NoModel> {
     let mut kinds: Vec<Kind> = Vec::new();
     let family = prepared_family(definition)?;
@@ -180,7 +183,7 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
             }
             let level = |wanted: f64| levels.iter().find(|(known, _)| is_same_setting(*known, wanted)).map(|(_, f)| f);
             let (Some(before), Some(after)) = (level(step.from), level(step.to)) else { continue };
-            // A change is as likely in the first half of a sample as in the second.
+            // The change is equally likely in both halves of a sample interval.
             let instant = 0.5 * (record.time[step.index] + record.time[step.index.saturating_sub(1)]);
             let end = record.time[step.end.min(record.time.len()) - 1];
             let has_settled = instant - starts_at >= SHORTEST && end - instant >= SHORTEST;
@@ -221,12 +224,12 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
     Ok(kinds.into_iter().map(response).collect())
 }
 
-/// The response to steps of one kind.
+/// Computes the response to steps of one kind.
 fn response(kind: Kind) -> StepResponse {
     let longest = kind.steps.iter().map(|step| step.level).fold(0.0, f64::max);
     let steps: Vec<&Step> = kind.steps.iter().filter(|step| step.level >= LONG * longest).collect();
     let span = steps.iter().map(|step| step.level).fold(longest, f64::min) + BEFORE;
-    // Not finer than the samples: noise between them is none.
+    // The grid is not finer than the samples, between which there is no information.
     let points = (span / kind.sample.max(1e-6)).min(POINTS as f64).max(8.0) as usize;
     let grid: Vec<f64> = (0..=points).map(|k| span * k as f64 / points as f64 - BEFORE).collect();
     let mut groups: BTreeMap<(&str, bool), Vec<&Step>> = BTreeMap::new();
@@ -282,7 +285,7 @@ mod tests {
 
     #[test]
     fn a_corner_that_the_derivative_rounds_is_no_part_of_a_response() {
-        // A triangle turns 50 ms behind the step; its velocity is rounded over a window of 17 ms.
+        // A triangle reverses 50 ms after the step; its velocity is rounded over a window of 17 ms.
         let (turn, half) = (0.05, 0.0085);
         let grid: Vec<f64> = (0..200).map(|k| 1e-3 * f64::from(k) - 0.01).collect();
         let speed = |t: f64| if t < turn { 1.0 } else { -1.0 };

@@ -1,7 +1,8 @@
-//! How fast the states of a damper move by themselves: what a host meets whose own solver integrates them.
+//! Stiffness of the states of a damper, for hosts whose own solver integrates them.
 //!
-//! `dashpot_step` is stable at every step. A host that integrates the states itself (`dashpot_evaluate`, an FMU in model exchange) with an explicit
-//! method is so only while the step times the fastest rate lies inside the method's region, and beyond it may well answer a wrong force without an error.
+//! `dashpot_step` is stable at every step. A host may integrate the states itself (`dashpot_evaluate`, an FMU in model exchange) with an
+//! explicit method. This is stable only if the step times the fastest rate lies in the stability region of the method. Beyond it the force
+//! may be wrong without an error.
 
 use dashpot_core::evaluate::partials;
 use dashpot_core::family::Definition;
@@ -12,12 +13,12 @@ use nalgebra::DMatrix;
 ///
 /// Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2.
 const RUNGE_KUTTA: f64 = 2.785;
-/// Rate, 1/s, from which a host's usual step, 1 ms, is too long for that method.
+/// Rate, 1/s, above which a typical host step of 1 ms is unstable with that method.
 const STIFF: f64 = RUNGE_KUTTA / 1e-3;
-/// Velocities at which a damper is looked at, m/s, in both directions: from standstill, where FV curves are steepest, to a pothole.
+/// Velocities at which the rates are evaluated, m/s, in both directions: from standstill, where FV curves are steepest, to a pothole.
 const SPEEDS: [f64; 7] = [0.0, 1e-3, 0.01, 0.05, 0.2, 0.5, 1.5];
 
-/// The largest size of an eigenvalue of the states' rates over the states, 1/s; 0 where the damper has no state that moves.
+/// Returns the largest magnitude of an eigenvalue of the states' Jacobian, 1/s; 0 if no state changes.
 pub fn fastest_rate(model: &Model) -> f64 {
     let count = model.states();
     let mut fastest = 0.0f64;
@@ -33,12 +34,12 @@ pub fn fastest_rate(model: &Model) -> f64 {
     fastest
 }
 
-/// The longest step of the classical Runge–Kutta method at that rate, s.
+/// Returns the longest stable step of the classical Runge–Kutta method at a rate, s.
 pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
-/// The longest step, s, at which an explicit solver can integrate the states of all these dampers itself, at every setting of their grids.
+/// Returns the longest step, s, at which an explicit solver can integrate the states of all dampers, at every setting of their grids.
 pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
     let at_each_setting = |damper: &D| {
         let damper: Definition = (*damper).into();
@@ -56,18 +57,18 @@ pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
         .fold(1.0, f64::min)
 }
 
-/// A limit in two digits, never 0.
+/// Formats a limit with two digits, never as 0.
 fn in_digits(limit: f64) -> String {
     let digits = (1.0 - libm::log10(limit).floor()).clamp(0.0, 12.0) as usize;
     format!("{limit:.digits$}")
 }
 
-/// [`remark`] of parameters: what stands in the description of an FMU, which has model exchange too.
+/// Returns [`remark`] for parameters: a text in the description of an FMU, which includes model exchange.
 pub fn remarks(params: &Params) -> Vec<String> {
     Model::new(params).ok().and_then(|model| remark(&model)).into_iter().collect()
 }
 
-/// What a host must know that integrates the states itself, in a sentence; nothing where a step of 1 ms does.
+/// Returns a remark for hosts that integrate the states; `None` if a step of 1 ms is stable.
 pub fn remark(model: &Model) -> Option<String> {
     let rate = fastest_rate(model);
     (rate > STIFF).then(|| {
@@ -94,7 +95,7 @@ mod tests {
 
     #[test]
     fn the_rate_is_that_of_the_mass_behind_its_spring_and_valves() {
-        // An overdamped mass: its fast rate is the slope of the FV curve over the mass, at most.
+        // The mass is overdamped: its fast rate is at most the slope of the FV curve divided by the mass.
         let model = model(3e6, 0.05);
         let slope = model.elements().paths.fv_curve.evaluate(0.0).derivative;
         let rate = fastest_rate(&model);
@@ -140,7 +141,7 @@ mod tests {
             }
             most
         };
-        // The driven end moves at 0.12 m/s.
+        // The moving end moves at 0.12 m/s.
         assert!(largest(0.9 * told) < 0.2, "{}", largest(0.9 * told));
         assert!(largest(3.0 * told) > 0.4, "{}", largest(3.0 * told));
     }

@@ -1,18 +1,20 @@
-//! How the valve of a damper over a setting follows a step of its command, by the numbers of its actuator alone.
+//! Response of the valve of a damper over a setting to a step of its command, from the numbers of its actuator alone.
 
 use dashpot_core::family::actuator::{Actuator, Stand};
 use dashpot_core::family::axis::Axis;
 use dashpot_identification::validation::{ResponseTimes, StepResponse};
 
-/// Points of a response.
+/// Number of points of a response.
 const POINTS: usize = 400;
-/// Time constants that a response shows: all but a thousandth of the way.
+/// Number of time constants that a response shows: it then lacks a thousandth.
 const CONSTANTS: f64 = 7.0;
-/// Fraction of the time of a response that is shown before the step.
+/// Time before the step, as a fraction of the shown time after it.
 const BEFORE: f64 = 0.1;
 
-/// The response of the valve to a step of the command, as the fraction of its way. The valve came to rest at `from` on a long way from the side that it now leaves.
-/// `None` without an actuator, or where the valve does not move.
+/// Computes the response of the valve to a step of the command, as a fraction of its change.
+///
+/// Before the step the valve is in equilibrium at `from`, after a long travel from the side to which it now moves. Returns `None` without
+/// an actuator, or if the valve does not move.
 pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     let actuator = axis.actuator();
     if !has_actuator(axis) || from == to {
@@ -22,7 +24,7 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     let rate = actuator.rate[falls];
     let at_limit = if rate > 0.0 { (to - from).abs() / rate } else { 0.0 };
     let moving = at_limit + CONSTANTS * actuator.time[falls];
-    // A valve without a lag jumps; some time behind the jump shows that it stays there.
+    // A valve without a lag jumps. Some time after the jump shows that the valve stays there.
     let span = (actuator.dead_time + moving).max(1.25 * actuator.dead_time).max(1e-3);
     let rest = Stand { lagged: from, turned: if actuator.has_hysteresis() { (from - to).signum() } else { 0.0 } };
     let (zero, one) = (actuator.setting(&rest), actuator.setting(&actuator.at_rest(&rest, to)));
@@ -44,16 +46,16 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     })
 }
 
-/// Whether the valve of an axis is anything but at its command.
+/// Returns whether the valve of an axis deviates from its command.
 pub fn has_actuator(axis: &Axis) -> bool {
     let actuator = axis.actuator();
     axis.is_some() && (actuator.has_lag() || actuator.dead_time > 0.0)
 }
 
-/// The setting at a time after the step.
+/// Returns the setting at a time after the step.
 fn moved(actuator: &Actuator, rest: &Stand, to: f64, time: f64) -> f64 {
     let moving = time - actuator.dead_time;
-    // Without a lag the valve is where it will be at once.
+    // Without a lag the valve reaches its new position immediately.
     let stand = if moving < 0.0 { *rest } else { actuator.advance(rest, to, moving.max(f64::MIN_POSITIVE)) };
     actuator.setting(&stand)
 }
@@ -75,7 +77,7 @@ mod tests {
     fn times_are_those_of_the_numbers() {
         let lag = axis([8e-3, 20e-3, 2e-3, 0.0, 0.0, 0.1]);
         let up = valve_response(&lag, 0.0, 1.6).unwrap().model.unwrap();
-        // Hysteresis turns within the first tenths of the way, during which the valve is slower than its lag.
+        // Hysteresis reverses within the first tenths of the change. During these the valve is slower than its lag.
         assert!(up.t63_s > 0.010 && up.t63_s < 0.0115 && up.overshoot.abs() < 1e-6, "{up:?}");
         let down = valve_response(&axis([8e-3, 20e-3, 0.0, 0.0, 0.0, 0.0]), 1.6, 0.0).unwrap().model.unwrap();
         assert!((down.t63_s - 0.020).abs() < 2e-4 && (down.t90_s - 0.04605).abs() < 3e-4, "{down:?}");

@@ -1,27 +1,27 @@
-//! How warm the damper is when each record begins.
+//! Temperature of the damper when each record begins.
 //!
-//! A model that computes its own heat starts cold wherever it is started. On the rig the oil is as warm as the tests before have made it, which
-//! the records show where they run on one clock: C_h dϑ/dt = F v − h ϑ with force and velocity as measured, rests included.
+//! A model with its own heat balance starts cold in every simulation. On the rig the tests before have warmed the oil. Records with a
+//! common clock show this: C_h dϑ/dt = F v − h ϑ with measured force and velocity, rests included.
 
 use dashpot_core::{Model, Params, State, element, number};
 use dashpot_estimation::heating::Heating;
 use dashpot_records::Record;
 
-/// Slowest cooling, 1/s, that is told from none: in a day it takes a thousandth.
+/// Slowest cooling, 1/s, that differs from none: it removes a thousandth in a day.
 const NONE: f64 = 1e-8;
 
-/// The heat that went into the damper in a campaign.
+/// Heat that the damper absorbed in a campaign.
 pub struct WarmStarts(Heating);
 
 impl WarmStarts {
-    /// Of these records.
+    /// Computes the heat from these records.
     pub fn new(records: &[&Record]) -> WarmStarts {
         WarmStarts(Heating::new(records, &[]))
     }
 
-    /// Rise of the oil's temperature, K, with which record `place` begins.
+    /// Returns the rise of the oil's temperature, K, at the start of record `place`.
     ///
-    /// Nothing where the model computes no heat, or where every record has a clock of its own.
+    /// Returns 0 if the model has no heat balance, or if every record has a clock of its own.
     pub fn rise(&self, params: &Params, place: usize) -> f64 {
         let heats = params.is_on(element!("temperature_fade")) && params.number(number!("fade_source")) == 1.0;
         if !heats {
@@ -33,7 +33,7 @@ impl WarmStarts {
     }
 }
 
-/// Gives a state this rise of the oil's temperature, K, where the model has it among its states.
+/// Sets the rise of the oil's temperature, K, in a state of a model that has this state.
 pub(crate) fn warm(model: &Model, state: &mut State, rise: f64) {
     let is_heat = |k: &usize| model.state_name(*k).is_some_and(|(name, _)| name == "oil_temperature_rise");
     // The first two states are those of the internal mass.
@@ -49,7 +49,7 @@ mod tests {
     use dashpot_records::smoothing::smooth;
     use std::f64::consts::TAU;
 
-    /// Ten hard cycles that begin at this time of the campaign.
+    /// Makes ten cycles of high power that begin at this time of the campaign.
     fn record(clock_s: f64) -> Record {
         let time: Vec<f64> = (0..5000).map(|k| 1e-3 * f64::from(k)).collect();
         let omega = TAU * 2.0;
@@ -79,7 +79,7 @@ mod tests {
             params.set(name, value).unwrap();
         }
         let model = Model::new(&params).unwrap();
-        // What is measured is what the model does in one go, as two records with a rest between them.
+        // The measured force is that of the model in one run, for two records with a rest between them.
         let whole = {
             let (a, b) = (record(0.0), record(0.0));
             let rest = 0.5;
@@ -105,7 +105,7 @@ mod tests {
             forces.iter().zip(&second.force).enumerate().map(late).fold(0.0, f64::max) / top
         };
         assert!(off(rise) < 0.01 && off(0.0) > 0.05, "{} {}", off(rise), off(0.0));
-        // By clocks of their own nothing is known of what was before.
+        // Records with separate clocks show nothing about the time before.
         second.clock_s = 0.0;
         assert_eq!(WarmStarts::new(&[&first, &second]).rise(&params, 1), 0.0);
         params.set(number!("fade_source"), 0.0).unwrap();

@@ -1,9 +1,9 @@
-//! How far a model is off over whole records.
+//! Errors of a model over whole records.
 //!
-//! The same figures for a fit, a validation and a diagnosis, so that they can be laid side by side.
+//! A fit, a validation and a diagnosis report these figures, so they are comparable.
 //!
-//! A fit and a diagnosis work on mean cycles, in which noise is averaged out, and a diagnosis refits first; their own figures are smaller
-//! than those of a validation, which takes every sample of every record from the settled start.
+//! The figures of a fit and a diagnosis themselves are smaller than those of a validation. They use mean cycles, which average out the
+//! noise, and a diagnosis refits first. A validation uses every sample of every record, from the steady state.
 
 use crate::prediction::predict;
 use crate::warm_starts::WarmStarts;
@@ -18,21 +18,21 @@ use dashpot_records::{Record, is_same_setting};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// Why a model has no error over records.
+/// Error of figures over records.
 #[derive(Debug, thiserror::Error)]
 pub enum WholeRecordsError {
-    /// The parameters do not make a model.
+    /// The parameters do not form a valid model.
     #[error(transparent)]
     Model(#[from] NoModel),
-    /// The records cannot be compared with anything.
+    /// The records cannot be compared with a model.
     #[error(transparent)]
     Records(#[from] ValidationError),
 }
 
-/// Mean figures of a model over records, as a validation measures them.
+/// Computes the mean errors of a model over records, like a validation.
 ///
 /// # Errors
-/// Where there is no model, or nothing to compare it with.
+/// Parameters that form no valid model, or records that cannot be compared.
 pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let model = prepared(params)?;
     let warm = WarmStarts::new(records);
@@ -47,7 +47,7 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
     Ok(validate(&compared)?.overall.errors.model)
 }
 
-/// Errors of a fit over its own records, corrected by the measurement error that it found.
+/// Computes the errors of a fit over its own records, corrected by the measurement errors that it found.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -55,18 +55,18 @@ pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsE
     without(&fit.measured, &fit.params, records)
 }
 
-/// How good a fit is: beside the noise of its records, which no model can do better than, and beside the plain FV curve.
+/// Quality of a fit, relative to the noise of its records and to the plain FV curve. No model can have a smaller error than the noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Quality {
     /// Error of the model.
     pub model: Deviation,
-    /// Error of the plain FV curve that was fitted to the same tests.
+    /// Error of the plain FV curve fitted to the same tests.
     pub fv_only: Deviation,
-    /// Mean magnitude of the noise, N; 0 where it is not known.
+    /// Mean magnitude of the noise, N; 0 if unknown.
     pub noise_n: f64,
 }
 
-/// How good a fit is, over the records that it was made of.
+/// Computes the quality of a fit over its own records.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -75,14 +75,14 @@ pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsEr
     Ok(Quality { model, fv_only, noise_n: mean_noise(records) })
 }
 
-/// Mean magnitude of the noise of records, N; zero where it is not known.
+/// Returns the mean magnitude of the noise of records, N; zero if unknown.
 fn mean_noise(records: &[&Record]) -> f64 {
     let known: Vec<f64> = records.iter().map(|record| record.noise.force_rms).filter(|rms| *rms > 0.0).collect();
-    // That of normally distributed noise is √(2/π) of its root mean square.
+    // The mean magnitude of normally distributed noise is √(2/π) of its root mean square.
     known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt()
 }
 
-/// How good a family is over the tests of constant settings that it was made of, each at its own.
+/// Computes the quality of a family over its tests of constant settings, each at its own setting.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -126,29 +126,30 @@ pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality
     Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&own) })
 }
 
-/// Over the records without what the measurement was found to be off by.
+/// Computes the errors over the records corrected by measurement errors.
 fn without(measured: &[Measured], params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let off = to_measurement_error(measured);
     let right: Vec<Record> = records.iter().map(|record| correct_record(record, &off)).collect();
     deviation(params, &right.iter().collect::<Vec<_>>())
 }
 
-/// The three models of a diagnosis, over every sample of every record.
+/// Errors of the three models of a diagnosis, over every sample of every record.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct OfDiagnosis {
-    /// The model as it came.
+    /// Errors of the model before the diagnosis.
     pub as_it_came: Deviation,
     /// Errors of the model after a refit.
     pub refitted: Deviation,
-    /// With the findings that belong to the damper, over the records without what the diagnosis found the measurement
-    /// to be off by.
+    /// Errors of the model with the findings that belong to the damper. The records are corrected by the measurement errors that the
+    /// diagnosis found.
     ///
-    /// As a validation of the improved model's file has them.
+    /// A validation of the improved model's file gives these figures.
     pub improved: Deviation,
 }
 
 impl OfDiagnosis {
-    /// Of the model as it came, refitted and improved; the latter without what was `measured`.
+    /// Computes the errors of the model before the diagnosis, refitted, and improved. For the improved model the records are corrected by
+    /// `measured`.
     ///
     /// # Errors
     /// The errors of [`deviation`].

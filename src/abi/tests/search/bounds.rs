@@ -1,20 +1,20 @@
-//! Bounds of the force of a case: what its elements can make along its motion, and the result of short steps.
+//! Bounds of the force of a case: the forces of its elements along its motion, and the result of short steps.
 
 use crate::case::{Case, Failure, Given, Run, prepare};
 use dashpot_core::parameter::Number;
 
-/// What a force is held against.
+/// Reference with which a force is compared.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Against {
-    /// What the elements can make along the motion, or short steps come to: a force beyond both is none of this damper.
+    /// The elements along the motion, or short steps. A force that exceeds both is an error.
     Possible,
-    /// Short steps alone, if the force is more than the elements make in one stroke.
+    /// Short steps alone, if the force exceeds the elements' force in one stroke.
     ///
-    /// A mass that a method locks onto the drive, which short steps do not, fails.
+    /// This rejects a mass that a method synchronizes with the drive while short steps do not.
     ShortSteps,
 }
 
-/// Elements whose force depends on the motion of the driven end alone: it has no equation to solve.
+/// Elements whose force depends only on the motion of the moving end. Their force has no equation to solve.
 const BESIDE: [&str; 12] = [
     "coulomb_friction",
     "stribeck_friction",
@@ -30,20 +30,20 @@ const BESIDE: [&str; 12] = [
     "rebound_stop",
 ];
 
-/// Parts of a step in which implicit Euler is asked again where its steps of 1/32 do not account for a force.
+/// Numbers of substeps of implicit Euler that are tried if its steps of 1/32 do not account for a force.
 ///
-/// It takes energy from whatever swings, the less the shorter its steps: a mass in a gap that short steps of every other method throw to 24 kN
-/// came to 1 kN in steps of 1/32 and to 20 in those of 1/2048.
+/// Implicit Euler dissipates energy of every oscillation, less with shorter steps. Short steps of every other method threw a mass in a gap
+/// to 24 kN. Implicit Euler reached 1 kN in steps of 1/32 and 20 kN in steps of 1/2048.
 const FINEST: [usize; 2] = [512, 2048];
 
-/// A run may have this much more force than one in short steps, beside a fifth of what the elements make.
+/// Largest allowed ratio of a run's force to the force in short steps, in addition to a fifth of the elements' force.
 const SHORT_STEPS: f64 = 1.5;
 
 fn largest(forces: &[f64]) -> f64 {
     forces.iter().fold(0.0, |top, f| f.abs().max(top))
 }
 
-/// The case in steps of a `parts`-th, along the same cubic paths.
+/// Divides each step of the case into `parts` substeps, along the same cubic paths.
 fn finer(case: &Case, parts: usize) -> Case {
     let (mut x0, mut v0) = (case.start, 0.0);
     let mut fine = Case { motion: Vec::with_capacity(case.motion.len() * parts), ..case.clone() };
@@ -62,16 +62,17 @@ fn finer(case: &Case, parts: usize) -> Case {
     fine
 }
 
-/// Fastest that the driven end moves on its cubic paths.
+/// Returns the highest speed of the moving end on its cubic paths.
 fn fastest(case: &Case) -> f64 {
     finer(case, 4).motion.iter().fold(0.0, |top, g| g.v.abs().max(top))
 }
 
-/// Elements that multiply the FV curve at once. Without them the force of a cold damper, twenty times the curve at most, is taken
-/// for one that no element makes.
+/// Elements that multiply the FV curve instantaneously.
+///
+/// Without them the force of a cold damper, at most twenty times the curve, would count as a force that no element makes.
 const SCALING: [&str; 2] = ["temperature_fade", "position_dependent_damping"];
 
-/// Height of the FV curve at a speed, to either side, where the damper was and as cold as it was there.
+/// Returns the largest force of the FV curve at a speed, in both directions, at the positions and temperatures of the run.
 fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
     let mut alone = Case { motion: Vec::new(), start: 0.0, ..case.clone() };
     alone.on.retain(|name| *name == "fv_curve" || SCALING.contains(name));
@@ -81,24 +82,24 @@ fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// Friction, and what else answers the speed at once where it acts.
+/// Friction elements, and others that react to the velocity instantaneously.
 const FRICTION: [&str; 4] = ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"];
 
 /// Largest friction behind the series spring up to a velocity.
 ///
-/// It acts on the mass there, which passes every velocity between rest and that, whatever the motion of the host. A
-/// friction that falls with velocity has two equilibria with the spring, stuck and sliding. The length of a step
-/// decides between them, and both are forces that the element makes.
+/// The friction acts on the internal mass, which passes every velocity between zero and that, whatever the motion of the host. Friction
+/// that decreases with velocity has two equilibria with the spring, stuck and sliding. The step size decides between them, and both are
+/// forces of the element.
 fn stuck(case: &Case, speed: f64) -> f64 {
     if !case.values.iter().any(|(name, value)| *name == "series_load" && value[0] == 1.0) {
         return 0.0;
     }
     let mut alone = Case { motion: Vec::new(), start: 0.0, ..case.clone() };
     alone.on.retain(|name| FRICTION.contains(name));
-    // Side force and temperature are the same in all steps of an ordinary motion.
+    // Side force and temperature are constant in an ordinary motion.
     let Some(given) = case.motion.first() else { return 0.0 };
     let mut v = speed;
-    // The slowest break-away speed of the table is 1e-5 m/s; a tenth between two speeds misses a hundredth of a peak.
+    // The lowest break-away velocity of the table is 1e-5 m/s. A ratio of 1.1 between two velocities misses at most a hundredth of a peak.
     while v > 1e-7 {
         alone.motion.extend([v, -v].map(|v| Given { x: Some(0.0), v, dt: 1e-3, ..*given }));
         v /= 1.1;
@@ -106,13 +107,13 @@ fn stuck(case: &Case, speed: f64) -> f64 {
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// A number of a case: as it is set, or its default.
+/// Returns a parameter of a case: its value, or its default.
 fn number(case: &Case, name: &str) -> f64 {
     let set = case.values.iter().find(|(n, _)| *n == name).map(|(_, v)| v[0]);
     set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
 }
 
-/// Force of the series spring that catches the internal mass from a speed, the mass moved with it included.
+/// Returns the force of the series spring that stops the internal mass from a speed, including the mass that moves with it.
 fn caught(case: &Case, speed: f64) -> f64 {
     if !case.on.contains(&"series_compliance") {
         return 0.0;
@@ -129,23 +130,22 @@ fn caught(case: &Case, speed: f64) -> f64 {
     speed * ((stiffness * mass).sqrt() + number("series_damping"))
 }
 
-/// How much the speed of the driven end changes in all, along its cubic paths.
+/// Returns the total variation of the moving end's velocity along its cubic paths.
 fn turned(case: &Case) -> f64 {
     let mut last = 0.0;
     finer(case, 8).motion.iter().fold(0.0, |sum, g| sum + (g.v - std::mem::replace(&mut last, g.v)).abs())
 }
 
-/// Force of the series path if it stores all energy that the drive can give the mass.
+/// Returns the force of the series path if it stores all energy that the drive can supply to the mass.
 ///
-/// Against the moving end the mass gains no more velocity than that end changes its own by, whatever the spring. No
-/// damper has absorbed any of it.
+/// Relative to the moving end, the mass gains at most the velocity change of that end, whatever the spring. No damping is assumed.
 fn thrown(case: &Case) -> f64 {
     let speed = turned(case);
     let straight = caught(case, speed);
     if straight == 0.0 || !case.on.contains(&"bushing") {
         return straight;
     }
-    // Rubber holds the energy of a deflection d, ½ k d² (1 + ½ d²/d_h²), at k d (1 + d²/d_h²).
+    // Rubber stores the energy ½ k d² (1 + ½ d²/d_h²) at a deflection d, with the force k d (1 + d²/d_h²).
     let stiffness = number(case, "series_stiffness");
     let unit = stiffness * number(case, "bushing_hardening");
     let (times, square) = (straight / unit, (straight / unit) * (straight / unit));
@@ -153,15 +153,15 @@ fn thrown(case: &Case) -> f64 {
     unit * (times + deflection * (1.0 + deflection * deflection))
 }
 
-/// The most that a late valve makes of the force of the FV curve: one that is shut lets a hundredth through.
+/// Largest ratio of the force of a lagging valve to the FV curve: a closed valve passes a hundredth of the flow.
 const SHUT: f64 = 100.0;
 
-/// Largest force of the elements along the motion, with the worst timing.
+/// Returns the largest force of the elements along the motion, with the worst timing.
 ///
-/// No damper absorbs what the drive supplies to the mass, and a valve with an internal state is shut when the piston
-/// is fastest.
+/// It assumes that no damper absorbs the energy supplied to the mass. It also assumes that a valve with an internal state is closed when
+/// the piston is fastest.
 ///
-/// Twice the sum, as in [`check`]: forces of several elements add up, and the mass may move twice as fast as the driven end.
+/// The sum is doubled as in [`check`]: forces of several elements add up, and the mass may move twice as fast as the moving end.
 fn most(case: &Case, found: &Run) -> f64 {
     let speed = fastest(case);
     let late = case.on.contains(&"valve_hysteresis") && number(case, "valve_form") > 0.0;
@@ -173,14 +173,14 @@ fn run(case: &Case) -> Option<Run> {
     case.run(&*prepare(case)?, false).ok()
 }
 
-/// The most that the elements beside the damper make.
+/// Returns the largest force of the elements that depend only on the motion of the moving end.
 fn beside(case: &Case) -> f64 {
     let mut alone = case.clone();
     alone.on.retain(|name| BESIDE.contains(name));
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// The case with another method.
+/// Returns the case with another integration method.
 fn by(case: &Case, method: f64, substeps: f64) -> Case {
     let mut other = case.clone();
     other.values.retain(|(name, _)| *name != "method" && *name != "substeps");
@@ -189,10 +189,10 @@ fn by(case: &Case, method: f64, substeps: f64) -> Case {
     other
 }
 
-/// The damper near this one that makes the most force, in words.
+/// Describes the similar damper that makes the most force.
 ///
-/// A method shifts the frequency of a mass that its steps hardly resolve. Where a heavier mass, or a softer spring at it, has the force in
-/// short steps that the case has in long ones, the case is that shift: a resonance that lies elsewhere.
+/// A method shifts the frequency of a mass that its steps hardly resolve. Suppose a heavier mass or a softer spring makes in short steps
+/// the force that the case makes in long steps. Then the case shows only this shift of a resonance.
 fn nearby(fine: &Case, top: f64) -> String {
     let with = |changes: &[(&'static str, f64)]| {
         let mut other = fine.clone();
@@ -203,8 +203,8 @@ fn nearby(fine: &Case, top: f64) -> String {
         }
         run(&other).map_or(0.0, |run| largest(&run.forces))
     };
-    // Quarters of an octave up to eight times: by as much is a frequency shifted that has three steps to its period. The nearest that
-    // would have passed is told, or that which came closest.
+    // Try quarter octaves up to a factor of eight: a step size of a third of the period shifts a frequency by that much. Report the first
+    // damper that would pass, or the one with the closest force.
     let mut best = (0.0, String::new());
     for times in (1..=12).map(|k| f64::powf(2.0, f64::from(k) / 4.0)) {
         for (what, changes) in [
@@ -220,16 +220,16 @@ fn nearby(fine: &Case, top: f64) -> String {
     format!("; with {} these come to {:.2} of it", best.1, best.0 / top)
 }
 
-/// Whether a force is more than the elements make and what short steps come to account for.
+/// Returns whether a force exceeds the bounds from the elements and from short steps.
 fn is_beyond(top: f64, same: f64, euler: f64, elements: f64) -> bool {
     top > SHORT_STEPS * same + 0.2 * elements || top > 10.0 * euler + elements
 }
 
-/// Compares the forces of a run with what the elements make one by one.
+/// Compares the forces of a run with the sum of the single elements' forces.
 ///
-/// Larger ones are compared with the result of short steps.
+/// Larger forces are compared with the result of short steps.
 ///
-/// Not `thorough`: without the shortest steps, and without what dampers near this one make, which take a thousand times as long as the run.
+/// If not `thorough`, it omits the shortest steps and the similar dampers, which cost a thousand times the run.
 pub fn check(case: &Case, found: &Run, against: Against, thorough: bool) -> Result<(), Failure> {
     let top = largest(&found.forces);
     let speed = fastest(case);

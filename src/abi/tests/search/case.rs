@@ -1,4 +1,4 @@
-//! A case: a parameter set and a motion, and how it is run through the C interface.
+//! Cases: a parameter set and a motion, run through the C interface.
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{
@@ -21,7 +21,7 @@ use std::ffi::CString;
 use std::fmt::Write as _;
 use std::mem::{MaybeUninit, size_of, zeroed};
 
-/// What the host gives in one step.
+/// Input of the host in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Given {
     pub x: Option<f64>,
@@ -31,23 +31,23 @@ pub struct Given {
     pub dt: f64,
 }
 
-/// All that a run depends on.
+/// Everything on which a run depends.
 #[derive(Clone, Debug)]
 pub struct Case {
     pub on: Vec<&'static str>,
-    /// Parameters that are not at their defaults.
+    /// Parameters that differ from their defaults.
     pub values: Vec<(&'static str, Vec<f64>)>,
     pub start: f64,
     pub motion: Vec<Given>,
-    /// Whether the motion is one that a damper can make: then the force is held against its bound.
+    /// Whether a damper can make this motion. Only then the force is compared with its bound.
     pub ordinary: bool,
 }
 
-/// What went wrong, and in which step.
+/// Error of a case, and the step in which it occurred.
 #[derive(Clone, Debug)]
 pub struct Failure {
     pub step: usize,
-    /// How far from what was promised, as a factor.
+    /// Ratio of the result to its limit.
     pub by: f64,
     pub what: String,
 }
@@ -59,28 +59,28 @@ pub struct Run {
     pub refused: usize,
 }
 
-/// A model, prepared where it lies.
+/// Prepares a model on the heap; `None` if a parameter is rejected.
 pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
-    // SAFETY: numbers and pointers alone, for which zero bytes are a value.
+    // SAFETY: the structure contains only numbers and pointers, for which zero bytes are valid.
     let mut params: dashpot_params = unsafe { zeroed() };
     params.struct_size = size_of::<dashpot_params>() as u32;
     params.abi_version = DASHPOT_ABI_VERSION;
-    // SAFETY: a block of its own, with size and version set.
+    // SAFETY: the block is local, with size and version set.
     assert_eq!(unsafe { dashpot_params_default(&mut params) }, 0);
     for name in names() {
         let c = CString::new(name).unwrap();
-        // SAFETY: a block that was filled, a zero-terminated name.
+        // SAFETY: a filled block and a zero-terminated name.
         assert_eq!(unsafe { dashpot_params_enable(&mut params, c.as_ptr(), u32::from(case.on.contains(&name))) }, 0);
     }
     for (name, values) in &case.values {
         let row = dashpot_core::parameter::find(name).unwrap();
         let name = CString::new(*name).unwrap();
         let status = match row.parameter.shape {
-            // SAFETY: a block that was filled, a zero-terminated name, and as many numbers as said.
+            // SAFETY: a filled block, a zero-terminated name, and the stated number of values.
             Shape::List(_) => unsafe {
                 dashpot_params_set_list(&mut params, name.as_ptr(), values.as_ptr(), values.len() as u32)
             },
-            // SAFETY: a block that was filled, a zero-terminated name.
+            // SAFETY: a filled block and a zero-terminated name.
             _ => unsafe { dashpot_params_set(&mut params, name.as_ptr(), values[0]) },
         };
         if status < 0 {
@@ -88,9 +88,9 @@ pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
         }
     }
     let mut model = Box::new(MaybeUninit::<dashpot_model>::uninit());
-    // SAFETY: memory for a model, which may be as it was found, and a block that was filled.
+    // SAFETY: the memory of a model may be uninitialized, and the parameter block is filled.
     let status = unsafe { dashpot_model_init(model.as_mut_ptr(), &params) };
-    // SAFETY: the model was made in this memory, by the status.
+    // SAFETY: by its status, the function initialized the model in this memory.
     (status >= 0).then(|| unsafe { Box::from_raw(Box::into_raw(model).cast::<dashpot_model>()) })
 }
 
@@ -114,7 +114,7 @@ impl Given {
 
 fn numbers<T>(block: &T) -> &[f64] {
     assert_eq!(size_of::<T>() % 8, 0);
-    // SAFETY: a block of numbers of eight bytes each, by the line before; aligned as they are.
+    // SAFETY: by the assertion above, the block consists of eight-byte numbers. Its alignment is theirs.
     unsafe { std::slice::from_raw_parts((block as *const T).cast(), size_of::<T>() / 8) }
 }
 
@@ -123,13 +123,13 @@ fn finite<T>(block: &T) -> bool {
 }
 
 impl Case {
-    /// Steps through the motion; every answer that is not a refusal is finite, and a refusal changes nothing.
+    /// Runs the motion. Checks that every successful result is finite, and that an error changes nothing.
     pub fn run(&self, model: &dashpot_model, at_each_instant: bool) -> Result<Run, Failure> {
-        // SAFETY: numbers alone, for which zero bytes are a value.
+        // SAFETY: the structure contains only numbers, for which zero bytes are valid.
         let mut state: dashpot_state = unsafe { zeroed() };
         let mut run = Run { forces: Vec::new(), places: Vec::new(), refused: 0 };
         let fail = |step, what: String| Failure { step, by: f64::INFINITY, what };
-        // SAFETY: a model that was made, and a state of its own.
+        // SAFETY: an initialized model and a local state.
         if unsafe { dashpot_state_init(model, self.start, &mut state) } < 0 {
             run.refused += 1;
             return Ok(run);
@@ -139,12 +139,12 @@ impl Case {
         }
         for (i, given) in self.motion.iter().enumerate() {
             let input = given.input();
-            // SAFETY: numbers alone, for which zero bytes are a value.
+            // SAFETY: the structure contains only numbers, for which zero bytes are valid.
             let mut output: dashpot_output = unsafe { zeroed() };
             if at_each_instant {
-                // SAFETY: numbers alone, for which zero bytes are a value.
+                // SAFETY: the structures contain only numbers, for which zero bytes are valid.
                 let (mut rate, mut partials): (dashpot_state, dashpot_partials) = unsafe { (zeroed(), zeroed()) };
-                // SAFETY: a model that was made, and blocks of their own.
+                // SAFETY: an initialized model and local blocks.
                 let status = unsafe { dashpot_evaluate(model, &state, &input, &mut output, &mut rate) };
                 if status >= 0 && !(finite(&output) && finite(&rate)) {
                     return Err(fail(
@@ -152,17 +152,17 @@ impl Case {
                         format!("evaluate answers {status} with {:?} {:?}", numbers(&output), numbers(&rate)),
                     ));
                 }
-                // SAFETY: a model that was made, and blocks of their own.
+                // SAFETY: an initialized model and local blocks.
                 let status = unsafe { dashpot_jacobian(model, &state, &input, &mut partials) };
                 if status >= 0 && !finite(&partials) {
                     return Err(fail(i, format!("jacobian answers {status} with {:?}", numbers(&partials))));
                 }
-                // SAFETY: numbers alone, for which zero bytes are a value.
+                // SAFETY: the structure contains only numbers, for which zero bytes are valid.
                 output = unsafe { zeroed() };
             }
             let before = numbers(&state).to_vec();
             let state_at: *mut dashpot_state = &mut state;
-            // SAFETY: a model that was made, and blocks of their own; the state is one and the same.
+            // SAFETY: an initialized model and local blocks. Both state pointers are equal, as the manual allows.
             let status = unsafe { dashpot_step(model, state_at, &input, given.dt, state_at, &mut output) };
             if status < 0 {
                 run.refused += 1;
@@ -180,7 +180,7 @@ impl Case {
         Ok(run)
     }
 
-    /// The case as code.
+    /// Formats the case as code.
     pub fn told(&self) -> String {
         let mut text = String::from("Case {\n");
         writeln!(text, "    on: vec!{:?},", self.on).unwrap();
@@ -202,7 +202,7 @@ impl Case {
     }
 }
 
-/// Where a number of the table lies: anywhere, most often by decade, at times at an end.
+/// Draws a number of the table: anywhere in its range, most often by decade, sometimes at an end.
 fn scalar(r: &mut Random, low: f64, high: f64, default: f64) -> f64 {
     match r.one_of(8) {
         0 => low,
@@ -217,7 +217,7 @@ fn scalar(r: &mut Random, low: f64, high: f64, default: f64) -> f64 {
     }
 }
 
-/// A rising table, with jumps and level parts.
+/// Draws an increasing table with jumps and horizontal sections.
 fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
     let most = if r.chance(0.1) { 61 } else { 14 };
     let n = 2 + r.one_of(most);
@@ -241,7 +241,7 @@ fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
     (x.iter().map(|x| (x - x0) / span * width).collect(), f.iter().map(|f| (f - f0) / top * height).collect())
 }
 
-/// All that grows with the damper, defaults too, `size` times as large; held inside the bounds.
+/// Multiplies all parameters that grow with the damper by `size`, including defaults, and clamps them to their bounds.
 fn grow(values: &mut Vec<(&'static str, Vec<f64>)>, on: &[&'static str], size: f64) {
     for row in table().filter(|row| row.parameter.grows && on.contains(&GROUPS[row.group].name)) {
         let p = row.parameter;
@@ -254,10 +254,10 @@ fn grow(values: &mut Vec<(&'static str, Vec<f64>)>, on: &[&'static str], size: f
 }
 
 impl Case {
-    /// A parameter set with these elements on.
+    /// Draws the parameters of a case with these elements on.
     pub fn set(r: &mut Random, on: Vec<&'static str>) -> Case {
         let mut values = Vec::new();
-        // Whether most numbers stay at their defaults: far corners hide each other.
+        // In some cases most parameters keep their defaults, because extreme values mask each other.
         let near = r.chance(0.4);
         for row in table() {
             let (p, group) = (row.parameter, GROUPS[row.group].name);
@@ -290,7 +290,7 @@ impl Case {
             values.push(("spring_displacement", x));
             values.push(("spring_force", f));
         }
-        // Drawn beside all else, so that a seed gives the cases that it gave before there were dampers of other sizes.
+        // A separate generator draws the size, so a seed gives the cases that it gave before sizes existed.
         let mut sizes = Random(r.0 ^ 0x73_69_7a_65);
         if sizes.chance(0.3) {
             grow(&mut values, &on, sizes.decade(SIZES.0, SIZES.1));
@@ -298,7 +298,7 @@ impl Case {
         Case { on, values, start: 0.0, motion: Vec::new(), ordinary: true }
     }
 
-    /// The default elements, or some of them, with `more`.
+    /// Draws a case with the default elements, or some of them, and with `more`.
     pub fn with(r: &mut Random, more: &[&'static str]) -> Case {
         let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(Element::find(n).unwrap())).collect();
         if r.chance(0.3) {
@@ -308,7 +308,7 @@ impl Case {
         Case::set(r, on)
     }
 
-    /// Any elements.
+    /// Draws a case with any elements.
     pub fn any(r: &mut Random) -> Case {
         let share = r.share();
         let on = names()

@@ -1,14 +1,14 @@
 //! Searches for parameter sets and motions that break the promises of the interface.
 //!
 //! Every result of a successful call is finite, an error leaves the state unchanged, and the force is one that the
-//! elements can make along the motion. The seed of that search differs in every nightly run. That of the suite
-//! follows from the sources: any change of the code draws new cases, and the same code always repeats its cases.
+//! elements can make along the motion. The seed of this search differs in every nightly run.
+//! The seed of the test suite follows from the sources: any change of the code draws new cases, and unchanged code repeats its cases.
 //!
-//! A sharper search holds the force against short steps, however much the elements could make. It still finds cases (which ones: see the book,
-//! step.md), so its seed stays.
+//! A stricter search compares the force with that of short steps, whatever force the elements could make. It still finds failures (listed
+//! in the book, step.md), so its seed is fixed.
 //!
-//! Seeds are printed; `DASHPOT_SEARCH_SEED=<n>` runs another, or the same again, and `DASHPOT_SEARCH_STEPS=<n>` as many steps. A failing
-//! case is made small and printed as code for `known.rs`.
+//! Seeds are printed. `DASHPOT_SEARCH_SEED=<n>` runs another seed or repeats one. `DASHPOT_SEARCH_STEPS=<n>` sets the number of steps. A
+//! failing case is minimized and printed as code for `known.rs`.
 
 mod bounds;
 mod case;
@@ -27,7 +27,7 @@ fn number(name: &str) -> Option<u64> {
     std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name}={text} is not a number")))
 }
 
-/// What a case breaks, if it is accepted and breaks anything.
+/// Returns the failure of a case, if its model is accepted and a check fails.
 fn broken(case: &Case, against: Against, thorough: bool) -> Option<Failure> {
     let model = prepare(case)?;
     match case.run(&model, !case.ordinary) {
@@ -89,7 +89,7 @@ fn search(steps: u64, length: usize, seed: u64, against: Against) {
     assert!(failures.is_empty(), "{} failed; DASHPOT_SEARCH_SEED={seed} runs the same again", failures.len());
 }
 
-/// A seed that nobody has run.
+/// Returns a new seed from the clock.
 fn of_the_clock() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).expect("a clock").as_nanos() as u64
 }
@@ -116,7 +116,7 @@ fn ten_million_steps_have_the_force_of_short_ones() {
     search(10_000_000, 400, of_the_clock(), Against::ShortSteps);
 }
 
-/// Derivatives of steps against differences, over drawn cases; returns the comparisons and those that failed.
+/// Compares derivatives of steps with finite differences over random cases. Returns the numbers of comparisons and of failures.
 fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     let seed = number("DASHPOT_SEARCH_SEED").unwrap_or(seed);
     let cases = number("DASHPOT_SEARCH_CASES").unwrap_or(cases);
@@ -141,11 +141,10 @@ fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     (compared, off)
 }
 
-/// Where only one derivative exists, a step returns that of one side or one between both (step.md), except for a
-/// fraction stated in the book.
+/// At a knee of the force, a step returns the derivative of one side or a value between both (step.md). The book states the fraction of
+/// exceptions.
 ///
-/// Cases far from all dampers come in clumps, hence the margin: seeds 5, 6 and 7 had 43 of 40351, 62 of 41656 and 51
-/// of 41410.
+/// Cases far from all dampers occur in clusters, hence the margin. Seeds 5, 6 and 7 had 43 of 40351, 62 of 41656 and 51 of 41410 failures.
 #[test]
 fn derivatives_of_steps_are_differences() {
     let (compared, off) = slopes(3000, 60, of_the_code());

@@ -1,11 +1,11 @@
-//! Makes a failing case as small as it gets.
+//! Minimization of a failing case.
 
 use crate::case::{Case, Failure};
 
-/// Tries to leave out elements, parameters and steps for as long as the case still fails.
+/// Removes elements, parameters and steps while the case still fails.
 pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Case, Failure) {
     let mut failure = fails(&case).expect("a case that fails");
-    // As far off as it was, or by orders: a small case of another failure explains nothing.
+    // A smaller case must fail by the original ratio, or by at least 20: a small case of another failure explains nothing.
     let enough = failure.by.min(20.0);
     let mut budget = 600;
     loop {
@@ -20,7 +20,7 @@ pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Ca
             (*case, failure) = (tried, new);
             true
         };
-        // Nothing after the failing step matters; of what is before, as little as possible.
+        // Steps after the failing one do not matter. Keep as few of the earlier ones as possible.
         let mut tried = case.clone();
         tried.motion.truncate(until);
         keep(tried, &mut case);
@@ -30,7 +30,7 @@ pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Ca
             while from + part <= case.motion.len() {
                 let mut tried = case.clone();
                 tried.motion.drain(from..from + part);
-                // The motion goes on from where the cut ends.
+                // The motion continues from the end of the cut.
                 if from == 0 {
                     tried.start = case.motion[part - 1].x.unwrap_or(case.start);
                 }

@@ -1,14 +1,14 @@
-//! Motions, ordinary and not.
+//! Random motions, ordinary and extreme.
 
 use crate::case::{Case, Given};
 use dashpot_test_support::Random;
 use std::f64::consts::TAU;
 
-/// Lengths of steps that hosts have, s.
+/// Step sizes of hosts, s.
 const STEPS: [f64; 6] = [1e-5, 1e-4, 2.5e-4, 1e-3, 2e-3, 1e-2];
 
 impl Case {
-    /// Adds a motion of `count` steps.
+    /// Adds a random motion of `count` steps.
     pub fn moved(mut self, r: &mut Random, count: usize) -> Case {
         if r.chance(0.1) {
             self.ordinary = false;
@@ -33,15 +33,15 @@ impl Case {
             match kind {
                 // A sine.
                 0 => (x, v) = at((i + 1) as f64 * dt),
-                // A speed that turns over at will; x is its integral.
+                // A speed that reverses at random; x is its integral.
                 1 => v = if r.chance(0.2) { r.between(-speed, speed) } else { v },
-                // To and fro from step to step.
+                // A velocity that alternates from step to step.
                 2 => v = if i % 2 == 0 { speed } else { -speed },
                 // A random walk.
                 _ => v = (v + 0.3 * r.between(-speed, speed)).clamp(-speed, speed),
             }
             if kind != 0 {
-                // Turned round at the ends of the stroke.
+                // Reverse the motion at the ends of the stroke.
                 if (before.0 > stroke && v > 0.0) || (before.0 < -stroke && v < 0.0) {
                     v = -v;
                 }
@@ -66,7 +66,7 @@ fn extreme(r: &mut Random, top: f64) -> f64 {
     }
 }
 
-/// Whatever a broken host may give.
+/// Draws an arbitrary input of a faulty host.
 fn wild(r: &mut Random) -> Given {
     Given {
         x: r.chance(0.6).then(|| extreme(r, 1e9)),

@@ -1,4 +1,4 @@
-//! Holds the derivatives of a step against differences of the step, over drawn cases.
+//! Comparison of the derivatives of a step with finite differences, over random cases.
 
 use crate::case::{Case, Given, prepare};
 use dashpot_abi::model::dashpot_model;
@@ -7,15 +7,16 @@ use dashpot_abi::step::dashpot_step;
 use dashpot_test_support::Random;
 use std::mem::zeroed;
 
-/// Widths of the differences: displacement m, velocity m/s. A knee is inside the wide ones and outside the narrow ones, a void of nanometres the
-/// other way round.
+/// Widths of the differences: displacement m, velocity m/s.
+///
+/// The wide differences include a knee and the narrow ones exclude it. For a void of nanometers the opposite holds.
 const WIDTHS: [[f64; 7]; 2] =
     [[1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11], [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]];
-/// How near a derivative is to a difference, as a fraction of the largest of them: what a host's Newton does not feel.
+/// Allowed deviation of a derivative from a difference, relative to the largest difference. A host's Newton iteration tolerates it.
 const NEAR: f64 = 0.02;
-/// Of the forces: what rounding leaves in a difference of two.
+/// Rounding error of a difference, relative to the forces.
 const ROUNDING: f64 = 1e-13;
-/// Moves by which the noise of the force is measured, as a fraction of the narrowest width: iterations that end one earlier or later.
+/// Shifts that measure the noise of the force, relative to the narrowest width. An iteration may end one earlier or later.
 const AS_GOOD_AS_STILL: [f64; 4] = [-1e-2, -1e-3, 1e-3, 1e-2];
 
 /// One comparison that failed.
@@ -25,15 +26,17 @@ pub struct Off {
 }
 
 fn one_step(model: &dashpot_model, from: &dashpot_state, given: &Given) -> Option<(dashpot_state, dashpot_output)> {
-    // SAFETY: numbers alone, for which zero bytes are a value.
+    // SAFETY: the structures contain only numbers, for which zero bytes are valid.
     let (mut to, mut output): (dashpot_state, dashpot_output) = unsafe { (zeroed(), zeroed()) };
     let input = given.input();
-    // SAFETY: a model that was made, and blocks of their own.
+    // SAFETY: an initialized model and local blocks.
     let status = unsafe { dashpot_step(model, from, &input, given.dt, &mut to, &mut output) };
     (status >= 0).then_some((to, output))
 }
 
-/// Whether a derivative is a difference of one of the widths: one of the two one-sided ones, or between these. `None` where noise leaves no width.
+/// Returns whether a derivative agrees with a difference of one width: a one-sided difference, or a value between both.
+///
+/// Returns `None` if the noise is too large at every width.
 fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -> Option<Result<(), String>> {
     let at = force(0.0)?;
     let narrowest = widths.iter().fold(f64::MAX, |a, b| a.min(*b));
@@ -60,13 +63,13 @@ fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -
     (!sides.is_empty()).then(|| Err(format!("{got:.6e}, noise {noise:.1e} of {at:.3e} N, one-sided {sides:?}")))
 }
 
-/// Compares both derivatives at some steps of a case; returns how many comparisons there were, and those that failed.
+/// Compares both derivatives at some steps of a case. Returns the number of comparisons and the failures.
 pub fn compare(case: &Case, r: &mut Random, share: f64) -> (u64, Vec<Off>) {
     let (mut count, mut off) = (0, Vec::new());
     let Some(model) = prepare(case) else { return (0, off) };
-    // SAFETY: numbers alone, for which zero bytes are a value.
+    // SAFETY: the structure contains only numbers, for which zero bytes are valid.
     let mut state: dashpot_state = unsafe { zeroed() };
-    // SAFETY: a model that was made, and a state of its own.
+    // SAFETY: an initialized model and a local state.
     if !case.ordinary || unsafe { dashpot_state_init(&*model, case.start, &mut state) } < 0 {
         return (0, off);
     }

@@ -1,4 +1,4 @@
-//! `dashpot bench`: what the step costs, and how exact it is.
+//! `dashpot bench`: cost and accuracy of the step.
 
 use crate::progress::Progress;
 use anyhow::bail;
@@ -50,7 +50,7 @@ const METHODS: [(&str, Method); 5] = [
 ];
 /// Host step of the comparison, s.
 const STEP: f64 = 1e-3;
-/// Steps in a timing.
+/// Number of steps in a timing.
 const TIMED: usize = 200_000;
 
 /// Runs the verb.
@@ -81,7 +81,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let mut rows = Vec::new();
     for (k, (name, stiffness, mass)) in models.into_iter().enumerate() {
         let mut params = Params::new();
-        // Inside the bounds of the table by the choice above.
+        // These values lie inside the bounds of the table.
         let _ = params.set(number!("series_stiffness"), stiffness);
         let _ = params.set(number!("internal_mass"), mass);
         let Ok(model) = Model::new(&params) else { bail!("the built-in model {name} is refused") };
@@ -156,7 +156,7 @@ fn table(rows: &[Row]) -> String {
     out.trim_end().to_owned()
 }
 
-/// A motion with body and wheel frequencies, as a simulator gives it.
+/// Returns a motion with body and wheel frequencies, like that of a simulator.
 fn road() -> Vec<Input> {
     (0..4096)
         .map(|i| {
@@ -184,7 +184,7 @@ fn spin(model: &Model, steps: usize) -> f64 {
 }
 
 fn time(model: &Model) -> f64 {
-    // The fastest of several rounds is the one that other work on the machine disturbed least.
+    // Use the fastest of several runs, which other work on the machine disturbed least.
     (0..7)
         .map(|_| {
             let start = Instant::now();
@@ -204,7 +204,7 @@ fn spin_for(words: &[String]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Instructions of one step: the difference of two runs under callgrind.
+/// Counts the instructions of one step, from the difference of two runs under callgrind.
 fn count(method: &str, substeps: u32) -> Option<u64> {
     let total = |steps: u32| -> Option<u64> {
         let out = Command::new("valgrind")

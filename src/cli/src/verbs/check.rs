@@ -1,4 +1,4 @@
-//! `dashpot check`: whether a damper chatters in a host, which element makes it, and what to do.
+//! `dashpot check`: chatter of a damper in a host, the element that causes it, and the remedy.
 
 use super::Verdict;
 use super::host_step::HostArgs;
@@ -80,7 +80,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     Ok(if args.strict && chatters { Verdict::Failed } else { Verdict::Passed })
 }
 
-/// Figures of a damper, at one of its settings where it has several.
+/// Figures of a damper, with the setting if it has several.
 #[derive(Serialize)]
 struct AtSetting {
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,4 +1,4 @@
-//! `dashpot completions`: what a shell needs to complete verbs and options.
+//! `dashpot completions`: completion of verbs and options for a shell.
 
 use clap_complete::Shell;
 use std::path::PathBuf;

@@ -66,7 +66,7 @@ struct SensorArgs {
 }
 
 impl SensorArgs {
-    /// Sensors as they are.
+    /// Sensors without corrections.
     const NONE: SensorArgs =
         SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: Vec::new(), rig_mass: 0.0 };
 
@@ -105,7 +105,7 @@ pub struct ColumnArgs {
 }
 
 impl ColumnArgs {
-    /// As options of the reader; everything else is left to the files.
+    /// Converts to options of the reader. The files determine everything else.
     pub fn options(&self) -> anyhow::Result<Options> {
         let mut options = Options::default();
         for text in &self.unit {
@@ -124,7 +124,7 @@ impl ColumnArgs {
 }
 
 impl DataArgs {
-    /// Records of a folder, read without further options.
+    /// Returns the arguments for the records of a folder without further options.
     pub fn folder(path: PathBuf) -> DataArgs {
         DataArgs {
             data: vec![path],
@@ -141,7 +141,7 @@ impl DataArgs {
         }
     }
 
-    /// As options of the reader.
+    /// Converts to options of the reader.
     pub fn options(&self) -> anyhow::Result<Options> {
         let mut options = Options {
             positive: self.positive,
@@ -171,14 +171,15 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Reads and cleans records of several settings that belong to one damper: that they do is no warning.
+    /// Reads and cleans records of several settings of one damper, without a warning about the settings.
     pub fn load_over_setting(&self) -> anyhow::Result<Campaign> {
         let campaign = self.load_over_setting_like(&self.data)?;
         print_sign(&campaign.notes);
         Ok(campaign)
     }
 
-    /// Reads and cleans records of several settings by the same options, before they agree on their direction with others.
+    /// Reads and cleans records of several settings with the same options. Does not warn about an uncertain sign: call [`print_sign`] once
+    /// the signs of all campaigns agree.
     pub fn load_over_setting_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         let is_wanted = |note: &Note| !["settings", "changing_setting"].contains(&note.kind);
         let mut campaign = self.read_noting(paths, &self.options()?, &is_wanted)?;
@@ -197,7 +198,7 @@ impl DataArgs {
         };
         let mut campaign = load(self)?;
         let knows = |campaign: &Campaign| campaign.records.iter().any(|record| model.identification.used(record));
-        // A part of the records may leave open which direction they count positive; the fit, which had all of them, knows.
+        // Some of the records may leave their positive direction uncertain. The fit used all records and determined it.
         let is_open = self.positive.is_none() && !model.identification.fingerprints.is_empty();
         if is_open && !knows(&campaign) && campaign.notes.iter().any(|note| note.kind == "sign_unsure") {
             let positive = campaign.sign.positive.opposite();
@@ -218,27 +219,28 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Reads and cleans records by the same options. How sure their direction is they say once they have agreed on it with others ([`print_sign`]).
+    /// Reads and cleans records with the same options. Does not warn about an uncertain sign: call [`print_sign`] once the signs of all
+    /// campaigns agree.
     pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         Ok(self.read(paths, &self.options()?)?)
     }
 
-    /// Reads the records of the damper that these are compared with. Its files often have the names of the others, so errors say whose they are.
+    /// Reads the records of the reference. Its files often have the names of the others, so errors state that they belong to the reference.
     pub fn load_reference(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         self.load_like(paths).map_err(|error| of_reference(error, paths))
     }
 
-    /// Reads the records of a reference that has several settings; errors say whose they are.
+    /// Reads the records of a reference at several settings. Errors state that they belong to the reference.
     pub fn load_reference_over_setting(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         self.load_over_setting_like(paths).map_err(|error| of_reference(error, paths))
     }
 
-    /// Reads paths with options that were made of these.
+    /// Reads paths with options that were derived from these arguments.
     pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
         self.read_noting(paths, options, &|_| true)
     }
 
-    /// Reads records and prints the notes that decide which of them count, where they are wanted.
+    /// Reads records and prints the requested notes on the selection of records.
     fn read_noting(
         &self,
         paths: &[PathBuf],
@@ -248,7 +250,7 @@ impl DataArgs {
         let progress = Progress::new("reading");
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
-        // What decides which records count is said before the work, whatever the verb.
+        // Notes that affect the selection of records are printed before the work, by every verb.
         for note in campaign.notes.iter().filter(|n| is_shown_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));
@@ -256,7 +258,7 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// The paths in words.
+    /// Formats the paths.
     pub fn named(&self) -> String {
         named(&self.data)
     }
@@ -266,12 +268,12 @@ fn of_reference(error: anyhow::Error, paths: &[PathBuf]) -> anyhow::Error {
     error.context(format!("--reference {}", named(paths)))
 }
 
-/// Paths in words.
+/// Formats paths.
 pub fn named(paths: &[PathBuf]) -> String {
     paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// Whether a note was said when the records were read.
+/// Returns whether a note was printed when the records were read.
 pub fn is_shown_first(note: &Note) -> bool {
     [
         "gap",
@@ -299,14 +301,14 @@ pub fn is_shown_first(note: &Note) -> bool {
     .contains(&note.kind)
 }
 
-/// Warns where it is not sure which direction the files count positive.
+/// Warns if the positive direction of the files is uncertain.
 pub fn print_sign<'a>(notes: impl IntoIterator<Item = &'a Note>) {
     for note in notes.into_iter().filter(|note| note.kind == "sign_unsure") {
         dashpot_output::warn(&format!("warning: {}", note.text));
     }
 }
 
-/// The name of a file without its folder.
+/// Returns the name of a file without its folder.
 pub fn name_of(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
 }

@@ -1,4 +1,4 @@
-//! `dashpot diagnose`: where model and records disagree, and which effect is missing.
+//! `dashpot diagnose`: regions where model and records disagree, and the missing effect.
 
 use super::data::{named, print_sign};
 pub use super::diagnose_args::Args;
@@ -18,7 +18,7 @@ use dashpot_report::words::TERMINAL;
 use dashpot_report::{reading, write_workbook};
 use std::path::{Path, PathBuf};
 
-/// Which tests are left out: those named, or some of every amplitude and speed.
+/// Returns the left-out tests: the named ones, or some of every amplitude and speed.
 pub fn left_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     if patterns.is_empty() {
@@ -113,7 +113,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     })
 }
 
-/// Writes the tests that would tell more as a matrix; the answer says what was written.
+/// Writes the proposed tests as a matrix. Returns a message on the result.
 fn written_next_tests(path: &Path, found: &Diagnosis, campaign: &Campaign) -> anyhow::Result<String> {
     let Some((matrix, without)) = found.next_matrix() else {
         return Ok(format!(

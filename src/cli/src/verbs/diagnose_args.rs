@@ -1,4 +1,4 @@
-//! What `dashpot diagnose` is asked.
+//! Arguments of `dashpot diagnose`.
 
 use super::data::DataArgs;
 use crate::page::PageArgs;

@@ -1,4 +1,4 @@
-//! `dashpot diagnose` of a damper over a setting: each setting by itself, and one table over all.
+//! `dashpot diagnose` of a damper over a setting: each setting separately, and one table of all.
 
 use super::data::{DataArgs, name_of, named, print_sign};
 use super::diagnose_args::Args;
@@ -34,18 +34,18 @@ struct Part {
     reference: Vec<Record>,
 }
 
-/// What is diagnosed: a model file, or the family of the very records.
+/// Subject of the diagnosis: a model file, or a family fitted to the records.
 struct Subject {
     model: ModelFile,
-    /// How reports call the model.
+    /// Name of the model in reports.
     name: String,
     campaign: Campaign,
-    /// Setting of tests that say none.
+    /// Setting of tests that state none.
     given: Option<f64>,
     files: Vec<PathBuf>,
 }
 
-/// Rejects what has no meaning over settings.
+/// Rejects options that do not apply to several settings.
 fn check(args: &Args, what: &str) -> anyhow::Result<()> {
     let one = format!("diagnose the damper at one setting: dashpot setting {what} VALUE -o one.toml");
     for (option, is_given, why) in [
@@ -61,7 +61,7 @@ fn check(args: &Args, what: &str) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Diagnoses a family that a model file holds. `--setting` is that of tests that say none.
+/// Diagnoses a family from a model file. `--setting` applies to tests that state none.
 pub fn of_model(args: &Args, model: ModelFile) -> anyhow::Result<()> {
     check(args, &args.model.display().to_string())?;
     let given = match &args.setting {
@@ -72,7 +72,7 @@ pub fn of_model(args: &Args, model: ModelFile) -> anyhow::Result<()> {
             )
         })?),
     };
-    // How sure the sign is depends on the reference too.
+    // The reference also affects the certainty of the sign.
     let campaign = args.data.load_over_setting_like(&args.data.data)?;
     let name = name_of(&args.model);
     run(args, &args.data, Subject { model, name, campaign, given, files: vec![args.model.clone()] })
@@ -186,7 +186,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The records of each setting with the damper there, lowest first.
+/// Splits the records by their setting, with the damper at each, lowest first.
 fn split(
     args: &Args,
     model: &ModelFile,
@@ -249,7 +249,7 @@ fn split(
     Ok(parts.into_iter().map(part).collect())
 }
 
-/// What was found in lines: the sentences, one table over the settings, and the answer at each.
+/// Formats the results: the summary, one table over the settings, and the diagnosis at each.
 fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]) -> Vec<String> {
     const WIDTH: usize = 16;
     const ALL: &str = "at all settings";
@@ -296,7 +296,7 @@ fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]
     lines
 }
 
-/// Each note once, with the settings that it belongs to where it does not belong to all.
+/// Returns each note once, with its settings unless it applies to all.
 fn notes_of_settings(unit: &str, found: &[(Part, Diagnosed)]) -> Vec<String> {
     let mut all: Vec<(String, Vec<String>)> = Vec::new();
     for (part, one) in found {
@@ -315,23 +315,23 @@ fn notes_of_settings(unit: &str, found: &[(Part, Diagnosed)]) -> Vec<String> {
     all.into_iter().map(line).collect()
 }
 
-/// The model file, which may be a damper over a setting, or no model but records.
+/// Kind of the first argument.
 pub enum First {
-    /// A damper over a setting.
+    /// A model file whose parameters depend on a setting (adjustable damper).
     Family(Box<ModelFile>),
-    /// An ordinary damper.
+    /// A model file of an ordinary damper.
     Ordinary,
     /// Records.
     Data,
 }
 
-/// What the first argument is. With `--setting` a folder or file that is no model file belongs to the records.
+/// Determines the kind of the first argument. With `--setting`, a folder or a file that is not a model file contains records.
 pub fn first_argument(args: &Args) -> anyhow::Result<First> {
     let is_model = args.model.is_file() && args.model.extension().is_some_and(|ending| ending == "toml");
     if !is_model && args.setting.is_some() {
         return Ok(First::Data);
     }
     let is_family = read_family(&args.model)?.axis.is_some();
-    // Its notes are printed once, by whoever uses it.
+    // Notes on the file are printed once, by the caller.
     Ok(if is_family { First::Family(Box::new(model::read_family(&args.model)?)) } else { First::Ordinary })
 }

@@ -1,4 +1,4 @@
-//! A diagnosis with its figures over whole records: as JSON, in lines, as a model file, as a report.
+//! Diagnosis with its figures over whole records: output as JSON, text, model file and report.
 
 use super::data::{DataArgs, name_of};
 use crate::progress::Progress;
@@ -15,17 +15,17 @@ use dashpot_simulation::whole_records::OfDiagnosis;
 use serde::Serialize;
 use std::path::Path;
 
-/// A diagnosis with what it was made from.
+/// A diagnosis with its inputs.
 pub struct Diagnosed {
-    /// The answer.
+    /// Diagnosis.
     pub found: Diagnosis,
-    /// Which records no refit saw.
+    /// Records that no refit used.
     pub left_out: Vec<bool>,
-    /// What `dashpot validate` says of the models in it.
+    /// Errors of the models, as `dashpot validate` reports them.
     pub over_whole_records: OfDiagnosis,
-    /// What the model's fit found in its own records, and whether it was taken out of these.
+    /// Measurement errors that the model's fit found in its own records, and whether these records were corrected by them.
     pub as_the_fit_saw: Option<Sentence>,
-    /// Files and tests that could not be used, of the reference too.
+    /// Files and tests that could not be used, including those of the reference.
     pub unusable: Vec<Unusable>,
 }
 
@@ -59,7 +59,7 @@ pub fn examine(
 }
 
 impl Diagnosed {
-    /// As JSON.
+    /// Returns the JSON output.
     pub fn json(&self) -> Json<'_> {
         Json {
             found: &self.found,
@@ -69,20 +69,20 @@ impl Diagnosed {
         }
     }
 
-    /// In lines.
+    /// Formats the text output.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = format_diagnosis(&self.found);
         lines.push(whole_records::format_errors(&self.over_whole_records, &TERMINAL));
         lines
     }
 
-    /// The improved model as the text of a model file.
+    /// Formats the improved model as a model file.
     pub fn model(&self, model: &ModelFile, campaign: &Campaign) -> String {
         let records: Vec<&Record> = campaign.records.iter().collect();
         model_file::write(&self.found.as_fit(&records, &self.left_out, model))
     }
 
-    /// Hands the report over to `write`.
+    /// Passes the report to `write`.
     pub fn report<T>(
         &self,
         model: &Path,
@@ -108,12 +108,12 @@ impl Diagnosed {
     }
 }
 
-/// Most regions, rivals and tests told on a terminal; the report has them all.
+/// Largest numbers of regions, rivals and tests on a terminal. The report has all.
 const REGIONS: usize = 5;
 const RIVALS: usize = 2;
 const NEXT: usize = 3;
 
-/// The findings in lines.
+/// Formats the findings.
 pub fn format_diagnosis(found: &Diagnosis) -> Vec<String> {
     let mut lines = vec![headline(found, &TERMINAL)];
     if !found.inventory.is_empty() {
@@ -179,7 +179,7 @@ fn one(finding: &Finding) -> Vec<String> {
     lines
 }
 
-/// Errors before and after as a small table.
+/// Formats the errors before and after as a small table.
 fn errors(found: &Diagnosis) -> Vec<String> {
     let row = |name: &str, f: &Figures| {
         let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| digits(v, 3));
@@ -203,7 +203,7 @@ fn errors(found: &Diagnosis) -> Vec<String> {
     lines
 }
 
-/// One effect of the inventory: force, fraction of the measured force, probability, and what became of it.
+/// Formats one effect of the inventory: force, fraction of the measured force, probability and status.
 fn inventory_line(item: &InventoryItem) -> String {
     let instead = item.or_instead.map(|of| format!(", or {} in its place ({})", of.effect, fraction(of.probability)));
     let status = match (item.status, item.replaces) {

@@ -1,9 +1,9 @@
-//! Dimensions that the command line names.
+//! Dimensions from the command line.
 
 use dashpot_estimation::prior_set::PriorSet;
 use std::path::Path;
 
-/// The priors that a file of dimensions gives; none without one.
+/// Returns the priors from a file of dimensions; none without a file.
 pub fn priors(path: Option<&Path>) -> anyhow::Result<PriorSet> {
     let Some(path) = path else { return Ok(PriorSet::default()) };
     let priors = dashpot_dimensions::forward::priors(&dashpot_dimensions::read(path)?);

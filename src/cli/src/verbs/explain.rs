@@ -1,4 +1,4 @@
-//! `dashpot explain`: what a model says of gas, oil and valves of its damper.
+//! `dashpot explain`: properties of gas, oil and valves that follow from a model.
 
 use super::model;
 use crate::quantity::SettingText;
@@ -42,7 +42,7 @@ struct Json<'a> {
     explanation: &'a Explanation,
 }
 
-/// The damper that is explained: of one over a setting that at the setting.
+/// Returns the damper to explain. For a damper over a setting it is the damper at the given setting.
 fn damper(args: &Args) -> anyhow::Result<ModelFile> {
     let file = model::read_family(&args.model)?;
     let path = args.model.display();

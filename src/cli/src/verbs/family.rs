@@ -1,4 +1,4 @@
-//! `dashpot fit --setting`: one damper over a setting.
+//! `dashpot fit --setting`: fit of one damper over a setting.
 
 use super::data::{DataArgs, name_of};
 use super::record_notes::print_record_notes;
@@ -20,7 +20,7 @@ use dashpot_report::{FamilyReport, Print, ReportInput, quality};
 use dashpot_simulation::{comparison, whole_records};
 use std::path::Path;
 
-/// Where the results go.
+/// Destinations of the results.
 pub struct Outputs<'a> {
     /// The model file.
     pub model: &'a Path,
@@ -54,7 +54,7 @@ pub fn run(
     }
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
     let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
-    // What is good there need not be good between them.
+    // A good fit at the settings may still be worse between them.
     let is_worse_between = found.worst_left_out().is_some_and(|of| of.ratio > WorstLeftOut::AS_GOOD);
     say(&if is_worse_between { format!("At the settings of the records: {}", lower_first(&good)) } else { good })?;
     if let Some(text) = format_interpolation(&found) {
@@ -83,7 +83,7 @@ fn write_report(
         let changing = record.setting_signal.as_ref().map(|of| &of.name);
         constant.or(changing) == Some(&found.setting.name)
     };
-    // Only a test that was held out may say nothing of its setting: a fit asks for all others.
+    // Only a held-out test may lack its setting. The fit requires it of all others.
     let without: Vec<String> =
         campaign.records.iter().filter(|record| !has_setting(record)).map(|record| record.name.clone()).collect();
     if !without.is_empty() {
@@ -109,13 +109,13 @@ fn write_report(
         model_file: name_of(output),
         ..ReportInput::from_validation(model, &campaign, &compared, &validation, page.words())?
     };
-    // A curve at one setting would stand for none of the others.
+    // The curve at one setting represents no other.
     input.curve.clear();
     dashpot_report::write_atomic(&input, path)?;
     say(&format!("report: {}", path.display()))
 }
 
-/// The family as text.
+/// Formats the family.
 fn format_family(found: &FamilyFit) -> Vec<String> {
     let axis = &found.setting;
     let mut out: Vec<String> =
@@ -141,10 +141,10 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     out
 }
 
-/// Fraction within which forces of an effect are alike at all settings.
+/// Relative difference up to which forces of an effect at all settings count as equal.
 const ALIKE: f64 = 0.02;
 
-/// The force of an effect at each setting, where it differs.
+/// Formats the force of an effect at each setting, if it differs.
 fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     let forces = || of.settings.iter().map(|here| here.force_n_rms);
     let (low, high) = (forces().fold(f64::INFINITY, f64::min), forces().fold(0.0, f64::max));
@@ -155,7 +155,7 @@ fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     format!(" ({})", of.settings.iter().map(at).collect::<Vec<_>>().join(", "))
 }
 
-/// The actuator.
+/// Formats the actuator.
 fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     let part = |of: &ActuatorDecision| {
         let word = if of.is_present { "" } else { "no " };
@@ -171,7 +171,7 @@ fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     out
 }
 
-/// A number with its interval.
+/// Formats a number with its interval.
 fn format_estimate(name: &str, e: &Estimate) -> String {
     match (&e.standing, e.low, e.high) {
         (Standing::NotIdentified, ..) => {
@@ -185,13 +185,13 @@ fn format_estimate(name: &str, e: &Estimate) -> String {
     }
 }
 
-/// A sentence that goes on behind a colon.
+/// Starts a sentence in lower case, after a colon.
 fn lower_first(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// How good the family is between its settings, by the worst of those that were left out; `None` where none was.
+/// Formats the worst error of the left-out settings; `None` if no setting was left out.
 fn format_interpolation(found: &FamilyFit) -> Option<String> {
     let WorstLeftOut { setting, error, ratio } = found.worst_left_out()?;
     let at = setting_in_words(setting, &found.setting.unit);
@@ -205,7 +205,7 @@ fn format_interpolation(found: &FamilyFit) -> Option<String> {
     })
 }
 
-/// The errors at each setting.
+/// Formats the errors at each setting.
 fn format_errors(axis: &SettingAxis, settings: &[SettingReport]) -> String {
     let mut out = format!(
         "mean error on mean cycles:\n{:>14}{:>7}{:>20}{:>20}{:>22}{:>9}",

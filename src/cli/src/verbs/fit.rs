@@ -1,4 +1,4 @@
-//! `dashpot fit`: records in, model file out.
+//! `dashpot fit`: identification of a model file from records.
 
 use super::data::{DataArgs, name_of};
 use super::family::{self, Outputs};
@@ -73,7 +73,7 @@ pub struct Args {
     text: TextArgs,
 }
 
-/// The kinds of model by their names.
+/// Parses the kinds of model by their names.
 fn kinds() -> impl TypedValueParser<Value = Kind> {
     let named = |name: String| Kind::named(&name).with_context(|| format!("there is no model {name:?}"));
     PossibleValuesParser::new(KINDS.map(|known| known.0)).try_map(named)
@@ -95,18 +95,18 @@ struct Json<'a> {
     tests: &'a [String],
     parameters: &'a [Estimate],
     inventory: &'a [InventoryItem],
-    /// What the records are off by; taken out before the errors below.
+    /// Measurement errors of the records, corrected before the errors below.
     measured: &'a [Measured],
     notes: &'a [Sentence],
     misfit: f64,
-    /// Errors over every sample of the fitted tests, as `dashpot validate` measures them.
+    /// Errors over every sample of the fitted tests, as in `dashpot validate`.
     over_whole_records: Deviation,
     sign: &'a SignFinding,
     /// Files and tests that could not be used.
     unusable: &'a [Unusable],
 }
 
-/// Fits and writes the model file.
+/// Fits a model and writes its file.
 pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> anyhow::Result<Fit> {
     let progress = Progress::new("fitting");
     let found = fit(records, options, |stage| progress.say(stage.done, stage.text.english()))?;
@@ -115,7 +115,7 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     Ok(found)
 }
 
-/// Identifies a model that the kernel cannot run and writes its own kind of file.
+/// Identifies a model that the kernel cannot run, and writes it in a separate file format.
 fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> anyhow::Result<()> {
     let records = kept(campaign, &args.hold_out)?;
     let progress = Progress::new("fitting");
@@ -261,7 +261,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The FV curve as lines of velocity and force; `None` where the damper has it by slopes and knees, or not at all.
+/// Formats the FV curve as lines of velocity and force; `None` if the damper has slopes and knees, or no curve.
 fn curve_lines(params: &Params) -> Option<String> {
     let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
     if !params.counts(velocity.row()) {
@@ -273,7 +273,7 @@ fn curve_lines(params: &Params) -> Option<String> {
     Some(std::iter::once(head).chain(points).collect::<Vec<_>>().join("\n"))
 }
 
-/// What the fit found, as the sheets of a workbook.
+/// Makes the workbook of a fit.
 fn tables(args: &Args, campaign: &Campaign, found: &Fit, error: &Deviation) -> anyhow::Result<Workbook<'static>> {
     let words = args.text.words();
     let made = args.text.date.made(campaign.files.iter().cloned())?;

@@ -1,4 +1,4 @@
-//! Many dampers, or one at many settings, each against its reference, in lines: `dashpot diagnose --group`.
+//! Text output of `dashpot diagnose --group`: many dampers, or one at many settings, each against its reference.
 
 use crate::plural::count_tests;
 use dashpot_diagnosis::Change;
@@ -11,15 +11,15 @@ fn change(change: &Change) -> String {
     format!("{value} (95 %: {interval})")
 }
 
-/// Changed numbers of a group that are told one by one.
+/// Largest number of changes of a group that are listed.
 const TOLD: usize = 3;
 
-/// Those that move the force most, which come first. The report and --json have all.
+/// Returns the changes with the largest force, which come first. The report and --json have all.
 fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }
 
-/// One line a group, and the numbers that changed in any of them.
+/// Formats one line for each group, and the numbers that changed in any group.
 pub fn format_groups(answers: &GroupResults) -> Vec<String> {
     let is_chain = answers.groups.iter().any(|answer| answer.reference != answers.reference);
     let with = if is_chain { "the group before each, the first with " } else { "" };

@@ -1,4 +1,4 @@
-//! The host's step and mass, as options of `dashpot check` and of every export.
+//! Step and mass of the host, as options of `dashpot check` and of every export.
 
 use crate::quantity::seconds;
 use dashpot_core::Params;
@@ -20,11 +20,11 @@ pub struct HostArgs {
 }
 
 impl HostArgs {
-    /// The damper as the host gets it, and what is to be said of it there.
+    /// Prepares the damper for the host, with remarks.
     pub fn ready(&self, params: &Params) -> Result<Ready, HostError> {
         Ready::prepare(params, self.host_step, self.wheel_mass, self.for_step)
     }
-    /// The damper as the host gets it at each value of its setting; an ordinary damper as it is.
+    /// Prepares the damper for the host at each value of its setting; an ordinary damper once.
     pub fn ready_at_settings(&self, damper: &Definition) -> Result<Vec<(Option<f64>, Ready)>, HostError> {
         Ready::prepare_at_settings(damper, self.host_step, self.wheel_mass, self.for_step)
     }

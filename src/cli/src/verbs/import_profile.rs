@@ -1,4 +1,4 @@
-//! `dashpot import-profile`: what is known about records, written beside them.
+//! `dashpot import-profile`: writes knowledge about records to a file next to them.
 
 use super::data::DataArgs;
 use crate::plural::count_tests;

@@ -1,4 +1,4 @@
-//! `dashpot man`: the manual pages.
+//! `dashpot man`: manual pages.
 
 use anyhow::Context as _;
 use clap_mangen::Man;
@@ -31,7 +31,7 @@ pub fn run(args: &Args, command: clap::Command) -> anyhow::Result<()> {
     dashpot_output::say(None, &format!("{} pages in {}", pages.len(), folder.display()))
 }
 
-/// The page of a command and those of the commands below it: file name and text.
+/// Collects the page of a command and those of its subcommands: file name and text.
 fn collect(command: &clap::Command, version: &str, pages: &mut Vec<(String, Vec<u8>)>) -> anyhow::Result<()> {
     let name = command.get_display_name().unwrap_or_else(|| command.get_name()).to_owned();
     let page = Man::new(command.clone()).title(&name).source(format!("dashpot {version}"));

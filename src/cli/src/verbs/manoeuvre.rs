@@ -1,4 +1,4 @@
-//! `dashpot manoeuvre`: what the model changes in a vehicle.
+//! `dashpot manoeuvre`: effect of the model in a vehicle.
 
 use super::data::DataArgs;
 use super::model;
@@ -130,7 +130,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The model of a file, and its FV curve alone.
+/// Returns the model of a file, and its FV curve alone.
 fn pair(path: &Path) -> anyhow::Result<(Model, Model)> {
     let file = model::read(path)?;
     let named = || path.display().to_string();
@@ -138,7 +138,7 @@ fn pair(path: &Path) -> anyhow::Result<(Model, Model)> {
     Ok((model, prepared(&fv_only(&file)?).with_context(named)?))
 }
 
-/// The fit's own FV curve; the model's curve and gas force where the file has none.
+/// Returns the fit's own FV curve; if the file has none, the model's curve and gas force.
 fn fv_only(file: &ModelFile) -> anyhow::Result<Params> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(anyhow::Error::msg).context("the table fv_only of the model file");

@@ -1,4 +1,4 @@
-//! `dashpot matrix`: the rig's test matrix as CSV.
+//! `dashpot matrix`: test matrix of the rig as CSV.
 
 use dashpot_rig::{Matrix, MatrixOptions};
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! The verbs of the command, one file each.
+//! Verbs of the command, with one file each.
 
 pub mod bench;
 pub mod check;

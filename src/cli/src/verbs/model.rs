@@ -1,10 +1,10 @@
-//! Model files that the command line names.
+//! Model files from the command line.
 
 use dashpot_core::family::Axis;
 use dashpot_identification::model_file::{self, ModelFile, ModelFileError};
 use std::path::Path;
 
-/// Reads a model file, and says what its numbers do not do.
+/// Reads a model file, and prints notes on numbers without effect.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     told(path, model_file::read(path)?)
 }
@@ -15,17 +15,17 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
 }
 
 fn told(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
-    // Beside the result, which may go to standard output.
+    // Notes go to standard error, because the result may go to standard output.
     file.remarks().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
     Ok(file)
 }
 
-/// Name of the setting that a damper depends on.
+/// Returns the name of the setting on which a damper depends.
 pub fn setting_name(axis: &Axis) -> &str {
     if axis.name().is_empty() { "setting" } else { axis.name() }
 }
 
-/// A value of the setting in words: `current = 0.8 A`.
+/// Formats a value of the setting: `current = 0.8 A`.
 pub fn setting_at(axis: &Axis, value: f64) -> String {
     format!("{} = {value} {}", setting_name(axis), axis.unit()).trim_end().to_owned()
 }

@@ -1,4 +1,4 @@
-//! `dashpot open`: the window.
+//! `dashpot open`: graphical user interface.
 
 use anyhow::{Context as _, bail};
 use std::path::PathBuf;
@@ -48,23 +48,23 @@ fn window() -> anyhow::Result<PathBuf> {
     Ok(window)
 }
 
-/// Starts the window with nothing in it, and does not wait: a console that a double-click opened goes away with this command.
+/// Starts the empty user interface without waiting. The console of a double-click then closes with this command.
 pub fn start() -> anyhow::Result<()> {
     let window = window()?;
     Command::new(&window).spawn().with_context(|| format!("cannot start {}", window.display()))?;
     Ok(())
 }
 
-/// Whether the command was started from the desktop: then Windows has made a console for it alone.
+/// Returns whether the command was started from the desktop. Windows then created a console for it alone.
 #[cfg(windows)]
 pub fn was_double_clicked() -> bool {
     let mut processes = [0u32; 2];
-    // SAFETY: the list is as long as is said, and the function writes no more than that.
+    // SAFETY: the length of the list is as stated, and the function writes no more.
     let count = unsafe { windows_sys::Win32::System::Console::GetConsoleProcessList(processes.as_mut_ptr(), 2) };
     count == 1
 }
 
-/// Elsewhere a desktop starts the window itself.
+/// Returns `false`: other desktops start the user interface directly.
 #[cfg(not(windows))]
 pub fn was_double_clicked() -> bool {
     false

@@ -1,15 +1,15 @@
-//! What reading found in the records, for the terminal.
+//! Findings of the reader in the records, for the terminal.
 
 use super::data::is_shown_first;
 use dashpot_records::Campaign;
 use dashpot_report::words::TERMINAL;
 
-/// Notes of a kind that are listed one by one.
+/// Largest number of listed notes of a kind.
 const LISTED: usize = 10;
-/// Kinds of notes on how channels were made of the files' columns; most are the same in every file.
+/// Kinds of notes on the conversion of columns to channels. Most are equal in all files.
 const CHANNELS: [&str; 3] = ["ignored", "resampled", "crank"];
 
-/// How the channels were made of the columns, each text once with the tests that it holds for.
+/// Describes the conversion of columns to channels. Each text appears once, with its tests.
 fn channels(campaign: &Campaign) -> Vec<String> {
     let mut tests: Vec<(String, Vec<&str>)> = Vec::new();
     for record in &campaign.records {
@@ -30,7 +30,7 @@ fn channels(campaign: &Campaign) -> Vec<String> {
     limit(lines, "more such notes; the report of dashpot validate has them")
 }
 
-/// The first lines, and how many more there are.
+/// Returns the first lines, and the number of omitted ones.
 fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > LISTED {
         let more = lines.len() - LISTED;
@@ -40,7 +40,7 @@ fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     lines
 }
 
-/// What cleaning had to repair, by test.
+/// Lists the repairs by the cleaning, for each test.
 fn repairs(campaign: &Campaign) -> Vec<String> {
     let lines = campaign
         .records
@@ -53,7 +53,7 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
     limit(lines, "more tests were repaired; the report of dashpot validate names them")
 }
 
-/// What the reader found in the records.
+/// Prints the findings of the reader in the records.
 pub fn print_record_notes(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
     say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
     for note in campaign.notes.iter().filter(|n| !is_shown_first(n)) {

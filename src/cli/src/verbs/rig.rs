@@ -1,4 +1,4 @@
-//! `dashpot rig`: a campaign measured on the virtual rig.
+//! `dashpot rig`: measurement of a campaign on the virtual rig.
 
 use crate::progress::Progress;
 use crate::quantity::newtons;
@@ -106,7 +106,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         campaign.records.len()
     } else {
         let numbers = if args.strength { Numbers::Strengths } else { Numbers::Severities };
-        // A matrix of one's own is no plan.
+        // A matrix of the user is no plan.
         let searched = matrix.is_none().then(|| plan.unwrap_or_default());
         let effects = strengths(effects(&args.hide)?, numbers, searched, &options, &|_, _| ())?;
         let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));
@@ -119,7 +119,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(None, &format!("{tests} tests in {}", args.output.display()))
 }
 
-/// Names and the numbers given with them.
+/// Splits names and their numbers.
 fn effects(texts: &[String]) -> anyhow::Result<RequestedEffects> {
     texts
         .iter()

@@ -1,4 +1,4 @@
-//! `dashpot setting`: a damper that depends on a setting, at one of it.
+//! `dashpot setting`: evaluation of a damper that depends on a setting at one setting.
 
 use super::model;
 use crate::quantity::SettingText;

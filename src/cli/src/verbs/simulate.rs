@@ -1,4 +1,4 @@
-//! `dashpot simulate`: the force for any motion.
+//! `dashpot simulate`: force for any motion.
 
 use super::data::ColumnArgs;
 use super::model;
@@ -61,7 +61,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let mut record = read_motion(&args.motion, &args.columns.options()?)?;
     if let Some(of) = &mut record.setting {
-        // Another unit is refused where the setting of the motion is needed.
+        // A setting in another unit is rejected where it is needed.
         restate(&file.axis, &of.name, &mut of.unit, &mut of.values);
     }
     let own = record.setting.as_ref();
@@ -86,7 +86,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let answers = match &commands {
         Some(commands) => {
             let mut family = Box::new(Family::OFF);
-            // The reader of the file has checked it.
+            // The reader of the file has already checked this.
             family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
             motion.drive_family(&family, &|sample| commands.command(&motion, sample))?
         }
@@ -98,7 +98,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         (heading(&file.axis), settings)
     });
     dashpot_output::write(&args.output, csv(&answers, settings))?;
-    // Remarks go where the rows do not.
+    // Remarks go to the stream that does not carry the rows.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
     let of_setting = commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached);
     for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(of_setting).chain(unread) {
@@ -107,7 +107,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
 }
 
-/// Formats rows as CSV, with the setting of each where there is one. Numbers are written so that they read back to the bit.
+/// Formats the rows, with the setting of each where there is one. Numbers parse back to bitwise equal values.
 fn csv(answers: &[SimulatedSample], settings: Option<(String, Vec<f64>)>) -> String {
     let (heading, settings) = settings.map_or((None, Vec::new()), |(heading, settings)| (Some(heading), settings));
     let mut out = String::from("time_s,displacement_m,velocity_m_s,force_N");
@@ -121,7 +121,7 @@ fn csv(answers: &[SimulatedSample], settings: Option<(String, Vec<f64>)>) -> Str
     out
 }
 
-/// A remark where rows are so far apart that the motion between them is a guess.
+/// Returns a remark if rows are so far apart that the motion between them is uncertain.
 fn coarse(answers: &[SimulatedSample]) -> Option<String> {
     let steps = answers.windows(2).map(|rows| rows[1].time - rows[0].time);
     let long = steps.clone().filter(|step| *step > LONG_STEP * (1.0 + 1e-9)).count();
@@ -137,7 +137,7 @@ fn coarse(answers: &[SimulatedSample]) -> Option<String> {
     })
 }
 
-/// A remark where the motion is faster than the FV curve reaches.
+/// Returns a remark if the motion is faster than the range of the FV curve.
 fn beyond(model: &Model, answers: &[SimulatedSample]) -> Option<String> {
     let outside = answers.iter().filter(|a| !model.covers(a.velocity)).count();
     let (low, high) = model.elements().paths.fv_curve.range();

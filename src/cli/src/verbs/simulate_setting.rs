@@ -1,4 +1,4 @@
-//! The setting of the damper along a motion: that of the motion's file, or of `dashpot simulate --setting`.
+//! Setting of the damper along a motion, from the motion's file or from `dashpot simulate --setting`.
 
 use super::data::name_of;
 use crate::quantity::{SettingText, seconds};
@@ -9,15 +9,15 @@ use dashpot_records::{Channel, MotionSetting, SettingSource, is_same_setting, re
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use std::path::Path;
 
-/// Settings over time, as the option gives them: from when on, s, and what.
+/// Settings over time from the option: start time, s, and setting of each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schedule(Vec<(f64, SettingText)>);
 
 impl Schedule {
-    /// Reads a number, or times and numbers.
+    /// Parses a number, or times and numbers.
     ///
     /// # Errors
-    /// A sentence where the text is neither, or the times do not increase.
+    /// A message if the text is neither, or if the times do not increase.
     pub fn parse(text: &str) -> Result<Schedule, String> {
         let setting = |text: &str| {
             text.parse::<SettingText>().map_err(|why| format!("{why}, or times and settings such as 0:0.4,1.5:1.2"))
@@ -36,27 +36,27 @@ impl Schedule {
         Ok(Schedule(all))
     }
 
-    /// The settings in the unit of a damper's setting.
+    /// Converts the settings to the unit of a damper's setting.
     fn values(&self, axis: &Axis) -> anyhow::Result<Vec<(f64, f64)>> {
         self.0.iter().map(|(from, setting)| Ok((*from, setting.in_unit_of(axis)?))).collect()
     }
 }
 
-/// The setting at a time of a schedule; `start` before its first time.
+/// Returns the setting at a time of a schedule; `start` before its first time.
 fn value_at(schedule: &[(f64, f64)], time: f64, start: f64) -> f64 {
     schedule.iter().rev().find(|(from, _)| *from <= time).map_or(start, |(_, value)| *value)
 }
 
-/// A note where a setting of a schedule lies outside the grid.
+/// Returns a note if a setting of a schedule lies outside the grid.
 fn schedule_outside(schedule: &[(f64, f64)], (low, high): (f64, f64)) -> Option<String> {
     let (_, value) = schedule.iter().find(|(_, value)| *value < low || *value > high)?;
     Some(format!("the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them"))
 }
 
-/// Where the setting of each step comes from.
+/// Source of the setting of each step.
 #[derive(Debug, Clone, PartialEq)]
 enum Source {
-    /// The option, and the start setting of the model file, which holds before its first time.
+    /// The option. Before its first time the start setting of the model file applies.
     Schedule(Vec<(f64, f64)>, f64),
     /// The file of the motion.
     Motion,
@@ -64,7 +64,7 @@ enum Source {
     Start(f64),
 }
 
-/// The commands of a run, and what the user must know of them.
+/// Commands of a simulation, with notes for the user.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Commands {
     source: Source,
@@ -76,17 +76,18 @@ impl Commands {
     /// Chooses between the option and the motion's own setting.
     ///
     /// # Errors
-    /// Where both the option and a column of the motion give a setting, or the column has another unit than the model.
+    /// A setting both in the option and in a column of the motion, or a column with another unit than the model.
     pub fn choose(
         (model, axis): (&Path, &Axis),
         (motion, own): (&Path, Option<&MotionSetting>),
         given: Option<&Schedule>,
     ) -> anyhow::Result<Commands> {
-        // A column that the user named is the setting, whatever its heading calls it.
+        // A column that the user named is the setting, regardless of its heading.
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();
-        // 1A in a name may number the motions; it is a current where the model depends on one that reaches there.
+        // A part of a file name such as 1A may number the motions. It counts as a current if the model depends on one whose grid includes
+        // it.
         let (low, high) = axis.range();
         let can_be = |of: &&MotionSetting| {
             of.source != SettingSource::Name { is_sure: false }
@@ -108,7 +109,7 @@ impl Commands {
         let own = own.filter(is_of_model);
         if let Some(schedule) = given {
             match own.map(|of| &of.source) {
-                // Two commands for one valve: neither is the one that was meant for sure.
+                // Two commands contradict each other, and the intended one is unknown.
                 Some(SettingSource::Column(heading, channel)) => bail!(
                     "{} has the setting of each sample in its column '{heading}': leave --setting out, or leave the column unread with \
                      --ignore {channel}",
@@ -151,7 +152,7 @@ impl Commands {
         Ok(Commands { source: Source::Motion, notes })
     }
 
-    /// A note where a schedule has times that the motion, which ends at `end`, s, never reaches.
+    /// Returns a note if a schedule has times after the end of the motion, `end`, s.
     pub fn unreached(&self, end: f64) -> Option<String> {
         let Source::Schedule(schedule, _) = &self.source else { return None };
         let (from, value) = schedule.iter().find(|(from, _)| *from > end)?;
@@ -160,7 +161,7 @@ impl Commands {
         ))
     }
 
-    /// The command in the step of a motion that ends at a sample.
+    /// Returns the command during the step of a motion that ends at a sample.
     pub fn command(&self, motion: &ImposedMotion, sample: usize) -> f64 {
         match &self.source {
             Source::Schedule(schedule, start) => {
@@ -189,23 +190,25 @@ pub fn heading(axis: &Axis) -> String {
     text.chars().map(|letter| if letter.is_alphanumeric() { letter } else { '_' }).collect()
 }
 
-/// Lowest and highest value.
+/// Returns the lowest and the highest value.
 fn range(of: &MotionSetting) -> (f64, f64) {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     of.values.iter().fold(ends, |(low, high), value| (low.min(*value), high.max(*value)))
 }
 
-/// A value to three digits of a size, and never coarser than whole numbers. A logged current is never 0 exactly, and all its digits hide the values that it has.
+/// Rounds a value to three digits of `size`, and never coarser than integers.
+///
+/// A logged current is never exactly 0, and its many digits obscure the actual values.
 fn rounded(value: f64, size: f64) -> f64 {
     if size <= 0.0 {
         return value;
     }
     let decimals = (2.0 - libm::log10(size).floor()).clamp(0.0, 9.0) as usize;
-    // 0 has no sign.
+    // The sum removes the sign of a negative zero.
     format!("{value:.decimals$}").parse().unwrap_or(value) + 0.0
 }
 
-/// Says where the setting comes from, and between which values it is.
+/// Describes the source of the setting, and its range.
 fn describe(of: &MotionSetting, motion: &Path) -> String {
     let (low, high) = range(of);
     let size = low.abs().max(high.abs());
@@ -219,10 +222,10 @@ fn describe(of: &MotionSetting, motion: &Path) -> String {
     format!("{} {source}: {}", of.name, values.trim_end())
 }
 
-/// A note where samples lie outside the grid.
+/// Returns a note if samples lie outside the grid.
 fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
     let (low, high) = axis.range();
-    // The noise of a logged current at the end of the grid is no other setting.
+    // The noise of a logged current at the end of the grid is not another setting.
     let is_outside = |value: f64| !is_same_setting(value, restrict(value, low, high));
     let count = of.values.iter().filter(|value| is_outside(**value)).count();
     (count > 0).then(|| {
@@ -285,7 +288,7 @@ mod tests {
             (matches!(found.source, Source::Motion), found.notes.concat())
         };
         assert!(source("current", false, 1.0).0 && source("current", true, 0.4).0);
-        // It may number the motions: outside the grid and of another quantity nothing is read from it.
+        // The text may number the motions. A value outside the grid, or a setting of another quantity, is ignored.
         assert!(!source("current", false, 9.0).0);
         let (is_read, notes) = source("clicks", false, 1.0);
         assert!(!is_read && !notes.contains("clicks"), "{notes}");

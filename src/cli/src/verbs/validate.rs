@@ -1,4 +1,4 @@
-//! `dashpot validate`: a model against records, beside the FV curve.
+//! `dashpot validate`: comparison of a model with records and with the FV curve.
 
 use super::Verdict;
 use super::data::{DataArgs, name_of};
@@ -180,7 +180,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             ..ReportInput::from_validation(&model, &campaign, &compared, &validation, args.page.text.words())?
         };
         if is_family {
-            // A curve at one setting would stand for none of the others.
+            // The curve at one setting represents no other.
             input.curve.clear();
             input.family = Some(FamilyReport { model: &model, fit: None });
         }
@@ -218,7 +218,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     })
 }
 
-/// The model beside those of the literature as text.
+/// Formats the errors of the model and of those of the literature.
 fn against_table(against: &[Against]) -> String {
     let mut out = format!(
         "{:<14}{:>8}{:>10}{:>9}{:>10}{:>10}{:>10}{:>9}{:>10}\n",
@@ -237,13 +237,13 @@ fn against_table(against: &[Against]) -> String {
     out.trim_end().to_owned()
 }
 
-/// Whether a test is clearly faster than the FV curve reaches: by more than the scatter of measured peaks.
+/// Returns whether a test is faster than the range of the FV curve by more than the scatter of measured peaks.
 fn outruns(model: &Model, record: &Record) -> bool {
     let peak = record.peak_velocity / 1.05;
     !model.covers(peak) || !model.covers(-peak)
 }
 
-/// Simulates every record with the model and with the FV curve alone, and says how far it is.
+/// Simulates every record with the model and with the FV curve alone, and shows the progress.
 pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<Vec<Compared<'a>>> {
     let progress = Progress::new("simulating");
     Ok(comparison::compare(file, campaign, &|done, total| progress.count(done, total))?)
@@ -259,7 +259,7 @@ pub fn compare_family<'a>(
     Ok(comparison::compare_family(file, campaign, given, &|done, total| progress.count(done, total))?)
 }
 
-/// The errors at each setting as text, with what lies outside the settings of the model.
+/// Formats the errors at each setting, and marks settings outside those of the model.
 pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     let axis = &model.axis;
     let name = super::model::setting_name(axis);
@@ -300,12 +300,12 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     out
 }
 
-/// Fraction of a response time from which half a sample is worth a word.
+/// Smallest ratio of half a sample to a response time that is reported.
 const COARSE: f64 = 0.1;
-/// Fraction of its way that a response must have gone for the levels to be long enough.
+/// Smallest fraction that a response must complete during sufficiently long levels.
 const SETTLED: f64 = 0.97;
 
-/// Response times to a step as text.
+/// Formats the response times to a step.
 fn response(of: &StepResponse, unit: &str) -> String {
     let times = |times: &Option<ResponseTimes>| match times {
         Some(t) => format!(
@@ -340,13 +340,13 @@ fn response(of: &StepResponse, unit: &str) -> String {
     )
 }
 
-/// The error matrix as text.
+/// Formats the error matrix.
 pub fn table(v: &Validation) -> String {
     let mut out = format!(
         "{:<34}{:>6}{:>10}{:>9}{:>12}{:>12}{:>12}{:>10}\n",
         "", "tests", "mean N", "error %", "region 1 N", "region 2 N", "FV mean N", "FV %"
     );
-    // Hundredths of a newton; of a small damper as many decimals as two digits of its mean error need.
+    // Use hundredths of a newton. For a small damper use enough decimals for two digits of its mean error.
     let places = (2..6).find(|&p| v.overall.errors.model.mean_error_n * 10f64.powi(p) >= 10.0).unwrap_or(2) as usize;
     let mut row = |label: &str, tests: usize, e: &dashpot_identification::validation::Errors| {
         out += &format!(

@@ -1,10 +1,10 @@
-//! What a verb that judges says to scripts by its exit code.
+//! Verdicts that determine the exit code of a verb.
 
-/// What a verb found of a damper.
+/// Verdict of a verb on a damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// It keeps what was asked of it, or nothing was asked.
+    /// The damper meets the requirements, or there were none.
     Passed,
-    /// It does not, or that could not be tested as a whole.
+    /// The damper violates a requirement, or not all could be tested.
     Failed,
 }

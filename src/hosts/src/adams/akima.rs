@@ -1,33 +1,35 @@
-//! Akima's curve through points, which is what Adams makes of a property file (AKISPL), and points through which it follows another curve.
+//! Akima's curve through points, which Adams uses for a property file (AKISPL), and points whose Akima curve follows another curve.
 //!
-//! H. Akima, J. ACM 17, 1970: between two points a cubic; its slope at a point is the mean of the two chords beside it, each weighted by how much
-//! the chords on the other side differ. At the ends two chords are prolonged so that they go on changing as the last ones do.
+//! H. Akima, J. ACM 17, 1970. The curve is a cubic between two points. Its slope at a point is the weighted mean of the chords on both
+//! sides. The weight of each is the change of the chords on the other side. At the ends two chords are extrapolated with the change of the
+//! last ones.
 
 use super::property::Curve;
 use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST, derivatives};
 
-/// Share of the larger force of a side by which two curves may differ. Rigs repeat a force within a percent or two; half a percent is lost in that.
+/// Allowed difference of two curves, relative to the largest force of a side. Rigs repeat a force within one or two percent, which masks
+/// half a percent.
 const SHARE: f64 = 0.005;
-/// N: where a side has hardly any force, less than a load cell shows.
+/// Smallest allowed difference, N. It applies to a side with almost no force, and is below the resolution of a load cell.
 const LEAST: f64 = 1.0;
-/// Where points are added, they are until this part of the tolerance is left.
+/// Fraction of the allowed difference down to which points are added.
 ///
-/// A file that is read and written again then lies inside it, and comes back with the points that it had.
+/// A file that is read and written again then stays within the allowed difference, and keeps its points.
 const ADDED: f64 = 0.5;
-/// Places between two points at which curves are compared.
+/// Number of intervals between two points at which curves are compared.
 const PLACES: usize = 24;
 
-/// A way to read a table.
+/// Interpolation of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
-    /// As Adams does.
+    /// Interpolation by Adams.
     Akima,
-    /// As a model does.
+    /// Interpolation by a model.
     Model(Interpolation),
 }
 
 impl Reading {
-    /// Slopes before and after the points; none for straight lines.
+    /// Returns the slopes before and after the points; `None` for straight lines.
     fn slopes(self, curve: &Curve) -> Option<Vec<[f64; 2]>> {
         let (v, f) = (&curve.velocities, &curve.forces);
         match self {
@@ -38,7 +40,7 @@ impl Reading {
     }
 }
 
-/// Akima's slopes at the points.
+/// Computes Akima's slopes at the points.
 fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let n = v.len();
     let chord = |k: usize| (f[k + 1] - f[k]) / (v[k + 1] - v[k]);
@@ -52,18 +54,18 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let of = |m: &[f64]| {
         let (left, right) = ((m[3] - m[2]).abs(), (m[1] - m[0]).abs());
         let size = m.iter().fold(0.0f64, |most, m| most.max(m.abs()));
-        // Straight on both sides: Akima takes the mean; what rounding leaves must not choose.
+        // Without a change of slope on both sides Akima uses the mean. Rounding errors must not decide.
         if left + right <= 1e-9 * size { 0.5 * (m[1] + m[2]) } else { (left * m[1] + right * m[2]) / (left + right) }
     };
     chords.windows(4).map(of).collect()
 }
 
-/// The point from which on a velocity lies, the last but one at most.
+/// Returns the index of the last point at or below a velocity, at most the last but one.
 fn piece(v: &[f64], at: f64) -> usize {
     v.partition_point(|v| *v <= at).min(v.len() - 1).max(1) - 1
 }
 
-/// A table read in one way.
+/// A table with one interpolation.
 struct Read<'a> {
     curve: &'a Curve,
     slopes: Option<Vec<[f64; 2]>>,
@@ -74,7 +76,7 @@ impl<'a> Read<'a> {
         Read { curve, slopes: reading.slopes(curve) }
     }
 
-    /// The force at a velocity inside the table.
+    /// Returns the force at a velocity within the table.
     fn at(&self, at: f64) -> f64 {
         let (v, f) = (&self.curve.velocities, &self.curve.forces);
         let i = piece(v, at);
@@ -87,7 +89,7 @@ impl<'a> Read<'a> {
     }
 }
 
-/// The force of a table at rest, as Adams reads it; `straight` where it runs straight between its points. 0 where rest lies outside.
+/// Returns the force of a table at rest, as Adams interpolates it; linearly if `straight`. Returns 0 if rest lies outside the table.
 pub fn at_rest(curve: &Curve, straight: bool) -> f64 {
     let holds =
         curve.velocities.first().is_some_and(|v| *v <= 0.0) && curve.velocities.last().is_some_and(|v| *v >= 0.0);
@@ -95,31 +97,32 @@ pub fn at_rest(curve: &Curve, straight: bool) -> f64 {
     if holds && curve.velocities.len() > 1 { Read::new(curve, reading).at(0.0) } else { 0.0 }
 }
 
-/// How far a table that is read in one way lies from a curve, at most.
+/// Largest difference between an interpolated table and a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Difference {
-    /// N.
+    /// Difference, N.
     pub force: f64,
-    /// Where, m/s.
+    /// Velocity at which it occurs, m/s.
     pub velocity: f64,
-    /// The largest share of what is allowed on its side, and where that is; compression and rebound are allowed different forces.
+    /// Largest ratio to the allowed difference of its side, and the velocity of this ratio. Compression and rebound have different allowed
+    /// forces.
     share: f64,
     asks: f64,
 }
 
 impl Difference {
-    /// Whether it is no more than is allowed.
+    /// Returns whether the difference is allowed.
     pub fn is_small(&self) -> bool {
         self.share <= 1.0
     }
 
-    /// In words.
+    /// Describes the difference.
     pub fn describe(&self) -> String {
         format!("at most {:.1} N (at {:.0} mm/s)", self.force, 1e3 * self.velocity)
     }
 }
 
-/// The difference allowed on either side: compression, rebound.
+/// Returns the allowed difference in compression and in rebound, N.
 fn tolerance(curve: &Curve) -> [f64; 2] {
     [false, true].map(|rebound| {
         let side = curve.velocities.iter().zip(&curve.forces).filter(|(v, _)| (**v > 0.0) == rebound);
@@ -127,7 +130,7 @@ fn tolerance(curve: &Curve) -> [f64; 2] {
     })
 }
 
-/// The largest difference and the largest share of the tolerance between the points of a table, for every reading.
+/// Computes the largest difference, and the largest ratio to the tolerance, between the points of a table, for all interpolations.
 fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Difference {
     let read: Vec<Read> = readings.iter().map(|reading| Read::new(curve, *reading)).collect();
     let mut most = Difference::default();
@@ -150,7 +153,7 @@ fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn
     most
 }
 
-/// The table with as many points added as it takes until all readings of it follow the target; no more than a model can hold.
+/// Adds points to the table until all its interpolations follow the target, up to the capacity of a model.
 fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Curve {
     while curve.velocities.len() < MAX_POINTS {
         let at = worst(&curve, readings, allowed, target);
@@ -163,7 +166,7 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
             break;
         }
         let velocity = at.asks.max(low).min(high);
-        // A model's curve never falls; rounding must not make it.
+        // A model's curve never decreases, and rounding must not change that.
         let force = target(velocity).min(curve.forces[i]).max(curve.forces[i - 1]);
         curve.velocities.insert(i, velocity);
         curve.forces.insert(i, force);
@@ -171,7 +174,7 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
     curve
 }
 
-/// The points of a model's curve, and as many between them as it takes until Akima's curve follows it, with what is left.
+/// Adds points to a model's curve until its Akima curve follows it. Returns the curve and the remaining difference.
 pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) -> f64) -> (Curve, Difference) {
     let allowed = tolerance(&points);
     let akima = |curve: &Curve| worst(curve, &[Reading::Akima], allowed, model);
@@ -179,15 +182,15 @@ pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) 
     if as_it_is.is_small() {
         return (points, as_it_is);
     }
-    // The model's reading too: so that the file, read back, is this curve.
+    // The points also suit the model's interpolation, so the file, read back, gives this curve.
     let curve = refined(points, &[Reading::Akima, Reading::Model(interpolation)], allowed, model);
     let left = akima(&curve);
     (curve, left)
 }
 
-/// The points of a file, and as many between them as it takes until a model's curve follows Akima's.
+/// Adds points to a file's curve until a model's curve follows its Akima curve.
 ///
-/// How the model is to read them, and what is left.
+/// Returns the curve, the model's interpolation and the remaining difference.
 pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let allowed = tolerance(&points);
     let akima = Read::new(&points, Reading::Akima);
@@ -215,9 +218,10 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     (curve, interpolation, left)
 }
 
-/// The points of a file whose curve runs straight between them.
+/// Converts the points of a file with linear interpolation.
 ///
-/// Of more than a model can hold, as many as it takes until the model's curve follows it, with what is left.
+/// If a model cannot hold them all, the function selects points until the model's curve follows the file's. It returns the curve and the
+/// remaining difference.
 pub fn read_linear(points: Curve) -> (Curve, Difference) {
     if points.velocities.len() <= MAX_POINTS {
         return (points, Difference::default());
@@ -229,7 +233,7 @@ pub fn read_linear(points: Curve) -> (Curve, Difference) {
     (curve, left)
 }
 
-/// The ends of a table and what lies nearest to standstill, to which points are added.
+/// Returns the ends of a table and the point nearest to standstill, to which points are added.
 fn few(points: &Curve) -> Curve {
     let (v, last) = (&points.velocities, points.velocities.len() - 1);
     let slowest = (0..=last).min_by(|a, b| v[*a].abs().total_cmp(&v[*b].abs())).unwrap_or(0);
@@ -251,7 +255,7 @@ mod tests {
         table(&[[-1.0, -1200.0], [-0.002, -200.0], [0.0, 0.0], [0.002, 200.0], [1.0, 2200.0]])
     }
 
-    /// The figures of scipy.interpolate.Akima1DInterpolator.
+    /// Reference values from scipy.interpolate.Akima1DInterpolator.
     #[test]
     fn the_curve_is_akimas() {
         let curve = table(&[[-1.0, -900.0], [-0.3, -500.0], [0.0, 0.0], [0.2, 600.0], [0.5, 900.0], [1.0, 1100.0]]);
@@ -295,7 +299,7 @@ mod tests {
 
     #[test]
     fn a_file_becomes_the_curve_that_adams_makes_of_it() {
-        // Akima's curve falls between points of the steep one, which no model's curve does: so far it is followed.
+        // Akima's curve decreases between points of the steep one, which a model's curve cannot do. The test allows for that.
         let car = table(&[
             [-1.27, -1495.5],
             [-0.508, -1000.0],
@@ -321,7 +325,7 @@ mod tests {
 
     #[test]
     fn a_table_longer_than_a_models_keeps_its_curve() {
-        // A digressive damper with a sharp knee and a blow-off, every 5 mm/s.
+        // A degressive damper with a sharp knee and a blow-off, in steps of 5 mm/s.
         let force = |v: f64| if v < 0.0 { 0.55 } else { 1.0 } * 900.0 * libm::tanh(v / 0.08) + 700.0 * v;
         let velocities: Vec<f64> = (-300..=300).map(|i| 5e-3 * f64::from(i)).collect();
         let points = Curve { forces: velocities.iter().map(|v| force(*v)).collect(), velocities };

@@ -1,34 +1,34 @@
-//! Statements of an Adams dataset (`.adm`) as they lie in the bytes of a file.
+//! Statements of an Adams dataset (`.adm`) with their positions in the bytes of a file.
 //!
-//! A statement begins with `NAME/id`; lines that begin with a comma continue it. Comments begin with `!`, on lines of their own
-//! or behind a statement. Files may hold any bytes in comments and names.
+//! A statement begins with `NAME/id`. Lines that begin with a comma continue it. Comments begin with `!`, on separate lines or after a
+//! statement. Comments and names may contain any bytes.
 
 use anyhow::{Context as _, bail};
 
-/// Stands in [`Statement::text`] where a line ends and its continuation begins.
+/// Character in [`Statement::text`] at the end of a line that is continued.
 const JOINT: char = '\n';
 
 /// A statement of a file.
 pub struct Statement {
-    /// Its text in capitals, without comments and the commas that continue it.
+    /// Text in capitals, without comments and continuation commas.
     text: String,
-    /// For every character of the text its place in the file.
+    /// Position in the file of every character of the text.
     places: Vec<usize>,
 }
 
 /// A function expression in a statement.
 pub struct Function {
-    /// Its text in capitals.
+    /// Text of the expression in capitals.
     pub text: String,
-    /// Range of bytes in the file, from the F of `FUNCTION`, with the backslash that ends it.
+    /// First byte in the file, the F of `FUNCTION`.
     pub begin: usize,
-    /// One past the last byte.
+    /// One past the last byte, which includes the final backslash.
     pub end: usize,
-    /// Statement text behind it.
+    /// Text of the statement after the function.
     pub after: String,
 }
 
-/// Points of a spline: X, and one list of Y for every value of Z.
+/// Points of a spline: X, and one list of Y for each value of Z.
 pub struct Spline {
     /// Abscissae.
     pub x: Vec<f64>,
@@ -36,7 +36,7 @@ pub struct Spline {
     pub y: Vec<Vec<f64>>,
 }
 
-/// Lines of a file, each with its place.
+/// Returns the lines of a file, each with its position.
 pub fn lines(file: &[u8]) -> Vec<(usize, &[u8])> {
     let mut at = 0;
     file.split_inclusive(|b| *b == b'\n')
@@ -47,7 +47,7 @@ pub fn lines(file: &[u8]) -> Vec<(usize, &[u8])> {
         .collect()
 }
 
-/// What ends a line: "\r\n", "\n" or nothing.
+/// Returns the end of a line: "\r\n", "\n" or nothing.
 pub fn ending(line: &[u8]) -> &'static str {
     match line {
         [.., b'\r', b'\n'] => "\r\n",
@@ -56,7 +56,7 @@ pub fn ending(line: &[u8]) -> &'static str {
     }
 }
 
-/// A line without its comment and end.
+/// Returns a line without its comment and end.
 fn code(line: &[u8]) -> &[u8] {
     line.split(|b| matches!(b, b'!' | b'\r' | b'\n')).next().unwrap_or_default()
 }
@@ -65,7 +65,7 @@ fn first(line: &[u8]) -> Option<u8> {
     code(line).iter().copied().find(|b| !b.is_ascii_whitespace())
 }
 
-/// The name and id of the statement that begins on a line.
+/// Returns the name and id of the statement that begins on a line.
 pub fn head(line: &[u8]) -> Option<(String, u64)> {
     if !line.first()?.is_ascii_alphabetic() {
         return None;
@@ -76,13 +76,13 @@ pub fn head(line: &[u8]) -> Option<(String, u64)> {
     Some((name.trim().into(), digits.parse().ok()?))
 }
 
-/// Whether a line is the END statement.
+/// Returns whether a line is the END statement.
 pub fn is_end(line: &[u8]) -> bool {
     let text = String::from_utf8_lossy(code(line)).trim().to_uppercase();
     text == "END" || text.starts_with("END ") || text.starts_with("END/")
 }
 
-/// The name that a comment line gives to the element below it.
+/// Returns the name that a comment line gives to the element below it.
 pub fn view_name(line: &[u8]) -> Option<String> {
     let text = String::from_utf8_lossy(line.strip_prefix(b"!")?).trim().to_string();
     let (key, value) = text.split_once('=')?;
@@ -90,7 +90,7 @@ pub fn view_name(line: &[u8]) -> Option<String> {
 }
 
 impl Statement {
-    /// The statement that begins on line `begin`.
+    /// Parses the statement that begins on line `begin`.
     pub fn parse(lines: &[(usize, &[u8])], begin: usize) -> Statement {
         let mut statement = Statement { text: String::new(), places: Vec::new() };
         statement.push(lines[begin], 0);
@@ -102,7 +102,7 @@ impl Statement {
                     statement.places.push(place);
                     statement.push((place, line), comma + 1);
                 }
-                // Comments and empty lines may lie between; whether they do shows at the next continuation.
+                // Comments and empty lines may be part of the statement. The next continuation shows whether they are.
                 None => {}
                 Some(_) => break,
             }
@@ -110,7 +110,7 @@ impl Statement {
         statement
     }
 
-    /// Its text in capitals.
+    /// Returns its text in capitals.
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -122,27 +122,27 @@ impl Statement {
         }
     }
 
-    /// Arguments behind `NAME/id` and before the function, if there is one.
+    /// Returns the arguments after `NAME/id` and before the function, if there is one.
     fn arguments(&self) -> impl Iterator<Item = &str> {
         let end = self.function_key().map_or(self.text.len(), |k| k.0);
         self.text[..end].split([',', JOINT]).map(str::trim).filter(|a| !a.is_empty())
     }
 
-    /// Whether a quality without a value is among the arguments, in full or abbreviated as Adams allows.
+    /// Returns whether the arguments include a keyword without a value, in full or abbreviated as Adams allows.
     pub fn has_quality(&self, word: &str) -> bool {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let is = |a: &str| !a.is_empty() && !a.contains('=') && (word.starts_with(a) || a.starts_with(word));
         self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
     }
 
-    /// Whether an argument `KEY = ...` stands outside the function, the key in full or abbreviated.
+    /// Returns whether an argument `KEY = ...` exists outside the function, with the key in full or abbreviated.
     pub fn has_key(&self, word: &str) -> bool {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let is = |a: &str| a.split_once('=').is_some_and(|(k, _)| !k.trim().is_empty() && word.starts_with(k.trim()));
         self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
     }
 
-    /// The id that an argument such as `I = 75` names.
+    /// Returns the id of an argument such as `I = 75`.
     pub fn id_of(&self, key: &str) -> Option<u64> {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let mut all =
@@ -150,7 +150,7 @@ impl Statement {
         all.find_map(|a| a.split_once('=').filter(|(k, _)| k.trim() == key)?.1.trim().parse().ok())
     }
 
-    /// Where `KEY =` begins in the text, and where its value does.
+    /// Returns the positions of `KEY =` in the text and of its value.
     fn key(&self, key: &str) -> Option<(usize, usize)> {
         self.text.match_indices(key).find_map(|(at, _)| {
             let before = self.text[..at].trim_end_matches([' ', '\t']);
@@ -160,13 +160,13 @@ impl Statement {
         })
     }
 
-    /// [`Statement::key`] of FUNCTION, in full or abbreviated.
+    /// Returns [`Statement::key`] of FUNCTION, in full or abbreviated.
     fn function_key(&self) -> Option<(usize, usize)> {
         const WORD: &str = "FUNCTION";
         (1..=WORD.len()).rev().find_map(|length| self.key(&WORD[..length]))
     }
 
-    /// Its `FUNCTION = ...`.
+    /// Returns the function of `FUNCTION = ...`.
     pub fn function(&self) -> Option<Function> {
         let (at, value) = self.function_key()?;
         let rest = &self.text[value..];
@@ -180,14 +180,14 @@ impl Statement {
         })
     }
 
-    /// Its points, where it is a spline.
+    /// Returns the points of a spline.
     ///
     /// # Errors
-    /// Where the points are in a file, are no numbers, or X and Y do not match.
+    /// Points in a separate file, points that are not numbers, or different numbers of X and Y.
     pub fn spline(&self) -> anyhow::Result<Spline> {
         let mut spline = Spline { x: Vec::new(), y: Vec::new() };
         let mut key = String::new();
-        // The first piece is NAME/id.
+        // The first part is NAME/id.
         for piece in self.text.split([',', JOINT]).skip(1).map(str::trim).filter(|p| !p.is_empty()) {
             let number = match piece.split_once('=') {
                 Some((k, value)) => {
@@ -215,7 +215,7 @@ impl Statement {
             }
         }
         let count = spline.x.len();
-        // A surface: several lists of Y, each behind its Z.
+        // The spline is a surface: it has several lists of Y, each after its Z.
         if spline.y.len() > 1 && spline.y.iter().all(|y| y.len() == count + 1) {
             spline.y.iter_mut().for_each(|y| *y = y.split_off(1));
         }
@@ -231,7 +231,7 @@ impl Statement {
 }
 
 impl Spline {
-    /// The value of list `list` at `x`, straight between the points.
+    /// Returns the value of list `list` at `x`, by linear interpolation.
     pub fn value(&self, list: usize, x: f64) -> f64 {
         let i = self.x.partition_point(|p| *p <= x).min(self.x.len() - 1).max(1);
         let (a, b, y) = (self.x[i - 1], self.x[i], &self.y[list]);

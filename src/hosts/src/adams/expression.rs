@@ -1,24 +1,24 @@
-//! The function expression of an FV damper, evaluated at a speed: enough to see which way it pushes.
+//! Evaluation of the function expression of an FV damper at a velocity, to find the sign of its force.
 
 use anyhow::{Context as _, bail};
 
-/// What the names of an expression mean.
+/// Values of the names in an expression.
 pub struct Meaning<'a> {
-    /// The SFORCE's own markers, where known.
+    /// Markers of the SFORCE, if known.
     pub markers: [Option<u64>; 2],
-    /// VR of its markers.
+    /// Velocity VR between its markers.
     pub speed: f64,
-    /// The value of a spline by its id.
+    /// Function that returns the value of a spline by its id.
     pub spline: &'a dyn Fn(u64, f64) -> anyhow::Result<f64>,
 }
 
-/// Brackets within brackets and signs before signs; a function of a damper has a handful, and the reader calls itself for each.
+/// Largest nesting depth of brackets and signs, which limits the recursion of the reader. The function of a damper has a few levels.
 const DEEPEST: usize = 100;
 
-/// The value of an expression in capitals without blanks.
+/// Evaluates an expression in capitals without spaces.
 ///
 /// # Errors
-/// Where it holds what an FV damper does not: other functions, other markers, no expression.
+/// Content that an FV damper does not have: other functions, other markers, or no expression.
 pub fn evaluate(text: &str, meaning: &Meaning<'_>) -> anyhow::Result<f64> {
     let mut reader = Reader { rest: text, meaning, depth: 0 };
     let value = reader.sum()?;
@@ -65,7 +65,7 @@ impl Reader<'_> {
         }
     }
 
-    /// As in Fortran: a power goes before a sign or a product, and of several the last first.
+    /// Parses a power. As in Fortran, it binds more tightly than a sign or a product, and several powers are evaluated from right to left.
     fn power(&mut self) -> anyhow::Result<f64> {
         let base = self.atom()?;
         if self.take("**") { Ok(libm::pow(base, self.factor()?)) } else { Ok(base) }

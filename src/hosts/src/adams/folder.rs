@@ -1,10 +1,10 @@
-//! What a run folder of Adams needs for a damper: texts of all its files but the library.
+//! Texts of all files of an Adams run folder for a damper, except the library.
 
 use super::native;
 use dashpot_core::{Model, Params};
 use std::fmt::Write as _;
 
-/// A sine on the rig.
+/// A sine test on the rig.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SineTest {
     /// Amplitude, m.
@@ -15,14 +15,13 @@ pub struct SineTest {
 
 /// A file of the folder.
 pub struct File {
-    /// Its name.
+    /// Name of the file.
     pub name: &'static str,
-    /// Its text.
+    /// Text of the file.
     pub text: String,
 }
 
-/// The files for a model whose length at zero displacement is `length` mm; and why there is no native.adm where there is
-/// none.
+/// Makes the files for a model whose length at zero displacement is `length` mm. Also returns the reason for a missing native.adm.
 pub fn files(
     params: &Params,
     model: &Model,
@@ -42,7 +41,7 @@ pub fn files(
     let native = native::fragment(params, model, length);
     let read_me = match &native {
         Ok(_) => fill(include_str!("templates/README.txt")).replace("{native}", NATIVE),
-        // Below the title, by which the file is known as an older version of itself: who came for it need not read on.
+        // The note follows the title, by which README.txt is recognized as an older version of itself.
         Err(reason) => {
             let lacks = wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}."));
             let text = fill(include_str!("templates/README.txt")).replace("{native}\n", "");
@@ -65,22 +64,22 @@ pub fn files(
     }
 }
 
-/// What README.txt says of native.adm.
+/// Text of README.txt about native.adm.
 const NATIVE: &str = "\
 native.adm        the same damper from Adams's own elements, without the library: paste it into a model, put in the model's two
                   markers, the length and free ids; the lines at its head say where";
 
-/// What must be known before anything else, above the text of README.txt.
+/// Puts important remarks before the text of README.txt.
 ///
-/// Who opens the folder later has not seen what was said when it was written.
+/// A person who opens the folder later did not see the messages of the export.
 pub fn above(remarks: &[String], text: &str) -> String {
     remarks.iter().map(|remark| format!("{}\n\n", wrapped(remark))).collect::<String>() + text
 }
 
-/// What is said of chatter, below the text of README.txt, with whom it concerns.
+/// Appends the remarks on chatter to the text of README.txt, and states whom they concern.
 ///
-/// Adams solves for the force with the slopes that the routines hand over, in steps of its own choice, so it does not
-/// chatter; a program that takes the force once a step may.
+/// Adams solves for the force with the derivatives of the routines, in steps of its own choice, so it does not chatter. A program that
+/// evaluates the force once a step may chatter.
 pub fn below(text: &str, chatters: &[String]) -> String {
     if chatters.is_empty() {
         return text.to_owned();
@@ -92,9 +91,9 @@ pub fn below(text: &str, chatters: &[String]) -> String {
     format!("{text}\n{}\n{told}", wrapped(concerns))
 }
 
-/// Broken into lines that a plain text file has.
+/// Wraps a text to the line length of a plain text file.
 fn wrapped(text: &str) -> String {
-    /// Longest line of README.txt.
+    /// Longest line of README.txt, characters.
     const WIDTH: usize = 100;
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
@@ -107,9 +106,9 @@ fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// The tests on the rig, one line a command.
+/// Writes the command file of the tests on the rig, one line for each command.
 ///
-/// Every test begins and ends at rest in the middle, so that one follows the other.
+/// Every test begins and ends at rest in the middle, so that the next one can follow.
 fn acf(tests: &[SineTest]) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");
@@ -132,7 +131,7 @@ fn acf(tests: &[SineTest]) -> String {
     out + "STOP\n"
 }
 
-/// A number to nine decimals without closing zeros: command lines stay short.
+/// Formats a number with up to nine decimals without trailing zeros, to keep command lines short.
 fn short(value: f64) -> String {
     let text = format!("{value:.9}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()

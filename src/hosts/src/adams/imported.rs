@@ -1,4 +1,4 @@
-//! A model from an Adams Car property file, TeimOrbit or XML.
+//! Import of a model from an Adams Car property file, TeimOrbit or XML.
 
 use super::akima::{self, Difference};
 use super::property;
@@ -12,29 +12,29 @@ use dashpot_identification::model_file;
 use dashpot_identification::model_file::prepared;
 use std::path::Path;
 
-/// A model file made from a property file.
+/// Model file made from a property file.
 pub struct Imported {
-    /// Its text.
+    /// Text of the model file.
     pub text: String,
-    /// Points of its curve.
+    /// Number of points of its curve.
     pub points: usize,
     /// Contents of the file other than the curve, as a message.
     pub other_contents: String,
-    /// How far the curve follows the one that Adams makes of the file, and what was left out; the text has it as comments.
+    /// Difference between the curve and Adams's interpolation of the file, and omitted contents. The text contains them as comments.
     pub remarks: Vec<String>,
 }
 
-/// The model file of a property file: its curve, and the gas force where it has one.
+/// Makes a model file from a property file: its curve, and the gas force if it has one.
 ///
 /// # Errors
-/// What cannot be read, or makes no model.
+/// A file that cannot be read, or that makes no valid model.
 pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let named = || path.display().to_string();
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", named()))?;
     let mut read = property::read(&bytes).with_context(named)?;
     let rows = read.curve.velocities.len();
     let constant = constant_force(&mut read);
-    // A linear rate, or a spline that says it is straight, is not read by Akima.
+    // Adams does not use Akima's method for a linear rate, or for a spline that is marked as linear.
     let (curve, interpolation, remark) = if read.linear {
         let (curve, left) = akima::read_linear(read.curve);
         let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));
@@ -87,12 +87,12 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     })
 }
 
-/// Share of the largest force below which a force at rest is rounding.
+/// Fraction of the largest force below which a force at rest is rounding error.
 const AT_REST: f64 = 1e-6;
 
-/// Moves the force that the curve has at rest from the curve to the gas force, and says so.
+/// Moves the force of the curve at rest to the gas force, and reports it.
 ///
-/// A damper at rest has none of its curve, and what pushes or pulls there does so at every speed.
+/// The FV curve of a damper is zero at rest. A force that pushes or pulls at rest acts at every velocity.
 fn constant_force(read: &mut property::Properties) -> Option<String> {
     let rest = akima::at_rest(&read.curve, read.linear);
     let largest = read.curve.forces.iter().fold(0.0f64, |most, f| most.max(f.abs()));
@@ -112,7 +112,7 @@ fn constant_too_large(named: &str, force: f64, error: anyhow::Error) -> anyhow::
     error.context(format!("{named}: the curve leaves a force of {force:.1} N at rest, which is taken for the gas force; look at its row at velocity 0"))
 }
 
-/// How far the model's curve follows the one that Adams makes of the file.
+/// Describes the difference between the model's curve and Adams's interpolation of the file.
 fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
     let so = format!("The model's curve differs from that of Adams by {}.", left.describe());
     let reads = "Adams Car joins the points of the file by Akima's method (AKISPL).";
@@ -131,7 +131,7 @@ fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
     }
 }
 
-/// How far fewer points stand for those of the file.
+/// Describes the difference if fewer points represent those of the file.
 fn fewer(rows: usize, points: usize, left: &Difference) -> String {
     format!(
         "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
@@ -152,7 +152,7 @@ mod tests {
 
     const HEAD: &str = "[UNITS]\nLENGTH='mm'\nFORCE='newton'\nTIME='second'\n[CURVE]\n";
 
-    /// With a row at rest and without; the sum of curve and gas is the curve of the file.
+    /// The file has a row at rest or not. The sum of curve and gas force is the curve of the file.
     #[test]
     fn a_force_at_rest_is_gas_and_the_curve_has_none() {
         for (rows, forces) in [

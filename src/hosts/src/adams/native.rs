@@ -1,27 +1,27 @@
-//! The damper from Adams's own elements, without a routine.
+//! Damper from Adams's own elements, without a routine.
 //!
-//! Splines for primary damper, parallel spring and friction, and two differential equations for the internal mass; a
-//! third one for friction that turns over within a short travel.
+//! It has splines for primary damper, parallel spring and friction, and two differential equations for the internal mass. A third equation
+//! models friction that reverses within a short travel.
 //!
-//! The mass is no PART: a part has a place in the model, which a text that knows nothing of the model cannot give, and a joint to the tube that
-//! is violated wherever that place is wrong. By its equations it moves along the line between the damper's markers, as the kernel has it. Its
-//! place is told from the driven end, so that the initial value 0 holds at any length of the damper.
+//! The mass is not a PART. A part needs a position in the model, which is unknown here, and a joint to the tube, which a wrong position
+//! violates. Its equations move the mass along the line between the damper's markers, as in the kernel. Its displacement is relative to the
+//! moving end, so the initial value 0 holds at any length of the damper.
 
 use dashpot_core::parameter::Element;
 use dashpot_core::{Input, Model, Params, State, evaluate::force};
 use dashpot_core::{element, number};
 use std::fmt::Write as _;
 
-/// Points of a spline.
+/// Number of points of a spline.
 const POINTS: usize = 161;
-/// Splines of displacement reach this far, mm.
+/// Largest displacement of the splines, mm.
 const STROKE: f64 = 150.0;
-/// Fastest velocity of the splines, mm/s, and the velocity around which half of their points lie.
+/// Highest velocity of the splines, mm/s, and the velocity around which half of their points lie.
 const FASTEST: f64 = 5000.0;
 const FINE: f64 = 2.0;
 
-/// What splines of velocity and displacement can hold, beside a spring, a damper and a mass. An element that is not here would be left
-/// out of the file without a word.
+/// Elements that splines of velocity and displacement can represent, with a spring, a damper and a mass. Any other element would be
+/// silently omitted from the file.
 const HELD: [Element; 8] = [
     element!("fv_curve"),
     element!("series_compliance"),
@@ -33,10 +33,10 @@ const HELD: [Element; 8] = [
     element!("gas_preload"),
 ];
 
-/// The dataset fragment, or why these elements cannot hold the model.
+/// Writes the dataset fragment, or returns the reason why these elements cannot represent the model.
 ///
 /// # Errors
-/// Where the model has what a spline of velocity or displacement cannot hold, or no internal mass.
+/// An element that a spline of velocity or displacement cannot represent, or a model without internal mass.
 pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, String> {
     if !params.is_on(element!("series_compliance")) {
         return Err("the element series_compliance is off".into());
@@ -49,7 +49,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     if model.elements().carries_whole() {
         return Err("with series_load = \"whole\" friction and gas force act on the internal mass".into());
     }
-    // Inner and outer end move alike: what each element gives at this motion.
+    // Inner and outer end move alike. The result is the force of each element at this motion.
     let at = |x: f64, v: f64| {
         let state = State {
             mass_displacement: 1e-3 * x,
@@ -62,7 +62,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     let displacements = spaced(|s| STROKE * s);
     let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
-    // The spline has the friction of the velocity alone.
+    // The spline contains only the friction that depends on velocity.
     let mut of_velocity = *params;
     of_velocity.enable(element!("presliding_friction"), false);
     let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;
@@ -82,7 +82,8 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
         .replace("{length}", &format!("{length:?}")))
 }
 
-/// Presliding friction: the equation of its bent contact in mm, and the force that it adds to the SFORCE; `None` where the element is off.
+/// Returns presliding friction: the equation of its contact deflection in mm, and the force that it adds to the SFORCE. Returns `None` if
+/// the element is off.
 fn presliding(params: &Params) -> Option<(String, String)> {
     if !params.is_on(element!("presliding_friction")) {
         return None;
@@ -97,7 +98,7 @@ fn presliding(params: &Params) -> Option<(String, String)> {
     .map(|number| params.number(number));
     let (length, creep) = (1e3 * length, 1e3 * creep);
     let shape = if power == 1.0 { String::new() } else { format!("*ABS(DIF(3)/{length:?})**{:?}", power - 1.0) };
-    // 0 while it unbends, for an elastic return.
+    // The factor is 0 during unloading, for elastic return.
     let slips = if elastic == 1.0 { "(0.5+SIGN(0.5,VR(11,12)*DIF(3)))*" } else { "" };
     let rate = format!("VR(11,12)\n, -{slips}SQRT(VR(11,12)**2+{:?})*DIF(3)/{length:?}{shape}", creep * creep);
     let contact = format!(
@@ -106,7 +107,7 @@ fn presliding(params: &Params) -> Option<(String, String)> {
     Some((contact, format!("-{:?}*DIF(3)", level / length)))
 }
 
-/// Abscissae, symmetric about 0, from `of` over -1 to 1.
+/// Returns abscissae symmetric about 0, mapped by `of` from -1 to 1.
 fn spaced(of: impl Fn(f64) -> f64) -> Vec<f64> {
     let half = (POINTS / 2) as f64;
     (0..POINTS).map(|i| of((i as f64 - half) / half)).collect()

@@ -1,4 +1,4 @@
-//! Replacing dampers in a compiled Adams Car model (`.adm`) by the routine, leaving every other byte alone.
+//! Replacement of dampers in a compiled Adams Car model (`.adm`) by the routine. All other bytes stay unchanged.
 
 use super::dataset::{self, Function, Spline, Statement};
 use super::expression::{self, Meaning};
@@ -8,26 +8,27 @@ use std::cell::Cell;
 /// A damper to replace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damper {
-    /// Name of the SFORCE in Adams View, as in the comment above it, or its end from a dot on; or `SFORCE/id`.
+    /// Name of the SFORCE in Adams View, as in the comment above it; or the end of this name after a dot; or `SFORCE/id`.
     pub name: String,
     /// Length at zero displacement, in model units.
     pub length: f64,
-    /// Path of its model file, as the solver will find it.
+    /// Path of its model file, as the solver finds it.
     pub model_file: String,
 }
 
-/// The model with its dampers replaced.
+/// Model with its dampers replaced.
 pub struct Patched {
     /// The bytes of the file.
     pub model: Vec<u8>,
-    /// What goes with the functions replaced and the user should know.
+    /// Notes for the user about the replaced functions.
     pub notes: Vec<String>,
 }
 
-/// The unit of length of a model, from its UNITS statement: the word, and metres in one. None where it has no such statement, or none of a length.
+/// Returns the unit of length of a model from its UNITS statement: the word, and its size in meters. Returns `None` without such a
+/// statement or unit.
 ///
 /// # Errors
-/// Where the word is no length.
+/// A word that is not a unit of length.
 pub fn length_unit(adm: &[u8]) -> anyhow::Result<Option<(String, f64)>> {
     let lines = dataset::lines(adm);
     let begins = |line: &[u8]| {
@@ -42,7 +43,7 @@ pub fn length_unit(adm: &[u8]) -> anyhow::Result<Option<(String, f64)>> {
         .filter(|word| !word.is_empty())
         .collect();
     let after = |key: &str| words.iter().position(|word| *word == key).and_then(|at| words.get(at + 1));
-    // A system of units stands for all of them (MKS, CGS, FPS, IPS).
+    // A system of units (MKS, CGS, FPS, IPS) defines all units.
     let (word, metres) = match (after("LENGTH"), after("SYSTEM")) {
         (Some(word), _) => (*word, super::property::length_in_metres(word).context("UNITS")?),
         (None, Some(&"MKS")) => ("METER", 1.0),
@@ -56,22 +57,24 @@ pub fn length_unit(adm: &[u8]) -> anyhow::Result<Option<(String, f64)>> {
 
 const ROUTINE: &str = "dashpot_adams::Dashpot_sfosub";
 
-/// The model with the dampers replaced. A force at rest, such as a gas force that the function adds to its spline, is replaced only
-/// where `with_preload` says that the model file holds it.
+/// Replaces the dampers of a model.
+///
+/// A function may add a force at rest, such as a gas force, to its spline. It is replaced only if `with_preload` confirms that the model
+/// file contains this force.
 ///
 /// # Errors
-/// Where a damper is not found or found twice, is no SFORCE with an FV spline, or gives a positive SFORCE in rebound: the
-/// model's signs are then not those of a damper, and the routine must not guess.
+/// A damper that is missing, ambiguous, or no SFORCE with an FV spline. Also an SFORCE that is positive in rebound: the model's signs are
+/// then not those of a damper, and the routine must not guess.
 pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Result<Patched> {
     let lines = dataset::lines(adm);
     let strings = lines.iter().filter_map(|l| dataset::head(l.1)).filter(|h| h.0 == "STRING").map(|h| h.1);
     let last = strings.max().unwrap_or(0);
-    // As many as there can be dampers, and room to count.
+    // Ids for at most as many STRINGs as there are dampers must fit into the number range.
     let string = last.checked_add(1).filter(|first| first.checked_add(dampers.len() as u64).is_some());
     let string = string.with_context(|| format!("STRING/{last} leaves no number for another STRING; renumber it"))?;
     let end = lines.iter().rposition(|l| dataset::is_end(l.1)).context("the model has no END statement")?;
     let ending = dataset::ending(lines[0].1);
-    // One STRING for each model file.
+    // Each model file gets one STRING.
     let mut paths: Vec<&str> = Vec::new();
     for damper in dampers {
         let path = damper.model_file.as_str();
@@ -100,7 +103,7 @@ pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Resu
         let string = string + paths.iter().position(|p| *p == damper.model_file).unwrap_or(0) as u64;
         let line = lines.iter().rev().find(|l| l.0 <= function.begin).map_or(ending, |l| dataset::ending(l.1));
         let line = if line.is_empty() { ending } else { line };
-        // Behind a backslash the next argument may follow on the same line without a comma.
+        // After a backslash the next argument may follow on the same line without a comma.
         let after = function.after.trim_start_matches([' ', '\t']);
         let comma = if after.is_empty() || after.starts_with([',', '\n']) { "" } else { "," };
         let text = format!("FUNCTION = USER({string}, {:?})\\{line}, ROUTINE = {ROUTINE}{comma}", damper.length);
@@ -117,7 +120,7 @@ pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Resu
     Ok(Patched { model: out, notes })
 }
 
-/// The function to replace, after all that must be so is seen to be so.
+/// Returns the function to replace, after all checks.
 fn function_of(
     lines: &[(usize, &[u8])],
     name: &str,
@@ -162,7 +165,7 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     };
     let is_text = |line: &[u8]| !line.starts_with(b"!") && !line.trim_ascii().is_empty();
     let begin = (comment + 1..lines.len()).find(|i| is_text(lines[*i].1)).context("nothing follows its name")?;
-    // Adams View writes an element that is switched off as a comment, under its name; what follows then is another element.
+    // Adams View writes a disabled element as a comment, under its name. The lines after it belong to another element.
     if let Some(next) = lines[comment + 1..begin].iter().find_map(|l| dataset::view_name(l.1)) {
         bail!("is switched off in the model: its lines are comments, and the next element is {next}");
     }
@@ -172,8 +175,9 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     Ok(begin)
 }
 
-/// The existing function must resist rebound: with the sign of its own SPLINE it is negative where the speed is positive. What it is
-/// beside its spline would be lost without a word: a force at rest is refused, factors are told.
+/// Checks that the existing function resists rebound: with the sign of its own SPLINE it is negative at positive velocity.
+///
+/// Parts of the function other than its spline would be lost silently. So a force at rest is rejected, and factors are reported.
 fn check_function(
     lines: &[(usize, &[u8])],
     sforce: &Statement,
@@ -205,7 +209,7 @@ fn check_function(
             expression::evaluate(function, &Meaning { markers, speed, spline: &value })
         };
         let (mut power, mut largest, mut factors) = (0.0, 0.0_f64, Vec::new());
-        // What the function is where its spline gives nothing.
+        // Value of the function if its spline is zero.
         let nothing = |_: u64, _: f64| Ok(0.0);
         let beside = |speed: f64| expression::evaluate(function, &Meaning { markers, speed, spline: &nothing });
         for speed in spline.x.iter().filter(|x| **x != 0.0) {
@@ -365,7 +369,7 @@ mod tests {
         assert!(patched.notes.len() == 1 && patched.notes[0].contains("0.8 times"), "{:?}", patched.notes);
     }
 
-    /// A dataset by hand: keywords abbreviated, ids with zeros before them, a power with blanks within.
+    /// Dataset written by hand: abbreviated keywords, ids with leading zeros, a power with spaces inside.
     #[test]
     fn abbreviations_are_read() {
         let by_hand = MODEL.replace("SFORCE/1\n", "SFORCE/0001\n").replace(", TRANSLATIONAL\n", ",TRANS\n");
@@ -394,7 +398,7 @@ mod tests {
         }
     }
 
-    /// Numbers that look random, the same every time.
+    /// Pseudorandom numbers, equal in every run.
     struct Dice(u64);
 
     impl Dice {
@@ -416,7 +420,7 @@ mod tests {
         }
     }
 
-    /// A model in pieces: what stays, and in between each damper's function as it was.
+    /// Model in pieces: the parts that stay, and between them each damper's original function.
     struct Made {
         stays: Vec<Vec<u8>>,
         functions: Vec<(String, &'static str)>,
@@ -518,7 +522,7 @@ mod tests {
             head += &next(dice);
             piece.extend_from_slice(head.as_bytes());
             stays.push(piece);
-            // With the spline's sign the SFORCE is negative in rebound.
+            // With the sign of the spline the SFORCE is negative in rebound.
             let minus =
                 if sign > 0.0 { dice.one(&["-", "-1.0*", "(-1)*", "-2.D0 * "]) } else { dice.one(&["", "1.5*", "+"]) };
             let cut = if one_line { String::new() } else { format!("{end}{}", dice.one(&[",", ", ", ",\t"])) };

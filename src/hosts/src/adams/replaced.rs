@@ -1,4 +1,4 @@
-//! A compiled Adams Car model with dampers replaced, from the file and what a user says of each damper.
+//! Replacement of dampers in a compiled Adams Car model, from the file and the user's data on each damper.
 
 use super::patch::{self, Damper};
 use crate::damper_length;
@@ -6,30 +6,30 @@ use anyhow::{Context as _, anyhow};
 use dashpot_identification::model_file;
 use std::path::{Path, PathBuf};
 
-/// A damper as it is named: what its length is shows in the model.
+/// A damper as the user names it. The model shows the unit of its length.
 #[derive(Debug, Clone)]
 pub struct Named {
     /// Name of its SFORCE, or `SFORCE/id`.
     pub name: String,
-    /// Its length at zero displacement: a number in the unit of the model, or with its own behind it.
+    /// Its length at zero displacement: a number in the unit of the model, or with its own unit.
     pub length: String,
-    /// Path of its model file, as the solver will find it.
+    /// Path of its model file, as the solver finds it.
     pub model_file: String,
 }
 
-/// The model in `input` with these dampers replaced, and what is to be known of it.
+/// Replaces dampers in the model of file `input`, and returns the model with notes.
 ///
-/// It goes to `output`, which decides whether a model file lies where the solver looks for it. `with_preload`
-/// replaces also a force at rest.
+/// The result is written to `output`, whose folder determines whether the solver finds a model file. With `with_preload` a force at rest is
+/// replaced too.
 ///
 /// # Errors
-/// What cannot be read, a length that no damper has, and what [`patch::patch`] refuses.
+/// A file that cannot be read, a length that no damper has, and the errors of [`patch::patch`].
 pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool) -> anyhow::Result<patch::Patched> {
     let file = || input.display().to_string();
     let adm = std::fs::read(input).with_context(|| format!("cannot read {}", file()))?;
     let unit = patch::length_unit(&adm).with_context(file)?;
     let damper = |damper: &Named| {
-        // Without UNITS the numbers of a model have no unit; what Adams Car writes has them.
+        // Without UNITS the numbers of a model have no unit. Files of Adams Car have UNITS.
         let (unit, metres) = unit.as_ref().map_or(("millimeter", 1e-3), |(unit, metres)| (unit.as_str(), *metres));
         let length =
             damper_length::in_units(&damper.length, unit, metres).map_err(|why| anyhow!("{}: {why}", damper.name))?;
@@ -47,9 +47,9 @@ pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool
     Ok(patched)
 }
 
-/// The note on a model file that is missing, or not where the solver would find it.
+/// Returns a note on a model file that is missing, or that the solver would not find.
 ///
-/// The solver usually runs in the folder of its model. The file may be brought there later, so that is no error.
+/// The solver usually runs in the folder of its model. The file may be copied there later, so this is no error.
 fn not_there(path: &str, output: &Path) -> Option<String> {
     let beside = output.parent().map(|folder| folder.join(path));
     let Some(found) = beside.into_iter().chain([PathBuf::from(path)]).find(|p| p.is_file()) else {

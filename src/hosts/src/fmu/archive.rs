@@ -1,23 +1,23 @@
-//! A zip archive whose entries are stored as they are: the same files give the same bytes.
+//! Zip archive with uncompressed entries. Equal files give equal bytes.
 
 use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, System, ZipWriter};
 
-/// An archive in the making.
+/// Archive under construction.
 pub struct Archive {
     writer: ZipWriter<Cursor<Vec<u8>>>,
 }
 
 impl Archive {
-    /// An archive without files.
+    /// Makes an archive without files.
     pub fn new() -> Archive {
         Archive { writer: ZipWriter::new(Cursor::new(Vec::new())) }
     }
 
-    /// Adds a file; folders are parts of its name, with `/`.
+    /// Adds a file. Its name contains the folders, separated by `/`.
     pub fn add(&mut self, name: &str, content: &[u8]) -> anyhow::Result<()> {
-        // 1 January 1980, and neither the attributes nor the system of the computer that writes.
+        // The date is 1 January 1980. Attributes and system of the computer are not stored.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .last_modified_time(DateTime::default())
@@ -28,7 +28,7 @@ impl Archive {
         Ok(())
     }
 
-    /// The finished archive.
+    /// Returns the finished archive.
     pub fn finish(self) -> anyhow::Result<Vec<u8>> {
         Ok(self.writer.finish()?.into_inner())
     }

@@ -1,21 +1,20 @@
-//! The file beside an FMU by which IPG CarMaker takes it as the damper of a suspension (model class `Susp_Damper`).
+//! File next to an FMU with which IPG CarMaker uses the FMU as the damper of a suspension (model class `Susp_Damper`).
 //!
-//! Which quantity of CarMaker goes to which variable. Its form is that of the vendor's templates; see
-//! `vi-crt-bridge/FACTS.md`.
+//! The file maps quantities of CarMaker to variables. Its format follows the vendor's templates; see `vi-crt-bridge/FACTS.md`.
 
 use super::scales::Scales;
 use crate::plain_curve::PlainCurve;
 use anyhow::bail;
 use std::fmt::Write as _;
 
-/// Longest damper, m: above that a length is in mm. A heavy truck's reaches 1 m, with room.
+/// Longest damper, m. A larger number is a length in mm. A damper of a heavy truck reaches 1 m, and this allows a margin.
 pub const LONGEST: f64 = 3.0;
 
 impl Scales {
-    /// The scales of CarMaker.
+    /// Returns the scales of CarMaker.
     ///
-    /// CarMaker passes the length of the damper, its velocity positive in extension, and expects a force that is
-    /// positive where the damper pushes. `length` is the length at displacement 0 of the records, m; there it begins.
+    /// CarMaker passes the length of the damper and its velocity, positive in extension. It expects a force that is positive if the damper
+    /// pushes. `length`, m, is the length at displacement 0 of the records, and the start value.
     ///
     /// # Errors
     /// A length that no damper has.
@@ -27,8 +26,9 @@ impl Scales {
     }
 }
 
-/// What of the model CarMaker's equilibrium does not have, in a sentence. The file has a place for a spring, but no source tells what its numbers
-/// are measured from, so none is written there.
+/// Lists the elements that are absent from CarMaker's computation of equilibrium.
+///
+/// The file can hold a spring, but no source states the reference of its numbers, so none is written.
 pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     (!curve.omitted_elements.is_empty()).then(|| {
         format!(
@@ -39,14 +39,15 @@ pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     })
 }
 
-/// The link of CarMaker's input for controlled dampers to the setting.
+/// Link of CarMaker's input for controlled dampers to the setting.
 const SETTING: &str = "FMUIn.setting.Link = IFVar\nFMUIn.setting.Rel = CtrlIn\n";
 
-/// The text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper; with a curve, where one may be shown. Where the damper depends on a setting,
-/// CarMaker's `CtrlIn` is that setting.
+/// Writes the text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper, with a curve if `shown` has one.
+///
+/// If the damper depends on a setting, CarMaker's `CtrlIn` is that setting.
 ///
 /// # Errors
-/// Where the model is none, or a line break in the name would begin another key.
+/// An invalid model, or a line break in the name, which would begin another key.
 pub fn plug_info(
     (name, guid): (&str, &str),
     has_setting: bool,
@@ -56,7 +57,7 @@ pub fn plug_info(
     if name.chars().any(char::is_control) {
         bail!("{name:?} is no name for an FMU in CarMaker: it has a line break or another control character");
     }
-    // The name of a model file may hold anything.
+    // The name of a model file may contain any character.
     let written: String = written.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     let mut out = format!(
         "#INFOFILE1.1 - Do not remove this line!\n\
@@ -119,7 +120,7 @@ mod tests {
             assert!(Scales::carmaker(length).is_err(), "{length}");
         }
         let scales = Scales::carmaker(0.4125).unwrap();
-        // At the start the damper is where the rig's zero was.
+        // At the start the damper is at the rig's zero.
         assert_eq!(scales.motion * scales.start + scales.position_offset, 0.0);
 
         assert!(plug_info(("a\nFMU.Name = b", "{1}"), false, None, "x").is_err());

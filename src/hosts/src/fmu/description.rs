@@ -1,4 +1,4 @@
-//! `modelDescription.xml`, for FMI 2.0 and 3.0.
+//! The file `modelDescription.xml`, for FMI 2.0 and 3.0.
 
 use super::sources::Version;
 use super::units::Unit;
@@ -7,10 +7,10 @@ use dashpot_core::parameter::Shape;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// The identifier of model and binary.
+/// Identifier of model and binary.
 pub const IDENTIFIER: &str = "dashpot_damper";
 
-/// The description of an FMU with these variables. `name` is that of the model; `sources` are compiled by importers that compile.
+/// Writes the description of an FMU with these variables. `name` is the name of the model. Importers that compile use `sources`.
 pub fn description(version: Version, variables: &[Variable], guid: &str, name: &str, sources: &[String]) -> String {
     let name = escaped(name);
     let generator = concat!("dashpot ", env!("CARGO_PKG_VERSION"));
@@ -55,8 +55,8 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
         "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusError\"/>\n  \
          </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n  <ModelVariables>\n",
     );
-    // FMI 2.0 needs no variable for the time, and the FMI Library under many hosts takes one for an error (it asks for a start value that the
-    // standard forbids there). Without it the place of every variable, counted from 1, is its value reference.
+    // FMI 2.0 needs no variable for the time. The FMI Library, which many hosts use, rejects one because it asks for a start value that the
+    // standard forbids. Without the time, the index of every variable, counted from 1, equals its value reference.
     let told = |v: &Variable| version == Version::Three || v.kind != Kind::Time;
     for (reference, v) in variables.iter().enumerate().filter(|(_, v)| told(v)) {
         variable(&mut out, version, variables, reference, v);
@@ -68,7 +68,7 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
 }
 
 fn escaped(text: &str) -> String {
-    // XML holds no control characters, however they are written.
+    // XML cannot represent control characters, even escaped.
     let text = text.replace(char::is_control, " ");
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -188,7 +188,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
     };
 }
 
-/// What outputs and derivatives of a corner depend on.
+/// Lists the variables on which outputs and derivatives of a corner depend.
 fn dependencies(all: &[Variable], v: &Variable) -> String {
     let on: Vec<String> = all
         .iter()
@@ -227,7 +227,7 @@ fn structure(out: &mut String, version: Version, all: &[Variable]) {
     out.push_str("  </ModelStructure>\n");
 }
 
-/// `sources/buildDescription.xml` of FMI 3.0. The kernel in `sources` is an object for one platform.
+/// Writes `sources/buildDescription.xml` of FMI 3.0. The kernel in `sources` is an object for one platform.
 pub fn build_description(platform: &str, sources: &[String]) -> String {
     let files: String = sources.iter().map(|s| format!("      <SourceFile name=\"{}\"/>\n", escaped(s))).collect();
     format!(

@@ -1,15 +1,15 @@
-//! The kernel's own sources inside an FMU: what a simulator team needs to compile it for a target of its own.
+//! Kernel sources inside an FMU, with which a simulator team compiles the kernel for its own target.
 
 include!(concat!(env!("OUT_DIR"), "/kernel.rs"));
 
-/// The files of `sources/kernel`: the kernel's three crates as a workspace of their own, with the same compiler settings.
+/// Returns the files of `sources/kernel`: the kernel's three crates as a separate workspace, with the same compiler settings.
 pub fn files() -> Vec<(String, String)> {
     let mut files: Vec<(String, String)> = KERNEL
         .iter()
         .map(|(name, text)| {
-            // Its tests and their dependencies stay at home.
+            // The FMU contains no tests of the kernel, so the manifest omits their dependencies.
             let text = if name.ends_with("Cargo.toml") { without_dev_dependencies(text) } else { (*text).to_owned() };
-            // The FMU links the static library alone.
+            // The FMU links only the static library.
             let text = if *name == "dll/Cargo.toml" {
                 text.replace("[\"cdylib\", \"staticlib\"]", "[\"staticlib\"]")
             } else {

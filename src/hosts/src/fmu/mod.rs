@@ -1,4 +1,4 @@
-//! Export of a model as a functional mock-up unit.
+//! Export of a model as a functional mock-up unit (FMU).
 
 mod archive;
 mod carmaker;
@@ -24,24 +24,24 @@ use dashpot_identification::model_file;
 use std::path::Path;
 use std::process::Command;
 
-/// What to know where nobody said when the importer sets its inputs.
+/// Note if the instant of the importer's inputs was not stated.
 pub const INPUTS_HAVE_ZERO_ORDER_HOLD: &str = "note: in co-simulation, inputs set before a step count at its end. An importer that sets what it knows at the \
      beginning, as FMPy and most masters do, gets the force one step late: export with --inputs begin, and the FMU extrapolates. With --inputs end \
      nothing changes but this note";
 
-/// A binary of the FMU for another platform.
+/// Binary of the FMU for another platform.
 pub struct Binary {
     /// Folder below `binaries`, such as `win64`.
     pub platform: String,
-    /// The library itself.
+    /// Contents of the library.
     pub content: Vec<u8>,
 }
 
 impl Binary {
-    /// A library for a platform.
+    /// Reads a library for a platform.
     ///
     /// # Errors
-    /// Where that is no platform, or the file cannot be read.
+    /// An invalid platform, or a file that cannot be read.
     pub fn read(platform: &str, file: &Path) -> anyhow::Result<Binary> {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if platform.is_empty() || !platform.chars().all(plain) {
@@ -62,41 +62,41 @@ impl Binary {
     }
 }
 
-/// What goes into an FMU beside its model.
+/// Options of an FMU, in addition to its model.
 pub struct Options<'a> {
     /// FMI version.
     pub version: Version,
     /// Signs, units and zero of the host.
     pub scales: Scales,
-    /// When the importer sets the inputs of a step.
+    /// Instant for which the importer sets the inputs of a step.
     pub inputs: Inputs,
-    /// Longest step, s, of an explicit solver that integrates the states itself; 0 where that is not known.
+    /// Longest step, s, of an explicit solver that integrates the states; 0 if unknown.
     pub explicit_step: f64,
     /// Name of the model.
     pub name: &'a str,
-    /// The static library for this computer: the binary is compiled of this FMU's own sources. None: the prebuilt runtime.
+    /// Static library for this computer. The binary is then compiled from this FMU's own sources. `None` selects the prebuilt runtime.
     pub from_source: Option<&'a Path>,
-    /// Whether the sources go inside.
+    /// Whether the FMU contains its sources.
     pub sources: bool,
-    /// Whether its parameters are concealed: none is a variable of the FMU, and the model in its resources lies under a veil.
+    /// Whether the parameters are concealed: none is a variable of the FMU, and the model in its resources is obfuscated.
     pub conceal_parameters: bool,
     /// Binaries for further platforms.
     pub more: &'a [Binary],
-    /// What its page says of this damper, such as that it chatters in a host that holds the force over a step.
+    /// Remarks on its page about this damper, such as chatter in a host with a zero-order hold of the force.
     pub remarks: &'a [String],
 }
 
-/// An FMU in the making, and what it runs on.
+/// An FMU with its platforms.
 pub struct Made {
     /// The bytes of its file.
     pub bytes: Vec<u8>,
     /// Folders below `binaries`.
     pub platforms: Vec<String>,
-    /// What its description and its binary know each other by.
+    /// Identifier that must agree in description and binary.
     pub guid: String,
 }
 
-/// The dampers of an FMU from one model, two (front, rear) or four (L1, R1, L2, R2); `four` makes four of one.
+/// Returns the dampers of an FMU from one model, two (front, rear) or four (L1, R1, L2, R2). With `four` one model is used four times.
 ///
 /// # Errors
 /// Any other number of models.
@@ -110,13 +110,13 @@ pub fn corners<D: Copy>(models: &[D], four: bool) -> anyhow::Result<Vec<D>> {
     }
 }
 
-/// What the text of every runtime holds: a runtime is told by it from a library compiled of one FMU's sources.
+/// Text in every prebuilt runtime, which distinguishes it from a library compiled from one FMU's sources.
 const RUNTIME_MARK: &[u8] = b"dashpot-fmu 3";
 
-/// An FMU of one or four corners.
+/// Makes an FMU of one or four corners.
 ///
 /// # Errors
-/// Where a compiler is asked for and missing or refuses, or there is no runtime.
+/// A required compiler that is missing or fails, or a missing runtime.
 pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyhow::Result<Made> {
     let corners: Vec<Definition> = corners.iter().map(|damper| (*damper).into()).collect();
     let corners = corners.as_slice();
@@ -125,7 +125,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     if options.conceal_parameters {
         variables.retain(|v| !matches!(v.kind, variables::Kind::Parameter | variables::Kind::Choice));
     }
-    // It follows from stiffness and mass.
+    // The step would reveal stiffness and mass.
     let explicit_step = if options.conceal_parameters { 0.0 } else { options.explicit_step };
     let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
     let describe =
@@ -164,7 +164,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
                 other.platform
             );
         }
-        // What the user gives goes before what the command holds.
+        // Binaries of the user replace those of the command.
         binaries.retain(|(platform, ..)| *platform != other.platform);
         binaries.push((other.platform.clone(), other.suffix(), other.content.clone()));
     }
@@ -173,7 +173,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
         bail!("this command holds no FMU runtime; {}, or compile the FMU here with --from-source", runtimes::HOW);
     }
 
-    // What an importer that compiles is told: the C files and the kernel as an object.
+    // Sources for an importer that compiles: the C files, and the kernel as an object.
     let compiled: Vec<String> = if options.sources && kernel.is_some() {
         let c = files.iter().map(|(name, _)| name.clone()).filter(|name| name.ends_with(".c"));
         c.chain([KERNEL.to_owned()]).collect()
@@ -183,7 +183,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     let mut archive = Archive::new();
     archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes())?;
     archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON)?;
-    // What is said of chatter has stiffness and damping in it.
+    // Remarks on chatter state stiffness and damping.
     let remarks = if options.conceal_parameters { &[] } else { options.remarks };
     archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes())?;
     for (platform, suffix, content) in &binaries {
@@ -220,10 +220,10 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     Ok(Made { bytes: archive.finish()?, platforms, guid })
 }
 
-/// The kernel as one object, below `sources`.
+/// Path of the kernel as one object, below `sources`.
 const KERNEL: &str = "lib/kernel.o";
 
-/// A platform of FMI 2.0 as this version calls it.
+/// Converts a platform name of FMI 2.0 to this version.
 fn platform_of(two: &str, version: Version) -> String {
     match (version, two) {
         (Version::Three, "linux64") => "x86_64-linux".into(),
@@ -232,7 +232,7 @@ fn platform_of(two: &str, version: Version) -> String {
     }
 }
 
-/// The folder of binaries for this computer.
+/// Returns the folder of binaries for this computer.
 fn platform(version: Version) -> String {
     use std::env::consts::{ARCH, OS};
     match (version, OS) {
@@ -244,7 +244,7 @@ fn platform(version: Version) -> String {
     }
 }
 
-/// What `uname -s` and `uname -m` say on this computer.
+/// Returns the output of `uname -s` and `uname -m` on this computer.
 fn system() -> String {
     use std::env::consts::{ARCH, OS};
     let name = match OS {
@@ -256,7 +256,7 @@ fn system() -> String {
     format!("{name}-{machine}")
 }
 
-/// What a library for this computer begins with.
+/// Returns whether a library has the format of this computer.
 fn is_of_this_computer(binary: &[u8]) -> bool {
     match std::env::consts::OS {
         "windows" => binary.starts_with(b"MZ"),
@@ -294,13 +294,13 @@ fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8
     Ok(binary)
 }
 
-/// The library as one object without debugging.
+/// Links the library to one object without debugging information.
 fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     let folder = tempfile::tempdir()?;
     let object = folder.path().join("kernel.o");
     let compiler = std::env::var_os("CC").unwrap_or("cc".into());
     let mut link = Command::new(&compiler);
-    // One function pulls the whole interface in.
+    // One function pulls in the whole interface.
     link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(&object);
     let ran = link.arg(std::path::absolute(library)?).output()?;
     if !ran.status.success() {
@@ -309,7 +309,7 @@ fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     Ok(std::fs::read(object)?)
 }
 
-/// A GUID that follows from what the FMU is: two FNV-1a sums of its texts.
+/// Computes a GUID from the contents of the FMU: two FNV-1a hashes of its texts.
 fn guid(texts: &[&str]) -> String {
     let sum = |seed: u64| {
         texts.iter().flat_map(|t| t.bytes()).fold(seed, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3))

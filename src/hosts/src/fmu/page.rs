@@ -1,14 +1,14 @@
-//! The FMU's documentation page.
+//! Documentation page of an FMU.
 
 use super::variables::{Kind, Variable};
 use std::fmt::Write as _;
 
-/// A text as HTML shows it.
+/// Escapes a text for HTML.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
-/// What holds for every damper, ahead of the remarks.
+/// Text for every damper, before the remarks.
 const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>dashpot damper</title></head><body>\n\
      <h1>dashpot damper</h1>\n\
      <p>A suspension damper identified from rig records. Motion in, force out. The damper starts as if it had \
@@ -38,7 +38,7 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
      <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n";
 
-/// What is said of the parameters of the elements, and where there is none among the variables.
+/// Texts about the parameters of the elements, with and without parameters among the variables.
 const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunable: they act from the next step on. A number outside its bounds is \
      refused when it is set, and the old one stays. Numbers that must fit together, such as the points of a curve, which must not fall, may be set \
      one after the other: each is kept as it is written and can be read back. The set is judged as a whole at the end of the initialization mode \
@@ -48,11 +48,10 @@ const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunab
      error, so set what belongs together between two steps.</p>\n";
 const HIDDEN: &str = "<p>The identified numbers of this damper are not among its variables: it runs with those that it was exported with.</p>\n";
 
-/// What stands ahead of the rows of variables.
+/// Text before the rows of variables.
 const HEADINGS: &str = "<table border=\"1\">\n<tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n";
 
-/// `documentation/index.html`; remarks are what must be known of this damper. What holds for several corners alike is said
-/// once.
+/// Writes `documentation/index.html`. `remarks` are important notes on this damper. A remark that holds for several corners appears once.
 pub fn page(variables: &[Variable], remarks: &[String]) -> String {
     let mut out = String::from(SIGNS_AND_INSTANTS);
     for (i, remark) in remarks.iter().enumerate() {

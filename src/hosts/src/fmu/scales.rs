@@ -1,25 +1,25 @@
-//! How host and damper count motion and force.
+//! Scales between the motion and force of host and damper.
 
 use anyhow::bail;
 
-/// How host and damper count motion and force.
+/// Scales between the motion and force of host and damper.
 #[derive(Clone, Copy)]
 pub struct Scales {
     /// Damper extension per unit of the host's displacement.
     pub motion: f64,
-    /// The host's force per N of tension.
+    /// Force of the host for each N of tension.
     pub force: f64,
-    /// The damper's extension, from the rig's zero, where the host's displacement is 0, m.
+    /// Extension of the damper from the rig's zero at zero displacement of the host, m.
     pub position_offset: f64,
-    /// The host's displacement where it sets none before it begins.
+    /// Displacement of the host if it sets none before the start.
     pub start: f64,
 }
 
 impl Scales {
-    /// Scales as the user gives them. Where he does not, one damper counts extension and tension, a vehicle compression.
+    /// Checks the user's scales. By default one damper has extension and tension positive, and a vehicle has compression positive.
     ///
     /// # Errors
-    /// A scale that is 0 or no number, an offset that no damper has.
+    /// A scale that is 0 or not finite, or an offset that no damper has.
     pub fn checked(
         corners: usize,
         motion: Option<f64>,

@@ -1,10 +1,10 @@
-//! The C sources of the FMU: those that ship with the command, and the tables of this model.
+//! C sources of an FMU: those of the command, and the tables of this model.
 
 use super::scales::Scales;
 use super::variables::{Inputs, Variable};
 use std::fmt::Write as _;
 
-/// FMI 2.0 or 3.0.
+/// Version of FMI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Version {
     /// FMI 2.0.
@@ -19,7 +19,7 @@ macro_rules! bundled {
     };
 }
 
-/// Every C source of the FMU.
+/// Returns every C source of the FMU.
 pub fn bundled() -> Vec<(&'static str, &'static str)> {
     let all = bundled![
         "dashpot.h" from "include",
@@ -51,10 +51,10 @@ pub fn bundled() -> Vec<(&'static str, &'static str)> {
     all.into()
 }
 
-/// The icon.
+/// Icon of the FMU.
 pub const ICON: &[u8] = include_bytes!("../../../../vi-crt-bridge/fmu/model.png");
 
-/// `contents.txt`: what the runtime has to know of this FMU.
+/// Writes `contents.txt`, the data of this FMU for the runtime.
 pub fn contents(
     corners: usize,
     variables: &[Variable],
@@ -62,7 +62,7 @@ pub fn contents(
     (inputs, explicit_step): (Inputs, f64),
     guid: &str,
 ) -> String {
-    // Numbers as the bits of a double: C reads decimals by the host's locale.
+    // Numbers are written as the bits of a double, because C parses decimals by the host's locale.
     let bits = |value: f64| format!("{:016x}", value.to_bits());
     let mut out = format!(
         "dashpot-fmu 3\nguid {guid}\ncorners {corners}\nscales {} {} {} {}\nsolver {} {}\n",
@@ -85,7 +85,7 @@ pub fn contents(
     out
 }
 
-/// `model_data.c`: contents and models as texts, for a binary of this FMU alone.
+/// Writes `model_data.c`: contents and models as texts, for a binary of this FMU alone.
 pub fn model_data(contents: &str, texts: &[String]) -> String {
     let mut out = String::from("/* Written by dashpot export. */\n#include \"contents.h\"\n\n");
     let text = |out: &mut String, text: &str| {
@@ -104,10 +104,10 @@ pub fn model_data(contents: &str, texts: &[String]) -> String {
     out
 }
 
-/// How a simulator team compiles the FMU for its own target.
+/// Script with which a simulator team compiles the FMU for its own target.
 pub const BUILD: &str = include_str!("../../../../vi-crt-bridge/fmu/build.sh");
 
-/// What the build script is, in words.
+/// Explanation of the build script.
 pub const README: &str = "The damper FMU from its sources, which are all in this folder:\n\n\
      \x20   sh build.sh\n\n\
      compiles it into ../binaries with a C compiler alone, on the platform that lib/platform names: lib holds the kernel compiled\n\

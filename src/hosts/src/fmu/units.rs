@@ -1,20 +1,20 @@
-//! The units that an FMU declares.
+//! Units that an FMU declares.
 //!
-//! Of its parameters and states those of the table, and of motion and force those that its host counts in.
+//! Parameters and states have the units of the parameter table. Motion and force have the units of the host.
 //!
-//! An importer that knows units converts by what is declared, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must say
-//! what the FMU takes after its scales; a metre declared where millimetres come in would be converted twice.
+//! An importer converts by the declared units, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must state the
+//! units before these scales. If the FMU declared meters for a host in millimeters, the values would be converted twice.
 
 use super::scales::Scales;
 
 /// A unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unit {
-    /// Its name; "-" for a pure number, and where the host counts in no unit that has a name.
+    /// Name; "-" for a pure number, and if the host's unit has no name.
     pub name: String,
-    /// What one of it is in `si`.
+    /// Size of the unit in `si`.
     pub factor: f64,
-    /// The unit of the same quantity in SI (degrees Celsius beside it), by which its dimensions are known.
+    /// SI unit of the same quantity (and degrees Celsius), which determines the dimensions.
     pub si: &'static str,
 }
 
@@ -24,7 +24,7 @@ impl From<&'static str> for Unit {
     }
 }
 
-/// Units that a setting may have, as what one of them is in SI. The pound-force per square inch follows from pound-force and inch.
+/// Units of a setting with their size in SI. The pound-force per square inch follows from pound-force and inch.
 const OF_A_SETTING: [(&str, f64, &str); 14] = [
     ("A", 1.0, "A"),
     ("mA", 1e-3, "A"),
@@ -43,7 +43,7 @@ const OF_A_SETTING: [(&str, f64, &str); 14] = [
 ];
 
 impl Unit {
-    /// The unit of a setting, as a model file calls it; "-" where it has none.
+    /// Returns the unit of a setting from its name in the model file; "-" without a name.
     pub fn of_setting(name: &str) -> Unit {
         match OF_A_SETTING.iter().find(|(known, ..)| *known == name) {
             Some((_, factor, si)) => Unit { name: name.to_owned(), factor: *factor, si },
@@ -52,12 +52,12 @@ impl Unit {
         }
     }
 
-    /// Whether an importer is told of it.
+    /// Returns whether the FMU declares the unit.
     pub fn is_declared(&self) -> bool {
         self.name != "-"
     }
 
-    /// Its dimensions in SI as attributes of FMI's `BaseUnit`, where they can be told; all other units are told by name alone.
+    /// Returns its dimensions in SI as attributes of FMI's `BaseUnit`, if known. Other units are declared by name only.
     pub fn dimensions(&self) -> Option<&'static str> {
         Some(match self.si {
             "s" => "s=\"1\"",
@@ -86,13 +86,13 @@ impl Unit {
     }
 }
 
-/// Units of length by what one is in m.
+/// Units of length with their size in m.
 ///
-/// The prefixes of SI that lengths are given in, and the two that vehicles are drawn in elsewhere.
+/// These are the SI prefixes used for lengths, and the two customary units of vehicle drawings elsewhere.
 const LENGTHS: [(&str, f64); 8] =
     [("m", 1.0), ("dm", 0.1), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("km", 1e3), ("in", 0.0254), ("ft", 0.3048)];
 
-/// Units of force by what one is in N; the pound-force is 0.45359237 kg times 9.80665 m/s^2, both exact by definition.
+/// Units of force with their size in N. The pound-force is 0.45359237 kg times 9.80665 m/s^2, both exact by definition.
 const FORCES: [(&str, f64); 8] = [
     ("N", 1.0),
     ("daN", 10.0),
@@ -104,49 +104,49 @@ const FORCES: [(&str, f64); 8] = [
     ("kgf", 9.80665),
 ];
 
-/// How far a scale may be from a unit to be taken for it.
+/// Relative difference up to which a scale is recognized as a unit.
 ///
-/// Somebody types 0.22481 for the reciprocal of the pound-force, which is 5e-6 off. A wider one would take a motion
-/// ratio near 1 for none.
+/// A user may type 0.22481 for the reciprocal of the pound-force, which differs by 5e-6. With a larger tolerance a motion ratio near 1
+/// would be lost.
 const NEAR: f64 = 1e-5;
 
 fn named(units: &[(&'static str, f64)], size: f64) -> Option<(&'static str, f64)> {
     units.iter().copied().find(|(_, factor)| (size / factor - 1.0).abs() < NEAR)
 }
 
-/// The units in which a host counts motion and force.
+/// Units of a host for motion and force.
 pub struct HostUnits {
     length: Option<(&'static str, f64)>,
     force: Option<(&'static str, f64)>,
 }
 
 impl HostUnits {
-    /// Those that the scales stand for; a sign is no part of a unit. A scale with a motion ratio in it stands for none.
+    /// Returns the units that correspond to the scales. The sign is ignored. A scale that includes a motion ratio corresponds to no unit.
     pub fn from_scales(scales: Scales) -> HostUnits {
         HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
     }
 
-    /// Of the displacement.
+    /// Returns the unit of the displacement.
     pub fn displacement(&self) -> Unit {
         self.length.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "m" })
     }
 
-    /// Of the velocity.
+    /// Returns the unit of the velocity.
     pub fn velocity(&self) -> Unit {
         self.length.map_or("-".into(), |(name, factor)| Unit { name: format!("{name}/s"), factor, si: "m/s" })
     }
 
-    /// Of the force.
+    /// Returns the unit of the force.
     pub fn force(&self) -> Unit {
         self.force.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "N" })
     }
 
-    /// Of the force by displacement.
+    /// Returns the unit of the derivative of force with respect to displacement.
     pub fn stiffness(&self) -> Unit {
         self.slope("/", "N/m")
     }
 
-    /// Of the force by velocity.
+    /// Returns the unit of the derivative of force with respect to velocity.
     pub fn damping(&self) -> Unit {
         self.slope(" s/", "N s/m")
     }
@@ -191,7 +191,7 @@ mod tests {
         }
     }
 
-    /// An importer that takes mA for A commands a thousandth of the current.
+    /// An importer that confuses mA with A commands a thousandth of the current.
     #[test]
     fn units_of_settings_have_their_dimensions() {
         for (name, factor, dimensions) in [

@@ -1,4 +1,4 @@
-//! The variables of a damper FMU, in the order of their value references.
+//! Variables of a damper FMU, in the order of their value references.
 
 use super::scales::Scales;
 use super::units::{HostUnits, Unit};
@@ -6,35 +6,36 @@ use dashpot_core::family::{Definition, Delay, Family};
 use dashpot_core::parameter::{self, Number, Parameter, Shape};
 use dashpot_core::{Input, Model, Output, Params, list, step};
 
-/// Numbers of a corner's states, as the FMU's sources count them.
+/// Indices of a corner's states, as in the FMU's sources.
 const TRAVEL: usize = 0;
 const DEFLECTION: usize = 1;
 const MASS_VELOCITY: usize = 2;
 const FIRST_INTERNAL: usize = 3;
 
-/// How inputs run between two instants at which the host sets them; the FMU's sources count them in this order.
+/// Behavior of inputs between two communication points, in the order of the FMU's sources.
 pub const BETWEEN_POINTS: [&str; 3] = ["automatic", "hold", "extrapolate"];
 
-/// When the importer sets the inputs of a co-simulation step: its start value of `inputs_between_points`.
+/// Instant for which the importer sets the inputs of a co-simulation step. It determines the start value of `inputs_between_points`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Inputs {
-    /// Not said: held in co-simulation, extrapolated in model exchange.
+    /// Unspecified: zero-order hold in co-simulation, extrapolation in model exchange.
     #[default]
     Unspecified,
-    /// What it knows at the beginning of the step; the FMU extrapolates to the end.
+    /// The inputs belong to the beginning of the step. The FMU extrapolates to the end.
     Begin,
-    /// What it knows at the end of the step.
+    /// The inputs belong to the end of the step.
     End,
 }
 
 impl Inputs {
-    /// The start value, an index of [`BETWEEN_POINTS`]. Inputs at the end of a step are held, which `automatic` does; model exchange stays as it is.
+    /// Returns the start value, an index of [`BETWEEN_POINTS`]. Inputs at the end of a step have a zero-order hold, as with `automatic`.
+    /// Model exchange is unchanged.
     pub fn start_value(self) -> f64 {
         if self == Inputs::Begin { 2.0 } else { 0.0 }
     }
 }
 
-/// What a variable is; the names are those of `enum kind` in the FMU's sources.
+/// Kind of a variable. The names are those of `enum kind` in the FMU's sources.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Kind {
@@ -62,7 +63,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The name in C.
+    /// Returns the name in C.
     pub fn c(self) -> String {
         let mut name = String::new();
         for c in format!("{self:?}").chars() {
@@ -74,47 +75,47 @@ impl Kind {
         name
     }
 
-    /// Whether it is an output.
+    /// Returns whether the variable is an output.
     pub fn is_output(self) -> bool {
         matches!(self, Kind::Force | Kind::DForceDDisplacement | Kind::DForceDVelocity | Kind::Status)
     }
 
-    /// Whether it is an input.
+    /// Returns whether the variable is an input.
     pub fn is_input(self) -> bool {
         matches!(self, Kind::Displacement | Kind::Velocity | Kind::SideForce | Kind::Temperature | Kind::Setting)
     }
 }
 
-/// One variable.
+/// One variable of an FMU.
 pub struct Variable {
-    /// What it is.
+    /// Kind of the variable.
     pub kind: Kind,
-    /// Its corner; none for the time.
+    /// Corner; `None` for the time.
     pub corner: Option<usize>,
-    /// Its number among the states, or in the list of a parameter.
+    /// Index among the states, or in the list of a parameter.
     pub index: Option<usize>,
-    /// Its name in the FMU.
+    /// Name in the FMU.
     pub name: String,
-    /// The row it comes from.
+    /// Row of the parameter table.
     pub parameter: Option<&'static Parameter>,
-    /// Start value, where it has one.
+    /// Start value, if any.
     pub start: Option<f64>,
-    /// Unit; "-" for a pure number, and where the host counts in none that has a name.
+    /// Unit; "-" for a pure number, and if the host's unit has no name.
     pub unit: Unit,
-    /// One sentence.
+    /// Description in one sentence.
     pub meaning: String,
-    /// Of a state: what it is usually like.
+    /// Nominal value of a state.
     pub nominal: Option<f64>,
 }
 
 const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
 
-/// The name of a corner's model in the FMU's resources; the FMU's sources know it too.
+/// Returns the name of a corner's model in the FMU's resources, which the FMU's sources also use.
 pub fn model_file_name(corner: usize, corners: usize) -> String {
     if corners == 1 { "model.toml".into() } else { format!("model_{}.toml", CORNERS[corner]) }
 }
 
-/// All variables of an FMU with these corners.
+/// Returns all variables of an FMU with these corners.
 pub fn variables(corners: &[Definition], scales: Scales, inputs: Inputs) -> Vec<Variable> {
     let mut all = vec![Variable {
         kind: Kind::Time,
@@ -156,7 +157,7 @@ pub fn variables(corners: &[Definition], scales: Scales, inputs: Inputs) -> Vec<
     all
 }
 
-/// The input of a damper that depends on a setting.
+/// Returns the setting input of a damper that depends on a setting.
 fn setting(corner: usize, four: bool, damper: &Definition) -> Option<Variable> {
     let axis = &damper.axis;
     if !axis.is_some() {
@@ -197,7 +198,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
     let motion = sign(scales.motion, "extension positive", "compression positive");
     let force = sign(scales.force, "tension positive", "push positive");
     let units = HostUnits::from_scales(scales);
-    // Where no unit is declared, the factor stands in words.
+    // Without a declared unit, the description states the factor.
     let untold = |unit: &Unit, words: String| if unit.is_declared() { String::new() } else { words };
     let (m, n) = (scales.motion.abs(), scales.force.abs());
     let of_displacement = untold(&units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
@@ -314,13 +315,15 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         .collect()
 }
 
-/// What the states are like on an ordinary stroke: the power of ten below the largest of each. Hosts multiply their relative tolerance
-/// by it. A private state may be a length, a speed, a force or a temperature, so it is measured and not told.
+/// Returns the nominal values of the states: the power of ten below the largest value of each on an ordinary stroke.
+///
+/// Hosts multiply their relative tolerance by the nominal value. An internal state may be a length, a velocity, a force or a temperature,
+/// so its size is measured.
 fn usual(damper: &Definition) -> [f64; 11] {
     if damper.axis.is_some() { usual_of_family(damper) } else { usual_of(&damper.params) }
 }
 
-/// Usual sizes of the outputs of a damper over a setting: at its start, and at both ends of its grid.
+/// Returns the nominal values of a damper over a setting, from its start setting and both ends of its grid.
 fn usual_of_family(damper: &Definition) -> [f64; 11] {
     let mut family = Box::new(Family::OFF);
     if family.set(&damper.params, &damper.axis).is_err() {
@@ -349,19 +352,19 @@ fn usual_of_family(damper: &Definition) -> [f64; 11] {
     decades(largest)
 }
 
-/// Step of that stroke, s.
+/// Step of the ordinary stroke, s.
 const STEP: f64 = 1e-3;
 
-/// The ordinary stroke.
+/// Returns the motion of the ordinary stroke.
 fn motion(t: f64) -> Input {
-    // ±25 mm, 0.5 m/s, three strokes.
+    // The stroke is ±25 mm at 0.5 m/s, three times.
     const AMPLITUDE: f64 = 0.025;
     const SPEED: f64 = 0.5;
     let phase = SPEED / AMPLITUDE * t;
     Input::motion(-AMPLITUDE * libm::cos(phase), SPEED * libm::sin(phase))
 }
 
-/// Below the first, a state that stands still on that stroke.
+/// Returns the powers of ten. A state that stays constant on the stroke gets 1e-4.
 fn decades(largest: [f64; 11]) -> [f64; 11] {
     largest.map(|most| if most > 1e-9 { decade(most) } else { 1e-4 })
 }
@@ -385,7 +388,7 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     let (usual, params) = (usual(damper), &damper.params);
     let actuator = damper.axis.actuator();
     let own = usize::from(actuator.has_lag()) + usize::from(actuator.has_hysteresis());
-    // A model that cannot be is refused before anything is exported.
+    // An invalid model is rejected before the export.
     let (series, memories) =
         Model::new(params).map_or((true, 0), |m| (m.elements().has_series(), m.elements().memories() + own));
     let name = |k: usize| match k {
@@ -424,7 +427,7 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     used().map(|k| one(k, false)).chain(used().map(|k| one(k, true))).collect()
 }
 
-/// The parameters of the elements that are on, without those that depend on the setting.
+/// Returns the parameters of the elements that are on, without those that depend on the setting.
 fn parameters(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     let Definition { params, axis } = damper;
     let mut all = Vec::new();
@@ -457,8 +460,10 @@ fn parameters(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     all
 }
 
-/// The power of ten at or below a positive number. Taken from its digits: a library's powers end in other bits on every system, and
-/// the FMU of one model is the same wherever it is written.
+/// Returns the power of ten at or below a positive number.
+///
+/// It is parsed from digits, because library powers differ in the last bits between systems. So the FMU of a model is identical wherever it
+/// is written.
 fn decade(number: f64) -> f64 {
     let digits = format!("{number:e}");
     let exponent = digits.split_once('e').map_or("0", |(_, exponent)| exponent);

@@ -1,9 +1,9 @@
-//! A veil over the model of an FMU whose parameters are hidden: its numbers cannot be read off the archive any more. It is no lock, for what
-//! opens it lies in the same archive; `vi-crt-bridge/fmu/veil.c` is what does.
+//! Obfuscation of the model in an FMU with concealed parameters, so that its numbers cannot be read in the archive.
+//! It is not encryption, because the archive also contains the decoder, `vi-crt-bridge/fmu/veil.c`.
 
 use std::fmt::Write as _;
 
-/// The text under a veil that the FMU's GUID opens.
+/// Obfuscates a text with the FMU's GUID as the key.
 pub fn veiled(text: &str, guid: &str) -> String {
     let mut state = guid
         .bytes()

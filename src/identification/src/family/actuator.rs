@@ -1,4 +1,4 @@
-//! The actuator of a family, identified from tests whose setting changes.
+//! Actuator of a damper family, identified from tests whose setting changes.
 
 use super::TEMPERATURE;
 use super::interpolation_error::InterpolationError;
@@ -16,12 +16,12 @@ use dashpot_estimation::samples::{self, Test};
 use dashpot_records::{Record, Sentence};
 use serde::Serialize;
 
-/// Root mean square over mean absolute value of a normal error.
+/// Ratio of root mean square to mean absolute value of a normal error.
 const RMS_OF_MEAN: f64 = 1.25;
-/// Fraction of the prior's standard deviation below which the records determine a number.
+/// Ratio to the prior's standard deviation below which the records determine a number.
 const NARROWED: f64 = 0.7;
 
-/// A part of an actuator, and how probable it is.
+/// Decision on one part of an actuator, with its probability.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ActuatorDecision {
     /// Name: `lag`, `lag_each_way`, `dead_time`, `rate_limit` or `hysteresis`.
@@ -35,15 +35,15 @@ pub struct ActuatorDecision {
 /// An actuator identified from records.
 #[derive(Debug, Clone, Serialize)]
 pub struct ActuatorFit {
-    /// Its numbers with their 95 % intervals. A number that both ways share stands once for each.
+    /// Its numbers with their 95 % intervals. A number shared by rising and falling settings appears once for each.
     pub estimates: Vec<Estimate>,
-    /// What it has and has not.
+    /// Decision on each of its parts.
     pub parts: Vec<ActuatorDecision>,
-    /// Tests that it was identified from.
+    /// Tests from which it was identified.
     pub tests: Vec<String>,
 }
 
-/// The tests as they are weighed here: the family itself misses the force at a constant setting by `fraction` of the largest one.
+/// Adds the family's own form error to the noise of the tests. The form error is `fraction` of the largest force of a test.
 fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
     let weighed = |mut test: Test| {
         let form = fraction * test.segment.top;
@@ -54,9 +54,9 @@ fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
     tests.into_iter().map(weighed).collect()
 }
 
-/// Identifies the actuator of a damper over a setting, which is given, and puts it into its axis.
+/// Identifies the actuator of a given damper family, and writes the actuator into its axis.
 ///
-/// `None` where no test has a setting that changes, or nothing makes a finite force.
+/// Returns `None` if no test has a setting that changes, or if no start gives a finite force.
 pub fn identify_actuator(
     damper: &mut Definition,
     family: &FamilyStructure,
@@ -99,10 +99,10 @@ pub fn identify_actuator(
     })
 }
 
-/// Standard deviation of the error of the force midway between neighbors of the grid, as a fraction of it, for each pair.
+/// Estimates the standard deviation of the interpolated force midway between grid neighbors, as a fraction of the force, for each pair.
 ///
-/// It is what the [left-out settings](SettingReport::left_out) show beyond the error that the family has there anyway. A valve on its way passes
-/// these settings, so a wrong force there is a wrong time.
+/// It is the error at the [left-out settings](SettingReport::left_out) in excess of the family's own error there. A moving valve passes
+/// these settings, so a wrong force there would appear as a wrong time.
 fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f64> {
     let errors = InterpolationError::new(damper);
     let difference = |place: usize| {
@@ -111,11 +111,11 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
         Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
     };
     let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), difference);
-    // With two settings nothing can be left out.
+    // A grid of two settings has no setting to leave out.
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 
-/// Whether the setting rises in a record, and whether it falls.
+/// Returns whether the setting rises in a record, and whether it falls in one.
 fn ways_of(records: &[&Record]) -> [bool; 2] {
     let values = |record: &&Record| record.setting_signal.as_ref().map(|signal| signal.values.clone());
     let all: Vec<Vec<f64>> = records.iter().filter_map(values).collect();
@@ -123,9 +123,10 @@ fn ways_of(records: &[&Record]) -> [bool; 2] {
     [has(|pair| pair[1] > pair[0]), has(|pair| pair[1] < pair[0])]
 }
 
-/// The numbers with their intervals, which hold when within a sample the command changes: `timing` has the derivatives of the residuals over that.
+/// Estimates the numbers with their intervals. `timing` holds the derivatives of the residuals with respect to the instant of the command
+/// within a sample. The intervals include this uncertainty.
 ///
-/// What holds for a way that the setting never goes is not identified, though both may share it.
+/// A number of a direction in which the setting never changes is not identified, even if both directions share it.
 fn estimates(
     refit: &ActuatorRefit,
     timing: &[Vec<f64>],
@@ -134,7 +135,7 @@ fn estimates(
 ) -> Vec<Estimate> {
     let precisions = refit.precisions();
     let Some((covariance, _)) = robust_covariance(&refit.blocks, &precisions) else { return Vec::new() };
-    // The instant is off by the same at all steps.
+    // The error of the instant is the same at all steps.
     let shift = considered_shift(&refit.blocks, &precisions, timing);
     let unit = damper.axis.unit();
     let mut all = Vec::new();
@@ -169,7 +170,8 @@ fn estimates(
     all
 }
 
-/// Unit of a number of the axis. That of the setting itself is the user's, and one of a few where units are words of the program.
+/// Returns the unit of a number of the axis. The unit of the setting is the user's; the result is one of a few units that the program
+/// knows.
 fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     match (unit, of_setting) {
         ("*", "A") => "A",
@@ -181,7 +183,7 @@ fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     }
 }
 
-/// What the engineer should know of the actuator.
+/// Returns remarks on the actuator for the engineer.
 pub fn notes(fit: &ActuatorFit, name: &str) -> Vec<Sentence> {
     let mut notes = Vec::new();
     let open: Vec<&str> =

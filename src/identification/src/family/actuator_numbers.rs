@@ -1,4 +1,4 @@
-//! The numbers of the actuator that a model file has, with their intervals.
+//! Numbers of the actuator in a model file, with their intervals.
 
 use crate::model_file::{Identification, Interval};
 use dashpot_core::family::axis::{Axis, ENTRIES};
@@ -12,13 +12,13 @@ pub struct ActuatorNumber {
     pub value: f64,
     /// Unit.
     pub unit: String,
-    /// 95 % interval; `None` where no fit has left one.
+    /// 95 % interval; `None` if the file has none.
     pub interval: Option<[f64; 2]>,
 }
 
-/// The numbers of the actuator of an axis that are not zero.
+/// Returns the nonzero numbers of the actuator of an axis.
 pub fn actuator_numbers(axis: &Axis, known: &Identification) -> Vec<ActuatorNumber> {
-    // The first entry is the start of the setting, which moves nothing.
+    // The first entry is the start of the setting, not a number of the actuator.
     let entries = ENTRIES.iter().enumerate().skip(1).filter(|(index, _)| axis.number(*index) != 0.0);
     entries
         .map(|(index, entry)| ActuatorNumber {

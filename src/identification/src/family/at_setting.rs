@@ -1,4 +1,4 @@
-//! A family at one of its settings: an ordinary damper that keeps what the fit knows of it there.
+//! Evaluation of a family at one setting: an ordinary damper with the results of the fit that hold there.
 
 use super::interpolation_error::InterpolationError;
 use crate::model_file::{FvOnly, FvOnlyAt, Interval, IntervalOverSetting, ModelFile};
@@ -10,10 +10,10 @@ use dashpot_core::list;
 use dashpot_core::parameter::Number;
 use dashpot_records::sentence::Sentence;
 
-/// The ordinary damper at a setting, with the 95 % intervals there.
+/// Returns the ordinary damper at a setting, with the 95 % intervals there.
 ///
-/// Between two settings of the fit the ends lie as far from the value as those of the two, in proportion, and the
-/// [error of interpolation](InterpolationError) is added to them as an independent one. Where that is unknown there is no interval, and a note says so.
+/// Between two settings of the fit, the distances of the ends from the value are interpolated linearly. The [error of
+/// interpolation](InterpolationError) is added as an independent error. If it is unknown there is no interval, and a note states so.
 pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     let params = file.definition().params_at(setting);
     let mut identification = file.identification.clone();
@@ -30,10 +30,10 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     // An ordinary damper has no actuator.
     identification.intervals.retain(|name, _| ENTRIES.iter().all(|entry| entry.name != name));
     let curves = std::mem::take(&mut identification.fv_only_over_setting);
-    // After a change by hand the curves are those of another damper.
+    // After a change by hand the stored curves belong to another damper.
     let curve = if file.was_changed() { None } else { place.curve(file.axis.grid(), &curves) };
     identification.fv_only = curve.or(identification.fv_only);
-    // What is open at one of the neighbors is no measurement between them.
+    // A number that is not identified at a neighboring setting has no measured value between the two.
     let mut open: Vec<String> = Vec::new();
     for name in &identification.not_identified {
         let (bare, is_here) = match name.rsplit_once('@') {
@@ -55,12 +55,12 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }
 }
 
-/// Where a setting lies on a grid.
+/// Position of a setting on a grid.
 struct Place {
     setting: f64,
     left: usize,
     right: usize,
-    /// How far from the one to the other, 0..=1.
+    /// Fraction of the distance from the left to the right neighbor, 0..=1.
     part: f64,
 }
 
@@ -70,7 +70,7 @@ impl Place {
         let right = grid.partition_point(|value| *value < setting).min(last);
         let left = if grid.get(right).is_some_and(|value| *value <= setting) { right } else { right.saturating_sub(1) };
         let width = grid.get(right).zip(grid.get(left)).map_or(0.0, |(right, left)| right - left);
-        // Beyond the grid the damper is that of its end.
+        // Beyond the grid the damper is the one at the end of the grid.
         let part = if width > 0.0 { ((setting - grid[left]) / width).clamp(0.0, 1.0) } else { 0.0 };
         Place { setting, left, right, part }
     }
@@ -79,7 +79,7 @@ impl Place {
         [self.left, self.right].iter().filter_map(|place| grid.get(*place)).copied().collect()
     }
 
-    /// Whether a note of the fit holds here: those of other settings do not, nor the force of an effect over all of them.
+    /// Returns whether a note of the fit holds here. Notes of other settings do not, nor does the force of an effect over all settings.
     fn is_of(&self, note: &str, axis: &Axis) -> bool {
         let own = note.strip_prefix("at ").and_then(|rest| rest.strip_prefix(axis.name())?.strip_prefix(" = "));
         match own {
@@ -91,7 +91,7 @@ impl Place {
         }
     }
 
-    /// The plain FV curve at the setting; `None` where the file has none of both neighbors.
+    /// Returns the plain FV curve at the setting; `None` unless the file has one for both neighbors.
     fn curve(&self, grid: &[f64], all: &[FvOnlyAt]) -> Option<FvOnly> {
         let of = |place: usize| {
             let setting = grid.get(place)?;
@@ -100,7 +100,7 @@ impl Place {
         of(self.left)?.between(of(self.right)?, self.part)
     }
 
-    /// The interval of a number or a list at the setting; `None` where the file has another grid for it than for its values.
+    /// Returns the interval of a number or a list at the setting; `None` if the grid of the interval differs from the grid of the values.
     fn interval(
         &self,
         name: &str,
@@ -132,7 +132,7 @@ impl Place {
         }
     }
 
-    /// Ends about a value by those of the two neighbors about theirs, and by the error of interpolation.
+    /// Interpolates the distances of the neighbors' ends from their values, and adds the error of interpolation.
     fn between(&self, value: f64, both: [Option<(f64, [f64; 2])>; 2], error: f64) -> Option<[f64; 2]> {
         let [(left, ends_left), (right, ends_right)] = [both[0]?, both[1]?];
         Some([0, 1].map(|end| {
@@ -150,7 +150,7 @@ mod tests {
     use crate::model_file::family_of_text;
     use dashpot_core::number;
 
-    /// What depends on the setting is straight over it, so that interpolation is off by nothing.
+    /// All numbers depend linearly on the setting, so interpolation is exact.
     const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0, 2.0]\n\
          setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 100.0\ncoulomb_force = [20.0, 60.0, 100.0]\n\
          fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0], [-4000.0, 0.0, 6000.0]]\n\n[identification]\n\
@@ -183,7 +183,7 @@ mod tests {
             other => panic!("{other:?}"),
         }
         assert!(!middle.axis.is_some() && !middle.was_changed());
-        // Beyond the grid the damper is that of its end.
+        // Beyond the grid the damper is the one at the end of the grid.
         assert_eq!(number_of(&at(9.0), "coulomb_force"), [90.0, 110.0]);
     }
 
@@ -193,7 +193,7 @@ mod tests {
         let file = family_of_text(&bent, "f.toml".as_ref()).unwrap();
         let middle = at_setting(&file, 0.5);
         let [low, high] = number_of(&middle, "coulomb_force");
-        // The line through its neighbors has 80 N for 60 N, so that halfway to one of them half of 20 N is open.
+        // The line through its neighbors gives 80 N instead of 60 N at the middle. Halfway to a neighbor, half of 20 N is uncertain.
         assert!(((high - low) / 2.0 - libm::hypot(12.5, 10.0)).abs() < 1e-9, "{low} {high}");
         let two = FAMILY.replace(", 2.0]", "]").replace(", 100.0]", "]").replace(", [-4000.0, 0.0, 6000.0]", "");
         let two = two.replace("    [90.0, 110.0],\n", "");

@@ -1,4 +1,4 @@
-//! The figures of a family's fit, as `dashpot fit --setting --json` writes them and Python reads them.
+//! Figures of the fit of a family: the output of `dashpot fit --setting --json`, which Python reads too.
 
 use super::actuator::ActuatorFit;
 use super::fit::{FamilyEstimate, FamilyFit, FamilyItem, SettingDependence};
@@ -16,21 +16,21 @@ struct SettingFigures<'a> {
     grid: &'a [f64],
 }
 
-/// All figures of a fit.
+/// All figures of the fit of a family.
 #[derive(Debug, Clone, Serialize)]
 pub struct FamilyFigures<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     model: Option<&'a Path>,
     setting: SettingFigures<'a>,
     tests: &'a [String],
-    /// A number that depends on the setting stands once for each of its values.
+    /// Estimates. A number that depends on the setting appears once for each value of the setting.
     parameters: &'a [FamilyEstimate],
     depends_on_setting: &'a [SettingDependence],
     #[serde(skip_serializing_if = "Option::is_none")]
     actuator: Option<&'a ActuatorFit>,
     inventory: &'a [FamilyItem],
     measured: &'a [Measured],
-    /// Errors at each value of the setting, also of the family without it.
+    /// Errors at each value of the setting, including those of the family fitted without it.
     settings: &'a [SettingReport],
     notes: &'a [Sentence],
     misfit: f64,
@@ -39,7 +39,7 @@ pub struct FamilyFigures<'a> {
 }
 
 impl<'a> FamilyFigures<'a> {
-    /// Figures of a fit to a campaign; `model` is the file that it was written to.
+    /// Collects the figures of a fit to a campaign. `model` is the model file that was written.
     pub fn new(fit: &'a FamilyFit, campaign: &'a Campaign, model: Option<&'a Path>) -> FamilyFigures<'a> {
         FamilyFigures {
             model,

@@ -1,4 +1,4 @@
-//! The fit of a family.
+//! Fit of a damper family.
 
 use super::TEMPERATURE;
 use super::actuator::{self, ActuatorFit, identify_actuator};
@@ -34,10 +34,10 @@ use dashpot_records::sentence::Sentence;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What a fit says of one number of a family.
+/// Estimate of one number of a family.
 #[derive(Debug, Clone, Serialize)]
 pub struct FamilyEstimate {
-    /// The setting that it holds at; absent where all settings share the number.
+    /// Setting at which the estimate holds; absent if all settings share the number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub setting: Option<f64>,
     /// The number.
@@ -52,7 +52,7 @@ pub struct SettingDependence {
     pub name: &'static str,
     /// Whether it depends on the setting in the model.
     pub varies: bool,
-    /// Probability that it does, by a first-order estimate of the alternative.
+    /// Probability of the dependence, from a first-order estimate of the alternative.
     pub probability: f64,
 }
 
@@ -61,9 +61,9 @@ pub struct SettingDependence {
 pub struct ForceAtSetting {
     /// The setting.
     pub setting: f64,
-    /// Root mean square over the tests there, N.
+    /// Root mean square over the tests at the setting, N.
     pub force_n_rms: f64,
-    /// That force over the root mean square of the measured one.
+    /// Ratio of that force to the root mean square of the measured force.
     #[serde(rename = "share")]
     pub fraction: f64,
 }
@@ -71,10 +71,10 @@ pub struct ForceAtSetting {
 /// An effect of a family.
 #[derive(Debug, Clone, Serialize)]
 pub struct FamilyItem {
-    /// The effect, with the force that it carries over all settings.
+    /// The effect, with its force over all settings.
     #[serde(flatten)]
     pub item: InventoryItem,
-    /// The force at each setting.
+    /// Its force at each setting.
     pub settings: Vec<ForceAtSetting>,
 }
 
@@ -85,19 +85,19 @@ pub struct FamilyFit {
     pub setting: SettingAxis,
     /// The damper over the setting.
     pub damper: Definition,
-    /// What is known of every fitted number at every setting.
+    /// Estimates of all fitted numbers at every setting.
     pub estimates: Vec<FamilyEstimate>,
-    /// What depends on the setting.
+    /// Numbers that may depend on the setting, with the decision for each.
     pub dependences: Vec<SettingDependence>,
     /// The actuator; absent where no test has a setting that changes.
     pub actuator: Option<ActuatorFit>,
-    /// Effects with the force that they carry over all settings.
+    /// Effects with their force over all settings.
     pub inventory: Vec<FamilyItem>,
-    /// What the records are off by; it never becomes part of the model.
+    /// Measurement errors of the records. They never become part of the model.
     pub measured: Vec<Measured>,
-    /// When the clock by which gain and zero drift was nought, s since 1970.
+    /// Time at which the drifts of gain and zero are zero, s since 1970.
     pub clock_from: Option<f64>,
-    /// Errors at each setting, also of a family that did not see it.
+    /// Errors at each setting, including those of a family fitted without the setting.
     pub settings: Vec<SettingReport>,
     /// The plain FV curve fitted to the tests of each setting.
     pub fv_only: Vec<Params>,
@@ -105,28 +105,28 @@ pub struct FamilyFit {
     pub notes: Vec<Sentence>,
     /// Names of the tests used.
     pub tests: Vec<String>,
-    /// Their contents in short, in the same order.
+    /// Fingerprints of their contents, in the same order.
     pub fingerprints: Vec<String>,
-    /// Root mean square of the weighted residual: 1 is what noise and curve discretization allow.
+    /// Root mean square of the weighted residual. At 1 the residual equals noise and curve discretization.
     pub misfit: f64,
 }
 
 impl FamilyFit {
-    /// Values of the setting that the damper is given at.
+    /// Returns the settings at which the model file gives numbers.
     pub fn settings_grid(&self) -> &[f64] {
         self.damper.axis.grid()
     }
 
-    /// The setting that it predicts worst where it did not see it; `None` where none was left out.
+    /// Returns the setting that the family predicts worst when fitted without it; `None` if no setting was left out.
     pub fn worst_left_out(&self) -> Option<WorstLeftOut> {
         WorstLeftOut::find(&self.settings)
     }
 }
 
-/// Fits one damper over a setting to records that were measured at several of it.
+/// Fits one damper family to records measured at several values of a setting.
 ///
 /// # Errors
-/// Records without the setting, one or too many settings, one at which no damper can be fitted.
+/// Records without the setting, a single setting, too many settings, or a setting at which no damper can be fitted.
 pub fn fit_family(
     records: &[&Record],
     setting: &str,
@@ -213,7 +213,7 @@ pub fn fit_family(
     })
 }
 
-/// The damper over the setting; it must run in the kernel.
+/// Makes the damper family of the best structure, and checks that the kernel accepts it.
 fn damper(best: &FamilyStructure, axis: &SettingAxis, settings: &[SettingTests]) -> Result<Definition, Fault> {
     let grid: Vec<f64> = settings.iter().map(|of| of.value).collect();
     let sets: Vec<Params> =
@@ -223,7 +223,7 @@ fn damper(best: &FamilyStructure, axis: &SettingAxis, settings: &[SettingTests])
     Ok(damper)
 }
 
-/// The estimates: a shared number once, another one at each setting.
+/// Estimates the numbers: a shared number once, any other number at each setting.
 fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[SettingTests]) -> Vec<FamilyEstimate> {
     let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
     let (joint, joint_refit) = (hypothesis.joint(), hypothesis.joint_refit(refit));
@@ -237,7 +237,7 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
             Site::Number(number) => estimate.name == number.name(),
         })
     };
-    // What a number does to the force is judged by the tests that show it: all for a shared one.
+    // The force effect of a number is judged by the tests that show it. A shared number is judged by all tests.
     let at = |place: usize, tests: &[Test], residual: &[f64]| {
         let theta = hypothesis.theta_at(&refit.theta, place);
         known.select(&columns[place]).estimates(&hypothesis.template, &theta, tests, residual)
@@ -252,7 +252,7 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
     all
 }
 
-/// The estimates where a delay and a mass of the load cell that were not believed are free within what is usual.
+/// Estimates the numbers again with a rejected delay and mass of the load cell free within their priors.
 fn with_open_measurement(
     best: &FamilyStructure,
     settings: &[SettingTests],
@@ -269,7 +269,7 @@ fn with_open_measurement(
     estimates(&freed, &refit, settings)
 }
 
-/// Widens the intervals until they hold those of another fit of the same numbers, which the records do not rule out.
+/// Widens the intervals until they contain those of another fit of the same numbers that the records do not exclude.
 fn hold_too(all: &mut [FamilyEstimate], others: &[FamilyEstimate]) {
     for of in all {
         let others = others.iter().filter(|other| other.setting == of.setting).map(|other| &other.estimate);
@@ -277,7 +277,7 @@ fn hold_too(all: &mut [FamilyEstimate], others: &[FamilyEstimate]) {
     }
 }
 
-/// What depends on the setting, by name.
+/// Returns the decisions on dependence, by name of the number.
 fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<SettingDependence> {
     let named = dependences(best, settings).into_iter().map(|of| SettingDependence {
         name: match of.site {
@@ -290,7 +290,7 @@ fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<S
     named.collect()
 }
 
-/// The force that each effect carries, over all settings and at each. Its probability is that against the family without it.
+/// Computes the force of each effect, over all settings and at each. The probability compares the family with and without the effect.
 fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyItem> {
     let probabilities: BTreeMap<&str, f64> = best
         .components
@@ -328,7 +328,7 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Family
     all
 }
 
-/// What the priors of this damper made the fit expect, and where its records contradict them: of a number that varies, at which setting.
+/// Reports the expectations from the priors, and the contradictions by the records. For a number that varies it names the setting.
 fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
     for row in priors.rows() {
@@ -348,11 +348,12 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
     notes
 }
 
-/// Error of the family over that of a fit of one setting alone from which on it is worth a note. UTFSM's worst is 1.15; where friction varied and was
-/// shared it was 2.2.
+/// Ratio of the family's error to the error of a separate fit of one setting above which a note is made.
+///
+/// The worst ratio of UTFSM is 1.15. It was 2.2 where friction varied between settings but the model shared it.
 const WORSE: f64 = 1.5;
 
-/// Settings at which a fit of them alone is clearly better than the family, or clearly worse.
+/// Returns notes on settings where a separate fit is clearly better than the family, or clearly worse.
 fn worse_than_alone<'r>(reports: &'r [SettingReport], axis: &'r SettingAxis) -> impl Iterator<Item = Sentence> + 'r {
     reports.iter().filter_map(|of| {
         let ratio = of.family.mean_error_n / of.own_fit.mean_error_n.max(1e-300);
@@ -363,12 +364,12 @@ fn worse_than_alone<'r>(reports: &'r [SettingReport], axis: &'r SettingAxis) -> 
     })
 }
 
-/// What is said of one setting.
+/// Names the setting of a sentence.
 fn at_setting(axis: &SettingAxis, value: f64, said: Sentence) -> Sentence {
     Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_sentence("why", said)
 }
 
-/// What the engineer should know of the family.
+/// Returns remarks on the family for the engineer.
 fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
     let stored: Vec<&str> = damper.axis.stores_energy().map(|number| number.name()).collect();

@@ -1,10 +1,12 @@
-//! How far a damper between two settings may be off, by how its numbers bend over the settings.
+//! Bound on the error of a damper between two settings, from the curvature of its numbers over the setting.
 
 use dashpot_core::Params;
 use dashpot_core::family::Definition;
 
-/// Factor on the second derivative in the first and last interval, where one neighbor alone shows it. With 2 the bound holds at 94 % of drawn settings
-/// there, with 1.5 at 92 % (sigmoids, exponentials, powers and hyperbolas over 3 to 6 uneven settings).
+/// Factor on the second derivative in the first and last interval, where only one neighbor shows it.
+///
+/// With 2 the bound holds at 94 % of drawn settings there, with 1.5 at 92 %. Drawn were sigmoids, exponentials, powers and hyperbolas over 3
+/// to 6 uneven settings.
 const AT_END: f64 = 2.0;
 
 /// Half the second derivative over the setting, as three settings of the grid show it.
@@ -12,32 +14,34 @@ const AT_END: f64 = 2.0;
 struct Bend {
     /// Mean of the three settings, where a cubic has this second derivative.
     at: f64,
+    /// Half the second derivative, unit of the value over the square of the setting's.
     half: f64,
 }
 
-/// The dampers at the settings of a grid, by which the error between them is estimated.
+/// Dampers at the settings of a grid, from which the error between the settings is estimated.
 ///
-/// Straight lines are off by half the second derivative times the distances to both neighbors (Davis, Interpolation and Approximation, 1963, 3.1).
-/// How far a setting lies off the straight line through its neighbors shows that second derivative, and the larger one of both neighbors holds between
-/// them. In the first and last interval it is continued in a straight line from the two nearest settings that show it: beside a point of inflection
-/// the nearest one alone shows next to none. The monotone cubic is closer than a straight line where the damper is smooth over the setting, and no
-/// closer where it bends.
+/// The error of linear interpolation is half the second derivative times the distances to both neighbors (Davis, Interpolation and
+/// Approximation, 1963, 3.1). The deviation of a setting from the line through its neighbors shows that derivative. Between two settings
+/// the larger derivative of the two applies. In the first and last interval the two nearest derivatives are extrapolated linearly, because
+/// near a point of inflection the nearest one is almost zero.
+///
+/// The monotone cubic is more accurate than the line where the damper is smooth over the setting, and equally accurate at a kink.
 pub struct InterpolationError {
     grid: Vec<f64>,
     dampers: Vec<Params>,
 }
 
 impl InterpolationError {
-    /// The errors of a damper over a setting.
+    /// Prepares the error estimates of a damper family.
     pub fn new(damper: &Definition) -> InterpolationError {
         let grid = damper.axis.grid().to_vec();
         let dampers = grid.iter().map(|setting| damper.params_at(*setting)).collect();
         InterpolationError { grid, dampers }
     }
 
-    /// How far a value at a setting may be off, to either side, in units of the value.
+    /// Returns the possible error of a value at a setting, to either side, in units of the value.
     ///
-    /// Nought on the grid and beyond its ends; `None` where no neighbor lies between others, as with two settings.
+    /// The error is 0 on the grid and beyond its ends. Returns `None` if no neighbor lies between two others, as in a grid of two settings.
     pub fn of_value(&self, setting: f64, value: impl Fn(&Params) -> f64) -> Option<f64> {
         self.of_differences(setting, |place| {
             let [before, own, after] =
@@ -48,7 +52,8 @@ impl InterpolationError {
         })
     }
 
-    /// How far any quantity may be off, given how far each setting lies off the straight line through its neighbors: with its sign, where it has one.
+    /// Returns the possible error of any quantity. `difference` gives, at a grid index, the deviation from the line through the neighbors,
+    /// with its sign where it has one.
     pub fn of_differences(&self, setting: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
         let right = self.grid.partition_point(|value| *value < setting);
         let (Some(left), Some(next)) = (right.checked_sub(1), self.grid.get(right)) else { return Some(0.0) };
@@ -118,7 +123,7 @@ mod tests {
                 let value = damper.params_at(setting).number(number!("coulomb_force"));
                 let bound = bound(&damper, setting).unwrap();
                 let error = (value - characteristic(setting)).abs();
-                // Beside a setting the cubic's own derivative there counts, which is off by less than half as much again.
+                // Near a setting the slope of the cubic there matters. Its error is less than half the bound.
                 let beside = (setting % 0.25 - 0.125).abs() > 0.0625;
                 let most = if beside { 1.5 * bound } else { bound };
                 assert!(error <= most + 1e-9, "{setting}: {error} > {most}");
@@ -133,7 +138,7 @@ mod tests {
         for on_grid in [-1.0, 0.0, 1.0, 2.0, 5.0] {
             assert_eq!(bound(&three, on_grid), Some(0.0));
         }
-        // The middle lies 10 N below the line through the ends, at distances of 1 and 1.
+        // The middle value lies 10 N below the line through the ends, at distances of 1 and 1.
         assert!((bound(&three, 0.5).unwrap() - AT_END * 0.25 * 10.0).abs() < 1e-9);
         let two = family(&[0.0, 1.0], |x| 20.0 + 10.0 * x);
         assert_eq!((bound(&two, 0.5), bound(&two, 1.0)), (None, Some(0.0)));

@@ -1,4 +1,4 @@
-//! How well a family does at each setting, and how well it predicts a setting that it did not see.
+//! Errors of a family at each setting, and its prediction errors at settings that the fit did not see.
 
 use super::settings::SettingAxis;
 use dashpot_core::family::{Axis, Definition};
@@ -30,34 +30,35 @@ pub struct SettingReport {
     pub setting: f64,
     /// Number of its tests.
     pub tests: usize,
-    /// Error of an ordinary damper that was fitted to this setting alone.
+    /// Error of an ordinary damper fitted to this setting alone.
     pub own_fit: SettingError,
     /// Error of the family.
     pub family: SettingError,
-    /// Error of the family that was fitted to all other settings; absent at the ends of the grid, where nothing is interpolated.
+    /// Error of the family fitted to all other settings. Absent at the ends of the grid, where nothing is interpolated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<SettingError>,
-    /// That error over the one of the fit to this setting alone.
+    /// Ratio of that error to the error of the fit to this setting alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out_ratio: Option<f64>,
 }
 
-/// The setting that the family predicts worst where it did not see it.
+/// Setting that the family predicts worst when fitted without it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorstLeftOut {
     /// Value of the setting.
     pub setting: f64,
     /// Error there.
     pub error: SettingError,
-    /// That error over the one of the fit to this setting alone.
+    /// Ratio of that error to the error of the fit to this setting alone.
     pub ratio: f64,
 }
 
 impl WorstLeftOut {
-    /// Ratio up to which an interpolated setting is as good as one of the grid: the aim of the book's figures. It decides on words alone.
+    /// Largest ratio at which an interpolated setting counts as equal to a grid setting, the target of the book's figures. It affects
+    /// messages only.
     pub const AS_GOOD: f64 = 1.3;
 
-    /// The worst of these; `None` where none was left out.
+    /// Finds the worst of these reports; `None` if no setting was left out.
     pub fn find(reports: &[SettingReport]) -> Option<WorstLeftOut> {
         let left_out = reports.iter().filter_map(|of| {
             Some(WorstLeftOut { setting: of.setting, error: of.left_out?, ratio: of.left_out_ratio? })
@@ -66,10 +67,10 @@ impl WorstLeftOut {
     }
 }
 
-/// The damper over a grid through parameter sets.
+/// Makes the damper over a grid from the parameter set at each setting.
 ///
 /// # Errors
-/// What the kernel rejects.
+/// An error of the kernel, which rejects the sets.
 pub fn damper_through(axis: &SettingAxis, grid: &[f64], sets: &[Params]) -> Result<Definition, Fault> {
     let (params, mut over) = Axis::through(grid, sets)?;
     let is_short = |text: &str| text.len() <= dashpot_core::family::axis::MAX_TEXT;
@@ -94,7 +95,7 @@ fn error_of(tests: &[Test], forces: &[Vec<f64>]) -> SettingError {
     SettingError { mean_error_n: newtons / count, error_percent: percent / count }
 }
 
-/// Error of a parameter set with what the rig adds by a hypothesis at `theta`.
+/// Computes the error of a parameter set, with the measurement errors of a hypothesis at `theta`.
 fn error_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<SettingError> {
     let model = Model::new(params).ok()?;
     let integration = Accuracy::Single.integration(params, &model);
@@ -103,12 +104,12 @@ fn error_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) ->
     Some(error_of(tests, &forces))
 }
 
-/// Error of an ordinary fit to its own tests.
+/// Computes the error of an ordinary fit on its own tests.
 fn own_error(own: &Structure, tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &own.hypothesis.forces(tests, &own.refit.theta)?))
 }
 
-/// Error at a setting of the family that is refitted to the others; `None` at an end of the grid.
+/// Computes the error at a setting of the family refitted to the others; `None` at an end of the grid.
 fn left_out_error(
     family: &FamilyStructure,
     axis: &SettingAxis,
@@ -128,7 +129,7 @@ fn left_out_error(
     error_at(&params, &less.template, &less.theta_at(&refit.theta, place - 1), &left_out.tests)
 }
 
-/// The errors at every setting. `own` holds the ordinary fit of each.
+/// Reports the errors at every setting. `own` holds the ordinary fit of each setting.
 pub fn reports(
     family: &FamilyStructure,
     own: &[&Structure],

@@ -1,17 +1,17 @@
-//! From records at several settings to one damper over the setting.
+//! Identification of one damper family from records at several settings.
 //!
 //! | module | what |
 //! |---|---|
-//! | [`settings`] | the records sorted by their setting, and what is wrong with them |
-//! | [`actuator`] | the response of the valve, from tests whose setting changes |
-//! | [`at_setting()`] | the ordinary damper at a setting, with its intervals |
-//! | [`actuator_numbers()`] | the numbers of the valve that a model file has |
-//! | [`interpolation_error`] | how far a damper between two settings may be off |
-//! | [`FamilyFigures`] | the figures of a fit as JSON |
-//! | [`fit`] | the fit: structure, numbers, what depends on the setting |
-//! | [`left_out`] | how well a setting is predicted by the others |
-//! | [`setting_labels`] | whether the settings that tests state fit their forces |
-//! | [`model_file`] | the model file of a family |
+//! | [`settings`] | records sorted by their setting, and errors of the campaign |
+//! | [`actuator`] | response of the valve, from tests whose setting changes |
+//! | [`at_setting()`] | ordinary damper at a setting, with its intervals |
+//! | [`actuator_numbers()`] | numbers of the valve in a model file |
+//! | [`interpolation_error`] | bound on the error between two settings |
+//! | [`FamilyFigures`] | figures of a fit as JSON |
+//! | [`fit`] | fit of structure, numbers and their dependence on the setting |
+//! | [`left_out`] | prediction of a setting from the others |
+//! | [`setting_labels`] | check of the stated settings against the forces |
+//! | [`model_file`] | model file of a family |
 
 mod actuator;
 mod actuator_numbers;
@@ -33,6 +33,7 @@ pub use fit::{FamilyEstimate, FamilyFit, FamilyItem, ForceAtSetting, SettingDepe
 pub use left_out::{SettingError, SettingReport, WorstLeftOut};
 pub use settings::{FamilyError, SettingAxis, SettingRecords};
 
-/// Temperature by which log odds of a part of a family are divided before they become probabilities: the form error is correlated between
-/// tests.
+/// Factor by which the log odds of a part of a family are divided before they become probabilities.
+///
+/// The form errors of different tests are correlated, so the tests carry less information than their number suggests.
 const TEMPERATURE: f64 = 2.0;

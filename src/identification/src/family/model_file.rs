@@ -1,4 +1,4 @@
-//! The model file of a family: the kernel's flat part, then tables with what the fit knows.
+//! Model file of a family: the kernel's flat part, then tables with the results of the fit.
 
 use super::fit::{FamilyEstimate, FamilyFit};
 use crate::intervals::Standing;
@@ -9,13 +9,13 @@ use crate::model_file::{
 use crate::{Estimate, InventoryItem};
 use std::fmt::Write as _;
 
-/// Estimates of a parameter at a setting; at none for a shared one.
+/// Returns the estimates of a parameter at a setting, or of a shared parameter if `setting` is `None`.
 fn estimates_of<'f>(fit: &'f FamilyFit, name: &str, setting: Option<f64>) -> Vec<&'f Estimate> {
     let own = fit.estimates.iter().filter(|e| e.estimate.name == name && e.setting == setting);
     own.map(|e| &e.estimate).collect()
 }
 
-/// Names of the estimates that are shared, or that are not, each once.
+/// Returns the names of the shared estimates, or of the others, each once.
 fn names(fit: &FamilyFit, is_shared: bool) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();
     for FamilyEstimate { estimate, .. } in fit.estimates.iter().filter(|e| e.setting.is_none() == is_shared) {
@@ -26,7 +26,7 @@ fn names(fit: &FamilyFit, is_shared: bool) -> Vec<&'static str> {
     names
 }
 
-/// The model file.
+/// Formats the model file of a family.
 pub fn write(fit: &FamilyFit) -> String {
     let mut out = String::from(
         "# A damper over a setting, identified by dashpot. SI units; extension (rebound) and tension positive.\n\

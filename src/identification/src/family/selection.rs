@@ -1,11 +1,11 @@
-//! The tests of a very large campaign that the fit of a damper over a setting sees.
+//! Selection of tests from a very large campaign for the fit of a damper family.
 
 use super::settings::SettingRecords;
 use crate::phrases;
 use dashpot_estimation::samples::selection::{MOST_CHANGING, most_at_setting, select_at_most};
 use dashpot_records::{Record, Sentence};
 
-/// Selects tests of every kind of motion, at each setting and of those whose setting changes; returns a note where some are left out.
+/// Selects tests of every kind of motion at each setting, and tests whose setting changes. Returns a note if some are left out.
 pub fn select_tests(settings: &mut [SettingRecords], changing: &mut Vec<&Record>) -> Option<Sentence> {
     let count = |settings: &[SettingRecords], changing: &[&Record]| {
         settings.iter().map(|of| of.records.len()).sum::<usize>() + changing.len()

@@ -1,4 +1,4 @@
-//! The records of a campaign sorted by their setting.
+//! Sorting of a campaign's records by their setting.
 
 use crate::FitError;
 use crate::phrases;
@@ -6,25 +6,25 @@ use dashpot_core::family::interpolation::MAX_GRID;
 use dashpot_records::sentence::Sentence;
 use dashpot_records::{Record, is_same_setting, records_without_setting};
 
-/// Names that a sentence lists.
+/// Largest number of names that a sentence lists.
 const NAMES: usize = 6;
 
-/// Why no family can be fitted.
+/// Error of a campaign from which no family can be fitted.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 pub enum FamilyError {
     /// No record has a setting of this name.
     NoSetting {
-        /// Name asked for.
+        /// Requested name.
         name: String,
-        /// Names that the records have.
+        /// Names of the records' settings.
         known: Vec<String>,
     },
-    /// Some records have none.
+    /// Some records have no setting of this name.
     Without {
         /// Name of the setting.
         name: String,
-        /// Their names.
+        /// Names of these tests.
         tests: Vec<String>,
     },
     /// The setting changes within all records.
@@ -34,34 +34,34 @@ pub enum FamilyError {
         /// Number of records.
         count: usize,
     },
-    /// All records have the same.
+    /// All records have the same setting.
     One {
         /// Name of the setting.
         name: String,
         /// Its value.
         value: f64,
     },
-    /// More settings than a model holds.
+    /// There are more settings than a model can hold.
     TooMany {
         /// Name of the setting.
         name: String,
-        /// How many there are.
+        /// Number of settings.
         count: usize,
     },
-    /// No ordinary damper can be fitted at one of them.
+    /// No ordinary damper can be fitted at one of the settings.
     At {
         /// Name of the setting.
         name: String,
         /// Its value.
         value: f64,
-        /// Why.
+        /// Error of the fit.
         why: FitError,
     },
-    /// The numbers make no family.
+    /// The numbers do not form a valid family.
     Kernel {
         /// The parameter at fault.
         parameter: &'static str,
-        /// Why.
+        /// Reason.
         why: &'static str,
     },
     /// The joint problem has no finite forces.
@@ -69,7 +69,7 @@ pub enum FamilyError {
 }
 
 impl FamilyError {
-    /// What is wrong and what to do, to be said in any language.
+    /// Returns the error and its remedy as a sentence that can be translated.
     pub fn sentence(&self) -> Sentence {
         match self {
             FamilyError::NoSetting { name, known } if known.is_empty() => {
@@ -103,12 +103,12 @@ impl FamilyError {
     }
 }
 
-/// The setting that records were measured over.
+/// Setting over which records were measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SettingAxis {
     /// Its name, such as `current`.
     pub name: String,
-    /// Its unit; empty where it has none.
+    /// Its unit; empty without a unit.
     pub unit: String,
 }
 
@@ -121,15 +121,15 @@ pub struct SettingRecords<'a> {
     pub records: Vec<&'a Record>,
 }
 
-/// Records with a constant setting, or with none, and those whose setting of a name changes within the test.
+/// Splits records into those with a constant setting or none, and those whose setting `name` changes within the test.
 pub fn split_changing<'a>(records: &[&'a Record], name: &str) -> (Vec<&'a Record>, Vec<&'a Record>) {
     records.iter().partition(|record| record.setting_signal.as_ref().is_none_or(|signal| signal.name != name))
 }
 
-/// Sorts records by the setting of a name, lowest first.
+/// Sorts records by the value of the setting `name`, lowest first.
 ///
 /// # Errors
-/// Records without it, one setting alone, more than a model holds.
+/// Records without the setting, a single setting, or more settings than a model can hold.
 pub fn by_setting<'a>(
     records: &[&'a Record],
     name: &str,
@@ -154,7 +154,7 @@ pub fn by_setting<'a>(
     }
     let mut valued: Vec<(f64, &Record)> =
         records.iter().filter_map(|record| Some((own(record)?.value, *record))).collect();
-    // Stable, so that the records of a setting keep their order.
+    // The stable sort keeps the order of the records at one setting.
     valued.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut sorted: Vec<SettingRecords> = Vec::new();
     for (value, record) in valued {

@@ -1,11 +1,11 @@
-//! A judged limit in JSON, where each figure has its unit in its key: N of a force, s of a time.
+//! Serialization of a checked limit to JSON. The key of a figure ends in its unit: `_n` for forces, `_s` for times.
 
 use super::table::Limit;
 use super::{Checked, Value};
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
-/// A figure under the key of its quantity.
+/// A figure under the key of its quantity and unit.
 struct Figure<'a> {
     key: &'static str,
     of: &'a Value,

@@ -1,5 +1,4 @@
-//! The figures that limits speak of, taken from records: force at peak velocity, gas force and friction from slow tests,
-//! hysteresis.
+//! Figures for limits, measured from records: force at peak velocity, gas force and friction from slow tests, hysteresis.
 
 use super::Value;
 use super::table::{Limit, Quantity};
@@ -10,22 +9,23 @@ use dashpot_estimation::samples::segments;
 use dashpot_records::Record;
 use serde::{Deserialize, Serialize};
 
-/// How near a test's peak velocity lies to the speed asked for without anything to interpolate with: what a rig misses its
-/// commanded speed by. Wider would let a steep curve decide about a window.
+/// Relative distance of a test's peak velocity from the requested speed up to which its force is used without interpolation.
+///
+/// It is the error with which a rig meets its commanded speed. With a larger value a steep curve could decide about a window.
 pub const NEAR: f64 = 0.05;
-/// Largest ratio of two peak velocities between which a force is interpolated: beyond, a knee of the curve may lie between.
+/// Largest ratio of two peak velocities between which a force is interpolated. Across a wider gap the curve may have a knee.
 pub const BETWEEN: f64 = 2.0;
-/// Amplitudes that count as one stroke.
+/// Relative difference of amplitudes that count as one stroke.
 const SAME_STROKE: f64 = 0.1;
 
-/// A peak with the test that it comes from.
+/// A peak with the test from which it comes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Name of the test.
     pub test: String,
     /// Amplitude, m.
     pub amplitude: f64,
-    /// Where and how much.
+    /// Velocity and force of the peak.
     pub peak: Peak,
 }
 
@@ -38,8 +38,9 @@ struct Gap {
     mean_gap: f64,
 }
 
-/// Everything that a limit may ask of a campaign. It may be kept, as text by serde, and asked for other limits later: the answers are the
-/// same to the last digit.
+/// Measured figures from which every limit of a campaign can be judged.
+///
+/// They can be stored as text with serde, and judged against other limits later with bitwise equal results.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
     points: Vec<Point>,
@@ -49,7 +50,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Measures the records, or other forces at their samples.
+    /// Measures the figures of the records, with other forces at their samples if `forces` is given.
     pub fn measure(records: &[&Record], forces: Option<&[&[f64]]>) -> Self {
         let mut found = Figures { points: Vec::new(), gaps: Vec::new(), sliding: None };
         let mut slow: Vec<Record> = Vec::new();
@@ -77,12 +78,12 @@ impl Figures {
         found
     }
 
-    /// All points, two a test.
+    /// Returns all points, two for each test.
     pub fn points(&self) -> impl Iterator<Item = &Point> {
         self.points.iter()
     }
 
-    /// What these records say about a limit.
+    /// Returns the measured figure for a limit, or `None` if the records do not show it.
     pub fn value(&self, limit: &Limit) -> Option<Value> {
         match (limit.quantity, limit.velocity_m_s) {
             (Quantity::Force, Some(velocity)) => self.force(velocity, limit.amplitude_m),
@@ -90,7 +91,7 @@ impl Figures {
             (Quantity::GasForce, _) => self.of_slow_tests(|dry| dry.gas),
             (Quantity::Friction, _) => self.of_slow_tests(|dry| dry.friction),
             (Quantity::Hysteresis, velocity) => self.hysteresis(velocity, limit.amplitude_m),
-            // Steps of a setting are no part of the figures of a damper at one: see `judge_over_settings`.
+            // Responses to steps of a setting are not among these figures: see `judge_over_settings`.
             (
                 Quantity::ResponseTimeUp | Quantity::ResponseTimeDown | Quantity::RiseTimeUp | Quantity::RiseTimeDown,
                 _,
@@ -102,7 +103,7 @@ impl Figures {
         self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone(), uncertainty: None })
     }
 
-    /// Force at a speed, from the longest stroke that reaches it.
+    /// Returns the force at a speed from the longest stroke that reaches the speed.
     fn force(&self, velocity: f64, amplitude: Option<f64>) -> Option<Value> {
         let mut side: Vec<&Point> = self
             .points
@@ -114,7 +115,7 @@ impl Figures {
             .find_map(|stroke| at_speed(stroke, velocity))
     }
 
-    /// Hysteresis of the test at a speed, the longest stroke first; the largest of all tests where no speed is given.
+    /// Returns the hysteresis of the test at a speed, preferring the longest stroke. Without a speed it returns the largest of all tests.
     fn hysteresis(&self, velocity: Option<f64>, amplitude: Option<f64>) -> Option<Value> {
         let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()], uncertainty: None };
         let candidates = self.gaps.iter().filter(|g| is_stroke(g.amplitude, amplitude));
@@ -132,7 +133,7 @@ fn is_stroke(amplitude: f64, wanted: Option<f64>) -> bool {
     wanted.is_none_or(|wanted| (amplitude - wanted).abs() <= SAME_STROKE * wanted)
 }
 
-/// Force at a speed from the peaks of one stroke: between its neighbours, or from the one that is near.
+/// Returns the force at a speed from the peaks of one stroke: interpolated between neighbors, or from a peak near the speed.
 fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     let speed = |p: &Point| p.peak.velocity_m_s.abs();
     let wanted = velocity.abs();

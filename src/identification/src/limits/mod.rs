@@ -1,8 +1,10 @@
-//! Pass or fail: what a damper may show, as its maker or buyer writes it, against what the rig measured.
+//! Checks of a damper against limits, as its maker or buyer states them.
 //!
-//! [`table`] reads the limits, [`measured`] takes the figures from the records, [`judge`] compares them, and [`Figures::judge`] those that
-//! were kept. [`judge_over_settings`] judges a damper over a setting. The verdict is that of the measurement. Where forces of a model are given, they are judged by the same rules beside it: a model that stands in
-//! for a damper in a vehicle must keep the windows too.
+//! [`table`] reads the limits, and [`measured`] extracts the figures from the records. [`judge`] compares both, and [`Figures::judge`] does
+//! so with stored figures. [`judge_over_settings`] judges a damper over a setting.
+//!
+//! The verdict is that of the measurement. The forces of a model, if given, are judged separately by the same rules: a model that
+//! represents a damper in a vehicle must keep the limits too.
 
 mod json;
 mod measured;
@@ -18,32 +20,32 @@ pub use table::{Limit, LimitError, Quantity, parse, read};
 use dashpot_records::Record;
 use serde::Serialize;
 
-/// Answer to one limit.
+/// Verdict on one limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// Inside the window.
     Pass,
-    /// Outside.
+    /// Outside the window.
     Fail,
-    /// The records cannot tell: no test at this speed, or none slow enough. No pass.
+    /// The records do not show the quantity: no test at this speed, or none slow enough. This is not a pass.
     NotTested,
 }
 
-/// Answer to all limits of a damper.
+/// Verdict on all limits of a damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Overall {
-    /// Every limit was tested and is kept.
+    /// Every limit was tested and met.
     Pass,
-    /// At least one limit is not kept.
+    /// At least one limit is violated.
     Fail,
-    /// No limit is missed, but the records cannot tell of all.
+    /// No limit is violated, but at least one was not tested.
     Incomplete,
 }
 
 impl Overall {
-    /// The answer to all from the answers to each.
+    /// Combines the verdicts on each limit.
     fn of(each: impl Iterator<Item = Verdict>) -> Overall {
         each.fold(Overall::Pass, |overall, one| match (overall, one) {
             (Overall::Fail, _) | (_, Verdict::Fail) => Overall::Fail,
@@ -53,34 +55,34 @@ impl Overall {
     }
 }
 
-/// A figure and the test or tests that it comes from.
+/// A figure and the tests from which it comes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
-    /// The figure, N; of a time, s.
+    /// Figure: a force, N, or a time, s.
     pub value: f64,
-    /// Where it comes from.
+    /// Names of the tests.
     pub tests: Vec<String>,
     /// How far the measurement may be off to either side, in the unit of the figure; `None` where that is not known.
     pub uncertainty: Option<f64>,
 }
 
-/// One limit with what was found.
+/// One limit with its figures and verdicts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checked {
     /// The limit.
     pub limit: Limit,
-    /// What the rig measured, where the records can tell.
+    /// Measured figure, if the records show it.
     pub measured: Option<Value>,
-    /// What the model gives on the same tests.
+    /// Figure of the model on the same tests.
     pub model: Option<Value>,
-    /// Answer for the damper.
+    /// Verdict on the damper.
     pub verdict: Verdict,
-    /// Answer for the model, where one was given.
+    /// Verdict on the model, if one was given.
     pub model_verdict: Option<Verdict>,
 }
 
 impl Checked {
-    /// Returns the uncertainty of the measured figure where it decides on the verdict: an end of the window lies within it.
+    /// Returns the uncertainty of the measured figure if it decides on the verdict: an end of the window lies within it.
     pub fn deciding_uncertainty(&self) -> Option<f64> {
         let measured = self.measured.as_ref()?;
         let uncertainty = measured.uncertainty?;
@@ -89,7 +91,7 @@ impl Checked {
     }
 }
 
-/// Force at peak velocity of one test, of rig and model.
+/// Force at peak velocity of one test, from rig and model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PeakPoint {
     /// Name of the test.
@@ -104,29 +106,29 @@ pub struct PeakPoint {
     pub model_n: Option<f64>,
 }
 
-/// All limits answered.
+/// Results of all limits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Certificate {
-    /// Whether every limit was tested and is kept.
+    /// Whether every limit was tested and met.
     pub passed: bool,
-    /// The answer for the damper: a limit that was not tested is no failure, and no pass either.
+    /// Verdict on the damper. A limit that was not tested is neither a failure nor a pass.
     pub overall: Overall,
-    /// Whether the model keeps every limit that was tested; `None` without a model.
+    /// Whether the model meets every tested limit; `None` without a model.
     pub model_passed: Option<bool>,
     /// Every limit, in the order of the file.
     pub limits: Vec<Checked>,
-    /// The points that the forces were read from.
+    /// Peak points from which the forces were read.
     pub peaks: Vec<PeakPoint>,
 }
 
-/// Compares limits with records, and with the forces of a model at the records' samples where there is one.
+/// Compares limits with records, and with the forces of a model at the records' samples if given.
 pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) -> Certificate {
     let simulated = model.map(|forces| Figures::measure(records, Some(forces)));
     Figures::measure(records, None).judge(limits, simulated.as_ref())
 }
 
 impl Figures {
-    /// Compares limits with these figures, and with those of a model on the same records where there is one.
+    /// Compares limits with these figures, and with the figures of a model on the same records if given.
     pub fn judge(&self, limits: &[Limit], model: Option<&Figures>) -> Certificate {
         answers(limits, self, model)
     }
@@ -174,7 +176,9 @@ mod tests {
     use std::f64::consts::TAU;
     use std::path::Path;
 
-    /// A damper of 2000 N s/m in rebound and 800 in compression, 30 N of friction and 150 N of gas force, with a loop.
+    /// Makes a test of a damper with a hysteresis loop.
+    ///
+    /// It has 2000 N s/m in rebound, 800 N s/m in compression, 30 N of friction and 150 N of gas force.
     fn test(name: &str, amplitude: f64, peak: f64) -> Record {
         let (n, cycles, w) = (400, 4, peak / amplitude);
         let mut record = Record {
@@ -186,7 +190,7 @@ mod tests {
             ..Record::default()
         };
         for i in 0..n * cycles {
-            // Half a step off, so that no sample stands still.
+            // The phase is shifted by half a step, so that no sample has zero velocity.
             let phase = TAU * (i as f64 + 0.5) / n as f64;
             let v = peak * libm::cos(phase);
             record.time.push(phase / w);
@@ -214,11 +218,11 @@ mod tests {
             1.0,
         );
         let value = |k: usize| found.limits[k].measured.as_ref().unwrap().value;
-        // The mean over the samples within 2 % of the peak lies 0.7 % below it.
+        // The mean over the samples within 2 % of the peak velocity lies 0.7 % below the peak.
         assert!((value(0) - (2000.0 * 0.5206 + 30.0 - 150.0)).abs() < 6.0, "{}", value(0));
         assert!((value(1) + 800.0 * 0.5206 + 30.0 + 150.0).abs() < 4.0, "{}", value(1));
-        // At 2.3 mm/s, the median of the sliding samples, the damper adds 4.6 N in rebound and 1.8 N in compression: half the
-        // difference of the strokes is 33.2 N, and their mean is off by 1.4 N.
+        // At 2.3 mm/s, the median of the sliding samples, the damper adds 4.6 N in rebound and 1.8 N in compression. So half the difference
+        // of the strokes is 33.2 N, and their mean is shifted by 1.4 N.
         assert!((value(2) - 148.6).abs() < 0.5 && (value(3) - 33.2).abs() < 0.5, "{} {}", value(2), value(3));
         assert!(value(4) > 10.0 && value(4) < 60.0, "{}", value(4));
         assert!(found.passed && found.model_passed == Some(true), "{found:?}");
@@ -239,7 +243,7 @@ mod tests {
         let found = answer("quantity,velocity_m_s,low,high\nforce,1.5,900,940\n", 1.0);
         assert!(!found.passed && found.limits[0].verdict == Verdict::NotTested && found.limits[0].measured.is_none());
         assert_eq!(found.overall, Overall::Incomplete);
-        // One that is missed fails the damper, whatever else was not tested, in any order.
+        // One violated limit fails the damper, even if others were not tested, in any order.
         let (missed, kept) = ("force,0.52,0,10\n", "force,0.52,900,940\n");
         for (rows, overall) in [
             ([missed, "force,1.5,900,940\n"], Overall::Fail),

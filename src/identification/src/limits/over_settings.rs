@@ -1,4 +1,4 @@
-//! Limits of a damper over a setting: each window is judged by the tests at its own setting.
+//! Limits of a damper over a setting. Each window is judged by the tests at its own setting.
 
 use super::measured::Figures;
 use super::table::{Limit, Quantity};
@@ -6,10 +6,10 @@ use super::{Certificate, Checked, Overall, Value, Verdict};
 use crate::validation::{ResponseTimes, StepGroup, StepResponse};
 use dashpot_records::{Record, is_same_setting, restate_in_unit};
 
-/// Why limits do not belong to what is judged.
+/// Error of limits that do not match the damper.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettingLimitError {
-    /// A window without a setting, and tests of several.
+    /// A window without a setting, while the tests have several settings.
     #[error(
         "the limit {name} in line {line} says no setting, and the tests have several: give the table a column setting, or validate the damper at one, written with dashpot setting"
     )]
@@ -19,7 +19,7 @@ pub enum SettingLimitError {
         /// Its line.
         line: u64,
     },
-    /// A window at a setting of a damper that has none.
+    /// A window at a setting, while the damper has no setting.
     #[error(
         "the limit {name} in line {line} holds at the setting {setting}, and the damper depends on none: leave the column setting out"
     )]
@@ -31,7 +31,7 @@ pub enum SettingLimitError {
         /// Its setting.
         setting: f64,
     },
-    /// A window at a setting in a unit that is not of one kind with the damper's.
+    /// A window whose setting has a unit that measures another quantity than the damper's unit.
     #[error("the limit {name} in line {line} has its setting in {unit}, the damper in {own}: write it in {own}")]
     OtherUnit {
         /// Name of the limit.
@@ -45,13 +45,13 @@ pub enum SettingLimitError {
     },
 }
 
-/// Restates the settings of limits in the unit of the damper's setting.
+/// Converts the settings of limits to the unit of the damper's setting.
 ///
 /// # Errors
-/// The first unit that is not of one kind with it.
+/// The first unit that measures another quantity.
 pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(), SettingLimitError> {
     for limit in limits.iter_mut().filter(|limit| !limit.setting_unit.is_empty()) {
-        // A damper whose setting has no unit takes any, but a window that gives one means another damper.
+        // A window with a unit is rejected if the damper's setting has no unit: it then refers to another damper.
         if own.is_empty() || !restate_in_unit(&mut limit.setting_unit, own, &mut limit.setting) {
             return Err(SettingLimitError::OtherUnit {
                 name: limit.name.clone(),
@@ -65,10 +65,10 @@ pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(),
     Ok(())
 }
 
-/// Checks that no limit belongs to a setting.
+/// Checks that no limit has a setting.
 ///
 /// # Errors
-/// The first limit that does.
+/// The first limit with a setting.
 pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> {
     match limits.iter().find_map(|limit| Some((limit, limit.setting?))) {
         None => Ok(()),
@@ -78,10 +78,10 @@ pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> 
     }
 }
 
-/// Checks that each limit belongs to a setting where the records have several; times of responses belong to all steps where they name none.
+/// Checks that each limit has a setting if the records have several. A response time without a setting applies to all steps.
 ///
 /// # Errors
-/// The first limit without.
+/// The first limit without a setting.
 pub fn check_over_settings(limits: &[Limit], settings: &[Option<f64>]) -> Result<(), SettingLimitError> {
     let first = settings.iter().flatten().next().copied();
     let is_one = settings.iter().flatten().all(|setting| first.is_some_and(|first| is_same_setting(*setting, first)));
@@ -91,9 +91,10 @@ pub fn check_over_settings(limits: &[Limit], settings: &[Option<f64>]) -> Result
     }
 }
 
-/// Compares limits with the records of a damper over a setting and with the forces of its model there. `settings` holds that of every record,
-/// `None` where it changes within the record. Times are those of the responses to steps: of all in their direction, or of those that lead to the setting of the
-/// window.
+/// Compares limits with the records of a damper over a setting, and with the forces of its model there.
+///
+/// `settings` holds the setting of every record, `None` if it changes within the record. Response times come from all steps in their
+/// direction, or from the steps that end at the setting of the window.
 ///
 /// # Errors
 /// The errors of [`check_over_settings`].
@@ -136,10 +137,10 @@ pub fn judge_over_settings(
     })
 }
 
-/// Samples of the logger by which a measured response time may be off: when within a sample the command changed is not known.
+/// Samples of the logger by which a measured response time may be off, because the command may change anywhere within a sample.
 const HALF_SAMPLE: f64 = 0.5;
 
-/// Compares a limit of a time with the slowest response that it belongs to.
+/// Compares a limit on a time with the slowest response to which the limit applies.
 fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
     let is_up = matches!(limit.quantity, Quantity::ResponseTimeUp | Quantity::RiseTimeUp);
     let is_rise = matches!(limit.quantity, Quantity::RiseTimeUp | Quantity::RiseTimeDown);
@@ -159,7 +160,7 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
         let of_each = groups.filter_map(|(of, group)| {
             Some(Value { value: time(part(group)?), tests: vec![group.test.clone()], uncertainty: uncertainty(of) })
         });
-        // A mean over tests and directions would hide a slow one.
+        // Judge each group: a mean over tests and directions would hide a slow response.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
     };
     let measured = slowest(|of| of.measured, |of| of.measured);
@@ -185,7 +186,7 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// A damper of so many N s/m.
+    /// Makes a test of a damper with this damping coefficient, N s/m.
     fn test(name: &str, damping: f64) -> Record {
         let (n, cycles, w) = (400, 4, 10.0);
         let mut record = Record {
@@ -218,7 +219,7 @@ mod tests {
         )
     }
 
-    /// Steps up to 1.6 in 12 ms and to 0.8 in 9 ms, and one down in 20 ms.
+    /// Makes steps up to 1.6 in 12 ms and to 0.8 in 9 ms, and one step down in 20 ms.
     fn responses() -> Vec<StepResponse> {
         let of = |from: f64, to: f64, t63_s: f64| {
             let times = ResponseTimes { t10_s: 0.003, t63_s, t90_s: 2.0 * t63_s, overshoot: 0.0 };
@@ -250,7 +251,7 @@ mod tests {
         assert_eq!(verdicts, [Verdict::Fail, Verdict::Pass, Verdict::Pass, Verdict::NotTested]);
         assert_eq!(found.limits[0].measured.as_ref().unwrap().tests, ["0 1.6"]);
         assert!((found.limits[2].measured.as_ref().unwrap().value - 0.037).abs() < 1e-12);
-        // Its figures are seconds in JSON, and their keys say so.
+        // The figures are seconds in JSON, and their keys end in the unit.
         let json = serde_json::to_value(&found.limits[0]).unwrap();
         assert_eq!(json["measured"]["uncertainty_s"], 0.0005);
         // Half a sample is 0.5 ms: 12 ms are as far from 11 as from 13, and 11.8 ms nearer than that.

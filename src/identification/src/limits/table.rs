@@ -1,33 +1,33 @@
-//! The file of limits: one window a row, as a table that a spreadsheet writes.
+//! File of limits: one window in each row of a table from a spreadsheet.
 
 use dashpot_records::{Dimension, Unit, delimiter, split_unit};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// What is limited.
+/// Limited quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Force at a peak velocity, signed: rebound velocity and tension positive, compression negative.
     Force,
-    /// What pushes the rod out, from slow tests.
+    /// Force that pushes the rod out, from slow tests.
     GasForce,
     /// Half the difference between the strokes of slow tests.
     Friction,
     /// Mean gap between rising and falling velocity at equal velocity.
     Hysteresis,
-    /// Time from a step of the setting up until the force has gone 63 % of its way, s.
+    /// Time from a step of the setting up until the force has completed 63 % of its change, s.
     ResponseTimeUp,
-    /// Time from a step of the setting down until the force has gone 63 % of its way, s.
+    /// Time from a step of the setting down until the force has completed 63 % of its change, s.
     ResponseTimeDown,
-    /// Time from 10 to 90 % of the way of the force after a step of the setting up, s.
+    /// Time from 10 to 90 % of the force change after a step of the setting up, s.
     RiseTimeUp,
-    /// Time from 10 to 90 % of the way of the force after a step of the setting down, s.
+    /// Time from 10 to 90 % of the force change after a step of the setting down, s.
     RiseTimeDown,
 }
 
 impl Quantity {
-    /// All, by the names used in files.
+    /// All quantities with their names in files.
     pub const NAMES: [(&'static str, Quantity); 8] = [
         ("force", Quantity::Force),
         ("gas_force", Quantity::GasForce),
@@ -39,7 +39,7 @@ impl Quantity {
         ("rise_time_down", Quantity::RiseTimeDown),
     ];
 
-    /// Whether it is a time of the response to a step of the setting, s, and no force, N.
+    /// Returns whether the quantity is a response time, s, and not a force, N.
     pub fn is_time(self) -> bool {
         matches!(
             self,
@@ -47,20 +47,20 @@ impl Quantity {
         )
     }
 
-    /// Keys of its low end, its high end and its value in JSON: with the unit, as every key there.
+    /// Returns the JSON keys of the low end, the high end and the value, each with its unit.
     pub fn keys(self) -> [&'static str; 3] {
         if self.is_time() { ["low_s", "high_s", "value_s"] } else { ["low_n", "high_n", "value_n"] }
     }
 
-    /// Unit in which people read it, and the factor to that.
+    /// Returns the display unit, and the factor to that unit.
     pub fn display(self) -> (&'static str, f64) {
         if self.is_time() { ("ms", 1e3) } else { ("N", 1.0) }
     }
 
-    /// The quantity of a name, in small letters or capitals, in one word or several.
+    /// Returns the quantity of a name. Case does not matter, and neither do spaces or hyphens instead of underscores.
     ///
     /// # Errors
-    /// A sentence with the names that there are.
+    /// A message with the known names.
     pub fn named(said: &str) -> Result<Quantity, String> {
         let plain = said.to_ascii_lowercase().replace([' ', '-'], "_");
         Quantity::NAMES.iter().find(|(name, _)| *name == plain).map(|(_, quantity)| *quantity).ok_or_else(|| {
@@ -72,37 +72,37 @@ impl Quantity {
     }
 }
 
-/// One window.
+/// One window of a quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
-    /// Name given in the file; the quantity where it gives none.
+    /// Name given in the file; else the name of the quantity.
     pub name: String,
-    /// What is limited.
+    /// Limited quantity.
     pub quantity: Quantity,
-    /// Speed at which, m/s, negative in compression.
+    /// Velocity at which the limit holds, m/s, negative in compression.
     pub velocity_m_s: Option<f64>,
-    /// Stroke at which, m; the longest that reaches the speed where none is given.
+    /// Amplitude at which the limit holds, m; if absent, the longest that reaches the velocity.
     pub amplitude_m: Option<f64>,
-    /// Smallest value allowed, N; of a time, s.
+    /// Smallest allowed value: a force, N, or a time, s.
     pub low: Option<f64>,
-    /// Largest value allowed, N; of a time, s.
+    /// Largest allowed value: a force, N, or a time, s.
     pub high: Option<f64>,
-    /// Setting of the damper at which, where it depends on one.
+    /// Setting at which the limit holds, if the damper has a setting.
     pub setting: Option<f64>,
-    /// Unit that the file gives the setting in, such as mA; empty where it is that of the damper.
+    /// Unit of the setting in the file, such as mA; empty if it is the unit of the damper.
     pub setting_unit: String,
-    /// Line of the file.
+    /// Line in the file.
     pub line: u64,
 }
 
-/// Longest limit of a response, s: slower is no valve, but milliseconds without their unit.
+/// Largest limit on a response time, s. No valve is slower, so a larger number is in milliseconds without a unit.
 const LONGEST: f64 = 2.0;
 
 impl Limit {
-    /// Whether the window can be kept at all, and asks for something that a rig measures.
+    /// Checks that a value can meet the window, and that a rig measures the quantity.
     ///
     /// # Errors
-    /// A sentence where it is not so.
+    /// A message with the reason.
     pub fn check(&self) -> Result<(), String> {
         let numbers = [
             ("velocity_m_s", self.velocity_m_s),
@@ -153,57 +153,57 @@ impl Limit {
         }
     }
 
-    /// Whether a value lies in the window.
+    /// Returns whether a value lies in the window.
     pub fn holds(&self, value: f64) -> bool {
         self.low.is_none_or(|low| value >= low) && self.high.is_none_or(|high| value <= high)
     }
 }
 
-/// Why a file of limits is refused.
+/// Error of a file of limits.
 #[derive(Debug, thiserror::Error)]
 pub enum LimitError {
     /// The file cannot be read.
     #[error("{file}: cannot be read ({source})", file = .file.display())]
     Read {
-        /// The file.
+        /// Path of the file.
         file: PathBuf,
-        /// Why.
+        /// Reason.
         #[source]
         source: std::io::Error,
     },
-    /// A line that says nothing sensible.
+    /// A line that is not a valid limit.
     #[error("{file}, line {line}: {cause}", file = .file.display())]
     Line {
-        /// The file.
+        /// Path of the file.
         file: PathBuf,
-        /// Its line, from 1.
+        /// Line number, from 1.
         line: u64,
-        /// What is wrong and what to do.
+        /// Description of the error and its remedy.
         cause: String,
     },
 }
 
-/// Columns understood; `low` and `high`, or `nominal` and `tolerance`, say the window.
+/// Known columns. Either `low` and `high`, or `nominal` and `tolerance`, define the window.
 const COLUMNS: &str =
     "quantity, velocity_m_s, low, high, and if wanted nominal, tolerance, amplitude_m, setting, unit, name";
 
-/// Reads a file of limits, in UTF-8 or as a spreadsheet saves it otherwise.
+/// Reads a file of limits, in UTF-8 or another encoding of a spreadsheet.
 ///
 /// # Errors
-/// [`LimitError`] with file, line and what to do.
+/// [`LimitError`] with file, line and remedy.
 pub fn read(file: &Path) -> Result<Vec<Limit>, LimitError> {
     let bytes = dashpot_records::read_small(file).map_err(|source| LimitError::Read { file: file.into(), source })?;
     parse(file, &dashpot_records::text(&bytes))
 }
 
-/// Reads the text of a file of limits; `file` is for messages.
+/// Reads the text of a file of limits. Messages name it by `file`.
 ///
 /// # Errors
-/// As [`read`].
+/// The errors of [`read`].
 pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     let wrong = |line: u64, cause: String| LimitError::Line { file: file.into(), line, cause };
     let text = text.trim_start_matches('\u{feff}');
-    // A spreadsheet that writes decimal commas separates by semicolons or tabs.
+    // A spreadsheet with decimal commas separates fields by semicolons or tabs.
     let is_heading = |l: &&str| !l.trim().is_empty() && !l.trim_start().starts_with('#');
     let delimiter = delimiter::detect(text.lines().find(is_heading).unwrap_or_default());
     let decimal_comma = delimiter != b',';
@@ -238,7 +238,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     let mut limits = Vec::new();
     for row in reader.records() {
         let row = row.map_err(|e| wrong(e.position().map_or(1, csv::Position::line), e.to_string()))?;
-        // Spreadsheets write separators alone where a row is empty.
+        // A spreadsheet writes only separators for an empty row.
         if row.iter().all(str::is_empty) {
             continue;
         }
@@ -256,7 +256,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     Ok(limits)
 }
 
-/// Line of a row: its reader counts from where the row before ended, and passes over empty lines and comments without a word.
+/// Returns the line of a row. The CSV reader counts from the end of the previous row, and skips empty lines and comments silently.
 fn line_of(text: &str, at: &csv::Position) -> u64 {
     let ahead = usize::try_from(at.byte()).ok().and_then(|byte| text.get(byte..)).unwrap_or_default();
     at.line() + ahead.lines().take_while(|l| l.is_empty() || l.starts_with('#')).count() as u64

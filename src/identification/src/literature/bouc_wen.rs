@@ -1,4 +1,4 @@
-//! Bouc-Wen hysteresis beside a spring and a dashpot.
+//! Bouc-Wen hysteresis in parallel with a spring and a dashpot.
 //!
 //! R. Bouc, *Forced vibration of mechanical systems with hysteresis*, Prague 1967; Y.-K. Wen, *Method for random vibration
 //! of hysteretic systems*, J. Eng. Mech. Div. ASCE 102, 1976.
@@ -9,14 +9,14 @@ use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Parameters of the Bouc-Wen model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BoucWen {
     /// Level F_z of the hysteretic force, N.
     pub level_n: f64,
-    /// Travel δ over which it builds up, m.
+    /// Travel δ over which the hysteretic force builds up, m.
     pub stick_distance_m: f64,
-    /// Sharpness n of the passage to sliding.
+    /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
     /// β; γ is 1 − β.
     pub beta: f64,
@@ -34,7 +34,7 @@ impl Law for BoucWen {
             Number::positive(s.force),
             Number::Log { low: 1e-6 * s.displacement, high: 10.0 * s.displacement },
             Number::Log { low: 1.0, high: 20.0 },
-            // Below a half the element would give energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
+            // Below 0.5 the element would produce energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
             Number::Plain { typical: 1.0, low: 0.5, high: 5.0 },
             Number::linear(s.force / s.displacement),
             Number::positive(s.force / s.velocity),

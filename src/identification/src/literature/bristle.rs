@@ -1,23 +1,23 @@
-//! The hysteresis that Dahl, Bouc-Wen and Spencer share, normalised: a bristle that bends with travel and slides at ±1.
+//! Hysteresis shared by the Dahl, Bouc-Wen and Spencer models: a bristle that deflects with travel and slides at ±1.
 //!
-//! Along a stretch of travel in one direction, with q the bend seen in that direction and u the travel in units of the
-//! stick distance: `dq/du = 1 − |q|ⁿ w`, `w = 1` where the bristle is bent along (q ≥ 0) and `w = 1 − 2b` where it still
-//! points backwards. With β + γ = 1 in Wen's notation b is β. n = 1, b = 1 is Dahl's.
+//! Consider travel in one direction. q is the deflection in that direction, u the travel in stick distances: `dq/du = 1 − |q|ⁿ w`. Here `w
+//! = 1` if the bristle is deflected along the travel (q ≥ 0), and `w = 1 − 2b` if it is still deflected against it. With β + γ = 1 in Wen's
+//! notation b is β. n = 1, b = 1 is Dahl's model.
 
 /// Shape of the hysteresis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
-    /// Sharpness of the passage from sticking to sliding, n.
+    /// Sharpness n of the transition from sticking to sliding.
     pub sharpness: f64,
-    /// Share b of the term that turns with the direction of travel.
+    /// Fraction b of the term that changes sign with the direction of travel.
     pub turning: f64,
 }
 
 /// Travel of one step, in stick distances.
 const STEP: f64 = 0.1;
-/// Bend beyond which the law is nearly linear, so that the steps are nearly exact at any length, and the longer step there.
+/// Deflection above which the law is nearly linear, and the longer step used there. The steps are nearly exact there at any length.
 const NEARLY: (f64, f64) = (0.9, 0.4);
-/// Travel after which less than a millionth of the past is left, for any b of at least a half.
+/// Travel after which the initial deflection contributes less than a millionth, for any b of at least 0.5.
 const FORGOTTEN: f64 = 16.0;
 
 /// `(e^x − 1)/x`.
@@ -26,7 +26,7 @@ pub fn phi(x: f64) -> f64 {
 }
 
 impl Shape {
-    /// dq/du and its slope over q.
+    /// Returns dq/du and its derivative with respect to q.
     pub fn rate(self, q: f64) -> (f64, f64) {
         let weight = if q >= 0.0 { 1.0 } else { 1.0 - 2.0 * self.turning };
         let size = q.abs().max(1e-300);
@@ -34,8 +34,9 @@ impl Shape {
         (1.0 - power * weight, -weight * self.sharpness * power / size * q.signum())
     }
 
-    /// Bend after signed travel, in stick distances, from bend `z`: exponential Rosenbrock steps, exact where the law is
-    /// linear.
+    /// Returns the deflection after a signed travel, in stick distances, from deflection `z`.
+    ///
+    /// It uses exponential Rosenbrock steps, which are exact where the law is linear.
     pub fn after(self, z: f64, travel: f64) -> f64 {
         let direction = travel.signum();
         let mut left = travel.abs();

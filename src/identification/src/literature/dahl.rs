@@ -1,4 +1,4 @@
-//! Dahl friction beside a spring and a dashpot.
+//! Dahl friction in parallel with a spring and a dashpot.
 //!
 //! P. R. Dahl, *A solid friction model*, The Aerospace Corporation, TOR-0158(3107-18)-1, 1968; used for magnetorheological
 //! dampers by F. Ikhouane and S. J. Dyke (Smart Mater. Struct. 16, 2007).
@@ -8,7 +8,7 @@ use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Parameters of the Dahl model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Dahl {
     /// Friction level F_c, N.

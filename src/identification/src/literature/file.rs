@@ -1,23 +1,23 @@
-//! The file of a model of the literature that the kernel cannot run: TOML of its own kind, for `validate --against` alone.
+//! File of a model of the literature that the kernel cannot run: a separate TOML format, read only by `validate --against`.
 
 use super::Literature;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// What the file says at its top, where people and other tools look first.
+/// Text at the top of the file, for people and other tools.
 const HEADING: &str = "\
 # A damper model of the literature, identified for comparison by `dashpot fit --model`.
 # This is not a dashpot model file: no host, simulation or export can run it. Only
 # `dashpot validate MODEL DATA --against THIS-FILE` reads it.
 ";
 
-/// Key that tells such a file.
+/// Key that identifies such a file.
 pub const KEY: &str = "literature_model";
 
-/// Why a file was not read.
+/// Error of a file of a model of the literature.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
-    /// Not to be opened.
+    /// The file cannot be opened.
     #[error("cannot read the comparison model {file}: {why}")]
     Unreadable {
         /// Path.
@@ -25,12 +25,12 @@ pub enum FileError {
         /// The system's reason.
         why: std::io::Error,
     },
-    /// Not such a file, or damaged.
+    /// The file has another format, or it is damaged.
     #[error("{file} is no comparison model that dashpot fit --model wrote: {why}")]
     Wrong {
         /// Path.
         file: PathBuf,
-        /// The reader's words, with line and column.
+        /// Message of the TOML reader, with line and column.
         why: String,
     },
 }
@@ -43,21 +43,21 @@ pub fn write(model: &Literature, tests: &[String]) -> String {
         model: &'a Literature,
         tests: &'a [String],
     }
-    // Numbers, lists and strings alone: this cannot fail.
+    // The file holds only numbers, lists and strings, so the conversion cannot fail.
     HEADING.to_owned() + &toml::to_string(&File { model, tests }).unwrap_or_default()
 }
 
-/// Reads a model.
+/// Reads a model of the literature.
 ///
 /// # Errors
-/// [`FileError`], naming the file and what is wrong with it.
+/// [`FileError`], with the file and the reason.
 pub fn read(path: &Path) -> Result<Literature, FileError> {
     let text = dashpot_records::read_small_text(path)
         .map_err(|why| FileError::Unreadable { file: path.to_path_buf(), why })?;
     toml::from_str(&text).map_err(|why| FileError::Wrong { file: path.to_path_buf(), why: why.to_string() })
 }
 
-/// Whether a text is such a file.
+/// Returns whether a text is such a file.
 pub fn is_one(text: &str) -> bool {
     #[derive(Deserialize)]
     struct Head {

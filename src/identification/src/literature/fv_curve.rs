@@ -1,9 +1,10 @@
-//! The force-velocity curve that an engineer would draw, as good as a curve alone can be.
+//! Force-velocity curve of highest accuracy that a curve alone can have.
 //!
-//! Points where the tests are: at their peak velocities, and at creeping speeds where slow tests show the friction step;
-//! between them the kernel's monotone curve; a constant gas force. Forces by least squares on all samples, so no other
-//! curve through these velocities is closer. It is what a vehicle model uses today, and what every fit, report and
-//! validation is compared with.
+//! Its points lie at the peak velocities of the tests, and at creep speeds where slow tests show the friction step. The kernel's monotone
+//! curve interpolates between them, and a constant gas force is added. Least squares over all samples determine the forces, so no other
+//! curve through these velocities is closer.
+//!
+//! Vehicle models use such a curve today. Every fit, report and validation is compared with it.
 
 use super::law::options;
 use super::observation::{Motion, Observation};
@@ -13,33 +14,35 @@ use dashpot_core::{element, list, number};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve};
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Parameters of the curve.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FvCurve {
-    /// Velocities of the points, m/s, increasing, 0 among them.
+    /// Velocities of the points, m/s, increasing; 0 is one of them.
     pub velocity_m_s: Vec<f64>,
-    /// Forces at the points less the gas force, N; 0 at 0.
+    /// Forces at the points without the gas force, N; 0 at velocity 0.
     pub force_n: Vec<f64>,
     /// Gas force, pushing the rod out, N.
     pub gas_force_n: f64,
 }
 
-/// Points below the smallest peak velocity, m/s: where slow tests show how friction passes through zero.
+/// Speeds of points below the smallest peak velocity, m/s. There slow tests show the friction force around zero velocity.
 const CREEPING: [f64; 4] = [3e-4, 1e-3, 2.5e-3, 5e-3];
-/// Widest ratio of one speed to the next: knees are about that wide, so a wider gap is divided.
+/// Largest ratio of one speed to the next. Knees are about that wide, so a wider gap is divided.
 const WIDEST: f64 = 1.65;
-/// Ratio below which two speeds are one point.
+/// Ratio below which two speeds are merged to one point.
 const SAME: f64 = 1.25;
-/// Smallest speed of the points that divide a gap, m/s: below, only slow tests tell the curve.
+/// Smallest speed of the points that divide a gap, m/s. Below it only slow tests determine the curve.
 const SMALLEST: f64 = 0.010;
-/// Least slope, over that of the line through both ends. Friction that falls with speed would make a monotone curve exactly
-/// level; a gentle rise instead costs less than a newton and stays a curve that can be inverted.
-const LEAST_SLOPE: f64 = 0.1;
-/// Samples that a point needs between its neighbours.
-const ENOUGH: usize = 12;
-/// Width of the averaging bins, as a fraction of their speed and at least in m/s.
+/// Smallest slope, relative to the line through both ends of the curve.
 ///
-/// They are far narrower than any feature of a curve, and the cost of a fit becomes independent of the number of tests.
+/// If friction decreases with speed, the best monotone curve has a horizontal section. A small slope instead changes the force by less than
+/// a newton, and the curve stays invertible.
+const LEAST_SLOPE: f64 = 0.1;
+/// Smallest number of samples between the neighbors of a point.
+const ENOUGH: usize = 12;
+/// Width of the averaging bins: a fraction of their speed, and a minimum in m/s.
+///
+/// The bins are far narrower than any feature of a curve. With them the cost of a fit does not depend on the number of tests.
 const BIN: (f64, f64) = (0.01, 2e-5);
 
 /// Samples averaged over a narrow range of velocity.
@@ -76,16 +79,16 @@ fn bins(tests: &[Observation]) -> Vec<Bin> {
     bins
 }
 
-/// Speeds of the points on one side, increasing.
+/// Returns the speeds of the points on one side, increasing.
 fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     let of = |t: &Observation| -> Vec<f64> { t.motion.velocity[t.from..].iter().map(|v| sign * v).collect() };
     let mut all: Vec<f64> = tests.iter().flat_map(of).filter(|v| *v > 0.0).collect();
     all.sort_by(f64::total_cmp);
-    // The last point lies where samples still are, not on a single noisy peak.
+    // The last point lies among the samples of highest speed, not on a single noisy peak.
     let Some(top) = all.get(all.len().saturating_sub(4)).copied() else { return Vec::new() };
     let mut peaks: Vec<f64> =
         tests.iter().map(|t| of(t).into_iter().fold(0.0, f64::max)).filter(|v| *v > 0.0 && *v < top / SAME).collect();
-    // Creeping speeds that a slow test passes in steady motion, not only on its way through a reversal.
+    // Keep creep speeds that a slow test passes in steady motion, not only during a reversal.
     let slow = peaks.iter().copied().filter(|v| *v < SMALLEST).fold(0.0, f64::max);
     peaks.extend(CREEPING.iter().copied().filter(|v| *v < slow));
     peaks.push(top);
@@ -94,12 +97,12 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     let mut points: Vec<f64> = Vec::new();
     for v in peaks {
         match points.last_mut() {
-            // The kernel takes no points that are nearer to each other.
+            // The kernel rejects points that are closer together.
             Some(last) if v < (SAME * *last).max(*last + 2.0 * NEAREST) => *last = if v == top { v } else { *last },
             _ => points.push(v),
         }
     }
-    // The first point of the fast tests must not leave all that lies below it to one straight line.
+    // The first point of the fast tests must leave more than one straight line for the speeds below it.
     let first_fast = points.partition_point(|v| *v < SMALLEST);
     if points.get(first_fast).is_some_and(|v| *v > SAME * SMALLEST) {
         points.insert(first_fast, SMALLEST);
@@ -121,12 +124,12 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
         if count >= ENOUGH {
             kept.push(*v);
         } else if k + 1 == divided.len() {
-            // Too little between the last two: the end of the data matters more.
+            // Too few samples lie between the last two points. Keep the last, because it bounds the data.
             kept.pop();
             kept.push(*v);
         }
     }
-    // Every second of the inner ones, until they fit beside those of the other side.
+    // Remove every second inner point until the points of both sides fit into the kernel's list.
     while kept.len() > (MAX_POINTS - 1) / 2 {
         let last = kept.len() - 1;
         kept = kept.iter().enumerate().filter(|(k, _)| k % 2 == 0 || *k == last).map(|(_, v)| *v).collect();
@@ -142,12 +145,12 @@ fn zero(velocity: &[f64]) -> usize {
 struct Problem<'a> {
     bins: &'a [Bin],
     velocity: &'a [f64],
-    /// Force that a rise of 1 stands for, N.
+    /// Force of one unit of rise, N.
     unit: f64,
 }
 
 impl Problem<'_> {
-    /// Forces at the points from the rise of each above the next one towards zero, and the gas force behind them.
+    /// Returns the forces at the points and the gas force. Each unknown is the rise of a point above its neighbor toward zero.
     fn curve(&self, x: &[f64]) -> (Vec<f64>, f64) {
         let zero = zero(self.velocity);
         let mut force = vec![0.0; self.velocity.len()];
@@ -182,13 +185,13 @@ pub fn fit(tests: &[Observation]) -> FvCurve {
     velocity.push(0.0);
     velocity.extend(speeds(tests, 1.0));
     if velocity.len() < 2 {
-        // Nothing moves: a level line.
+        // Without motion use a horizontal line.
         velocity = vec![-1.0, 0.0];
     }
     let unit = bins.iter().map(|b| b.force.abs()).fold(1e-3, f64::max);
     let problem = Problem { bins: &bins, velocity: &velocity, unit };
     let n = velocity.len();
-    // From a straight line: the least squares of a monotone curve have one valley.
+    // Start from a straight line: the least-squares problem of a monotone curve has a single minimum.
     let reach = velocity[n - 1] - velocity[0];
     let mut start: Vec<f64> = velocity.windows(2).map(|w| (w[1] - w[0]) / reach).collect();
     start.push(0.0);
@@ -204,7 +207,7 @@ pub fn fit(tests: &[Observation]) -> FvCurve {
 }
 
 impl FvCurve {
-    /// Its force at every sample of a motion, N.
+    /// Returns the force of the curve at every sample of a motion, N.
     pub fn forces(&self, motion: &Motion) -> Vec<f64> {
         match Curve::new(&self.velocity_m_s, &self.force_n, Interpolation::MonotoneCubic) {
             Ok(curve) => motion.velocity.iter().map(|v| curve.evaluate(*v).value - self.gas_force_n).collect(),
@@ -212,7 +215,7 @@ impl FvCurve {
         }
     }
 
-    /// For the kernel.
+    /// Converts the curve to a parameter set of the kernel.
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();

@@ -1,15 +1,15 @@
-//! Kwok's hyperbolic tangent.
+//! Kwok's hyperbolic tangent model.
 //!
 //! N. M. Kwok, Q. P. Ha, T. H. Nguyen, J. Li, B. Samali, *A novel hysteretic model for magnetorheological fluid dampers and
 //! parameter identification using particle swarm optimization*, Sensors and Actuators A 132, 2006.
-//! `F = k x + c v + α tanh(β v + δ sgn x) + f₀`. The displacement in the sign is counted from the middle of the motion,
-//! as on the rig of the paper, whose motions are all about one position.
+//! `F = k x + c v + α tanh(β v + δ sgn x) + f₀`. The displacement in the sign is measured from the middle of the motion. On the rig of the
+//! paper all motions have the same middle.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Parameters of Kwok's model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Kwok {
     /// Level α, N.

@@ -1,8 +1,8 @@
-//! Polynomial in velocity behind a first-order lag.
+//! Polynomial in velocity, followed by a first-order lag.
 //!
-//! One of the models that Jonnalagadda & Vyas compare theirs with (*Modelling of Automotive Suspension Damper*, KTH 2020,
-//! chapter 2): `T(|v|) dy/dt + y = Σ a_k v^k`, F = y, the time constant falling from low to high speed over a ramp, since a
-//! jump makes the model unstable.
+//! It is one of the models with which Jonnalagadda & Vyas compare theirs (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter
+//! 2): `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. The time constant decreases from low to high speed over a ramp, because a jump makes the
+//! model unstable.
 
 use super::law::{self, Law, Number};
 use super::observation::{Motion, Observation, Scales};
@@ -11,7 +11,7 @@ use dashpot_core::{element, list, number};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Parameters of the polynomial with lag.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LaggedPolynomial {
     /// a_0, a_1, ..., N (s/m)^k.
@@ -26,26 +26,26 @@ pub struct LaggedPolynomial {
 
 /// Degree of the polynomial, as in the source.
 const DEGREE: usize = 7;
-/// Where the ramp of the time constant begins and ends, as shares of the fastest test.
+/// Speeds at which the ramp of the time constant begins and ends, as fractions of the highest speed of the tests.
 const RAMP: [f64; 2] = [0.03, 0.3];
-/// Parts of a sample in one of the shortest time constants.
+/// Substeps of a sample for each shortest time constant.
 const PARTS: f64 = 2.0;
-/// Most parts of a sample; a force that needs more has long arrived.
+/// Largest number of substeps. A force that needs more substeps has already reached its target.
 const MOST_PARTS: f64 = 16.0;
-/// Largest coefficient that a polynomial of this degree needs, in units of force over a power of the fastest velocity.
+/// Largest coefficient of a polynomial of this degree, in units of force over a power of the highest velocity.
 ///
-/// The coefficients of Chebyshev's polynomial of degree 7 end at 112.
+/// The largest coefficient of Chebyshev's polynomial of degree 7 is 112.
 const LARGEST: f64 = 120.0;
 
-/// Most coefficients: as many as the kernel's range of coefficients holds. A coefficient of a high power becomes
-/// enormous where all tests are slow.
+/// Returns the largest number of coefficients within the kernel's range. If all tests are slow, coefficients of high powers become very
+/// large.
 fn most_terms(s: &Scales) -> usize {
     let (_, high) = list!("polynomial").bounds();
     (2..=DEGREE + 1).rev().find(|n| LARGEST * s.force / s.velocity.powi(*n as i32 - 1) <= high).unwrap_or(2)
 }
 
-/// Number of coefficients whose polynomial, without the lag, predicts tests left out best: a high degree follows the tests
-/// and leaves for infinity beyond them.
+/// Returns the number of coefficients that best predicts left-out tests, without the lag. A polynomial of high degree follows the tests and
+/// diverges beyond them.
 fn terms(tests: &[Observation]) -> usize {
     let s = Scales::from_tests(tests);
     let most = most_terms(&s);
@@ -82,7 +82,7 @@ fn terms(tests: &[Observation]) -> usize {
     (2..=most).min_by(|a, b| missed(*a).total_cmp(&missed(*b))).unwrap_or(2)
 }
 
-/// The law with N coefficients.
+/// Lagged polynomial with N coefficients.
 struct WithTerms<const N: usize>(LaggedPolynomial);
 
 /// Identifies the model.
@@ -109,7 +109,7 @@ impl LaggedPolynomial {
         self.lag_slow_s + (self.lag_fast_s - self.lag_slow_s) * share
     }
 
-    /// For the kernel, which has this model as an element.
+    /// Converts the model to a parameter set of the kernel, which has this model as an element.
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();
@@ -161,12 +161,12 @@ impl<const N: usize> Law for WithTerms<N> {
 }
 
 impl LaggedPolynomial {
-    /// Its force at every sample of a motion, N.
+    /// Returns the force of the model at every sample of a motion, N.
     pub fn forces(&self, motion: &Motion) -> Vec<f64> {
         let v = &motion.velocity;
         motion.run(self.polynomial(v[0]), |y, i| {
             if i > 0 && motion.dt[i] > 0.0 {
-                // Exact for a target that changes straight over a part, parts short against the time constant.
+                // The substep is exact for a target that changes linearly over it. Substeps are short compared with the time constant.
                 let shortest = self.lag_slow_s.min(self.lag_fast_s);
                 let parts = (PARTS * motion.dt[i] / shortest).ceil().clamp(1.0, MOST_PARTS);
                 let h = motion.dt[i] / parts;

@@ -1,4 +1,4 @@
-//! Numbers, starts and least squares of a model that is a formula.
+//! Parameters, starts and least squares of models that are formulas.
 
 use super::observation::{Motion, Observation, Scales};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve_from};
@@ -6,10 +6,10 @@ use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-/// One number of a model.
+/// Kind and range of one parameter of a model.
 #[derive(Debug, Clone, Copy)]
 pub enum Number {
-    /// The force is proportional to it while all other such numbers are zero: found by linear least squares at a start.
+    /// The force is proportional to it while all other linear parameters are zero. Linear least squares find it at each start.
     Linear {
         /// Typical size.
         typical: f64,
@@ -18,14 +18,14 @@ pub enum Number {
         /// Highest value.
         high: f64,
     },
-    /// Positive, over decades: looked for on a logarithmic scale.
+    /// A positive parameter over several decades, identified on a logarithmic scale.
     Log {
         /// Lowest value.
         low: f64,
         /// Highest value.
         high: f64,
     },
-    /// Any other.
+    /// Any other parameter.
     Plain {
         /// Typical size.
         typical: f64,
@@ -37,12 +37,12 @@ pub enum Number {
 }
 
 impl Number {
-    /// A linear number of any sign.
+    /// Makes a linear parameter of either sign.
     pub fn linear(typical: f64) -> Number {
         Number::Linear { typical, low: f64::NEG_INFINITY, high: f64::INFINITY }
     }
 
-    /// A linear number that is not negative.
+    /// Makes a nonnegative linear parameter.
     pub fn positive(typical: f64) -> Number {
         Number::Linear { typical, low: 0.0, high: f64::INFINITY }
     }
@@ -73,38 +73,38 @@ impl Number {
     }
 }
 
-/// A model that is a formula with a handful of numbers.
+/// Model that is a formula with a few parameters.
 pub trait Law: Sized + Send + Sync + 'static {
-    /// Its numbers, in the order of [`Law::of`].
+    /// Returns the parameters, in the order of [`Law::from_numbers`].
     fn numbers(scales: &Scales) -> Vec<Number>;
 
-    /// Physically different readings of the tests. Entries of linear numbers are replaced by their least-squares values.
+    /// Returns starts that interpret the tests physically differently. Linear least squares replace the entries of linear parameters.
     fn starts(scales: &Scales) -> Vec<Vec<f64>>;
 
-    /// The model with these numbers.
+    /// Makes the model with these parameters.
     fn from_numbers(numbers: &[f64], scales: &Scales) -> Self;
 
-    /// Its force at every sample of a motion, N.
+    /// Returns the force of the model at every sample of a motion, N.
     fn forces(&self, motion: &Motion) -> Vec<f64>;
 }
 
-/// Weighted residual beyond which a sample counts linearly, not squared; far out, since a poor model leaves large residuals
-/// that are no wild samples.
+/// Weighted residual above which the loss grows linearly instead of quadratically. It is large, because a poor model has large residuals
+/// that are not outliers.
 const HUBER: f64 = 30.0;
-/// Starts that are followed to their end: the best of all at their linear numbers.
+/// Number of starts that are iterated to convergence: those of lowest cost with their linear parameters.
 const FOLLOWED: usize = 3;
-/// Share of the diagonal that keeps the linear numbers of a start finite where the data leave them open.
+/// Relative ridge on the diagonal that keeps the linear parameters of a start finite if the data does not determine them.
 const RIDGE: f64 = 1e-10;
 
-/// The least squares of every model of the literature.
+/// Returns the least-squares options of every model of the literature.
 pub fn options() -> Options {
     Options { steps: 100, tolerance: 1e-6, loss: Loss::Huber(HUBER), ..Options::default() }
 }
 
-/// Force of a law with its numbers at every sample of a motion, N.
+/// Function that returns the force of a law with its parameters at every sample of a motion, N.
 type Forces = Box<dyn Fn(&Motion) -> Vec<f64> + Send + Sync>;
 
-/// The least squares of one law. All but what makes the law is the same for every one and is compiled once.
+/// Least-squares problem of one law. The code is shared by all laws and compiled once.
 struct Problem<'a> {
     tests: &'a [Observation],
     numbers: &'a [Number],
@@ -139,7 +139,7 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// A start with its linear numbers at their least squares.
+/// Returns a start whose linear parameters are replaced by their least-squares values.
 fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
     let linear: Vec<usize> =
         (0..start.len()).filter(|i| matches!(problem.numbers[*i], Number::Linear { .. })).collect();
@@ -181,14 +181,14 @@ fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
     inner
 }
 
-/// Identifies a law from several starts; `None` where none gives finite forces.
+/// Identifies a law from several starts; `None` if none gives finite forces.
 pub fn fit<L: Law>(tests: &[Observation]) -> Option<L> {
     fit_from(tests, &[])
 }
 
-/// Identifies a law from its own and further starts; `None` where none gives finite forces.
+/// Identifies a law from its own and further starts; `None` if none gives finite forces.
 ///
-/// The further starts are followed whatever their first cost, and used unchanged.
+/// The further starts are always iterated to convergence, and are not modified before.
 pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L> {
     let scales = Scales::from_tests(tests);
     let numbers = L::numbers(&scales);
@@ -200,7 +200,7 @@ pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L
     Some(L::from_numbers(&best(&problem, &L::starts(&scales), further)?, &scales))
 }
 
-/// The numbers of the lowest cost from several starts.
+/// Returns the parameters of lowest cost from several starts.
 fn best(problem: &Problem<'_>, starts: &[Vec<f64>], further: &[Vec<f64>]) -> Option<Vec<f64>> {
     let (low, high) = problem.numbers.iter().map(|n| n.bounds()).unzip();
     let bounds = Bounds { low, high };

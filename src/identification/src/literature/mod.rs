@@ -1,27 +1,27 @@
-//! The models that dashpot's own is compared with: what a vehicle model uses today, and the damper models of the literature.
+//! Models for comparison with dashpot's own: the models of today's vehicle simulation, and damper models of the literature.
 //!
-//! Each stands in a file of its own with the paper that it comes from, is identified from the same tests as dashpot's
-//! model by the same least squares, and is then asked for the force of any motion. They are for comparison: the kernel
-//! runs those that it has elements for ([`Literature::params`]), the others live in a file of their own kind ([`file`]).
+//! Each model has a file of its own with the paper that defines it. It is identified from the tests of dashpot's model by the same least
+//! squares, and then predicts the force of any motion. The models serve for comparison only. The kernel can run those for which it has
+//! elements ([`Literature::params`]). The others are stored in a separate format ([`file`]).
 //!
 //! | file | model |
 //! |---|---|
-//! | [`fv_curve`] | the force-velocity curve that an engineer would draw, with friction step and gas force |
+//! | [`fv_curve`] | force-velocity curve as an engineer would draw it, with friction step and gas force |
 //! | [`piecewise_linear`] | straight lines with two rebound knees and one compression knee |
-//! | [`lagged_polynomial`] | polynomial in velocity behind a first-order lag |
+//! | [`lagged_polynomial`] | polynomial in velocity, followed by a first-order lag |
 //! | [`restoring_force_surface`] | Chebyshev surface over displacement and velocity |
-//! | [`dahl`] | Dahl friction beside spring and dashpot |
-//! | [`bouc_wen`] | Bouc-Wen hysteresis beside spring and dashpot |
+//! | [`dahl`] | Dahl friction in parallel with spring and dashpot |
+//! | [`bouc_wen`] | Bouc-Wen hysteresis in parallel with spring and dashpot |
 //! | [`spencer`] | Spencer's modified Bouc-Wen model |
 //! | [`kwok`] | Kwok's hyperbolic tangent |
 //! | [`neural_network`] | a small feed-forward network of displacement, velocity and acceleration |
 //!
-//! | file | what they share |
+//! | file | shared part |
 //! |---|---|
-//! | [`observation`] | the tests as the models see them, made from the fit's segments or from a record |
-//! | [`law`] | numbers, starts and least squares of a model that is a formula |
-//! | [`bristle`] | the normalised hysteresis of Dahl, Bouc-Wen and Spencer over a stretch of travel |
-//! | [`file`] | the file of a model that the kernel cannot run |
+//! | [`observation`] | tests in the form that the models use, from the fit's segments or from a record |
+//! | [`law`] | parameters, starts and least squares of models that are formulas |
+//! | [`bristle`] | normalized hysteresis of Dahl, Bouc-Wen and Spencer over a travel |
+//! | [`file`] | file of a model that the kernel cannot run |
 
 mod bouc_wen;
 mod bristle;
@@ -41,7 +41,7 @@ use dashpot_core::Params;
 use observation::{Motion, Observation};
 use serde::{Deserialize, Serialize};
 
-/// A model of the literature with its numbers.
+/// A model of the literature with its parameters.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "literature_model", rename_all = "snake_case")]
 pub enum Literature {
@@ -65,7 +65,7 @@ pub enum Literature {
     Network(neural_network::Network),
 }
 
-/// A name on the command line, and the model in words.
+/// Names on the command line, each with a description of the model.
 pub const MODELS: [(&str, &str); 9] = [
     ("fv", "force-velocity curve with friction step and gas force"),
     ("piecewise", "piecewise-linear force-velocity curve"),
@@ -78,7 +78,7 @@ pub const MODELS: [(&str, &str); 9] = [
     ("network", "small neural network of displacement, velocity and acceleration"),
 ];
 
-/// Why a model of the literature was not identified.
+/// Error of the identification of a model of the literature.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LiteratureError {
     /// No model has this name.
@@ -87,16 +87,16 @@ pub enum LiteratureError {
         /// The name given.
         name: String,
     },
-    /// Nothing to identify it from.
+    /// There is no test.
     #[error("there is no test to fit {name} to")]
     NoTests {
-        /// The model.
+        /// Name of the model.
         name: &'static str,
     },
     /// No start gave finite forces.
     #[error("{name} gives no finite force on these tests from any of its starts; leave it out of --against")]
     NotFinite {
-        /// The model.
+        /// Name of the model.
         name: &'static str,
     },
 }
@@ -127,7 +127,7 @@ impl Literature {
         found.ok_or(LiteratureError::NotFinite { name })
     }
 
-    /// Its name on the command line.
+    /// Returns the name on the command line.
     pub fn name(&self) -> &'static str {
         match self {
             Literature::Fv(_) => "fv",
@@ -142,7 +142,7 @@ impl Literature {
         }
     }
 
-    /// Its force at every sample of a motion, N.
+    /// Returns the force of the model at every sample of a motion, N.
     pub fn forces(&self, motion: &Motion) -> Vec<f64> {
         use law::Law as _;
         match self {
@@ -158,7 +158,7 @@ impl Literature {
         }
     }
 
-    /// As a parameter set of the kernel, where the kernel has elements for it.
+    /// Converts the model to a parameter set; `None` if the kernel has no elements for it.
     pub fn params(&self) -> Option<Params> {
         match self {
             Literature::Fv(model) => Some(model.params()),

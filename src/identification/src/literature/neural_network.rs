@@ -1,10 +1,12 @@
-//! A small feed-forward neural network.
+//! Small feed-forward neural network.
 //!
-//! The black box that Jonnalagadda & Vyas review (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2), after
-//! A. Patel, J. Dunne, *NARX neural network modelling of hydraulic suspension dampers for steady-state and variable
-//! temperature operation*, Vehicle System Dynamics 40, 2003, without the measured force fed back, which a vehicle model does
-//! not have: one hidden layer of tanh over displacement, velocity and acceleration. Trained by Levenberg-Marquardt with
-//! exact derivatives and weight decay from fixed starts, so the same tests give the same network.
+//! A black-box model after A. Patel, J. Dunne, *NARX neural network modelling of hydraulic suspension dampers for steady-state and variable
+//! temperature operation*, Vehicle System Dynamics 40, 2003. Jonnalagadda & Vyas review it (*Modelling of Automotive Suspension Damper*,
+//! KTH 2020, chapter 2).
+//!
+//! It has one hidden tanh layer over displacement, velocity and acceleration. Unlike the original it does not feed back the measured force,
+//! which a vehicle model lacks. Levenberg-Marquardt with exact derivatives and weight decay trains it from fixed starts, so the same tests
+//! give the same network.
 
 use super::law::options;
 use super::observation::{Motion, Observation, Scales};
@@ -12,30 +14,30 @@ use dashpot_estimation::solve::{Bounds, Options, Prior, Residuals, solve_from};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Weights and scales of the network.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Network {
-    /// Subtracted from displacement, m.
+    /// Offset subtracted from displacement, m.
     pub middle_m: f64,
-    /// What displacement, velocity and acceleration are divided by, m, m/s and m/s².
+    /// Divisors of displacement, velocity and acceleration, m, m/s and m/s².
     pub input_scale: [f64; 3],
-    /// What the output is multiplied by, N.
+    /// Factor on the output, N.
     pub output_scale_n: f64,
-    /// Weights of each hidden neuron: bias, displacement, velocity, acceleration, and its weight in the output.
+    /// Weights of each hidden neuron: bias, displacement, velocity, acceleration, and the weight of its output.
     pub neurons: Vec<[f64; 5]>,
-    /// Constant of the output.
+    /// Bias of the output.
     pub bias: f64,
-    /// Straight-through weights of displacement, velocity and acceleration.
+    /// Weights that connect displacement, velocity and acceleration directly to the output.
     pub feedthrough: [f64; 3],
 }
 
-/// Hidden neurons.
+/// Number of hidden neurons.
 const NEURONS: usize = 8;
-/// Fixed starts.
+/// Number of fixed starts.
 const STARTS: u64 = 4;
-/// Spread of the weights before the data: keeps them from steps steeper than any damper's.
+/// Prior standard deviation of the weights. It excludes steps that are steeper than those of any damper.
 const DECAY: f64 = 3.0;
-/// Scored samples of all tests together that it is trained on; neighbours on a loop say the same.
+/// Number of scored samples of all tests that train the network. Neighboring samples of a loop are redundant.
 const SAMPLES: usize = 6000;
 const SIZE: usize = 5 * NEURONS + 4;
 
@@ -59,7 +61,7 @@ struct Problem<'a> {
     output: f64,
 }
 
-/// Output of the network and its derivatives.
+/// Computes the output of the network and its derivatives.
 fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
     let tail = &w[5 * NEURONS..];
     let mut sum = tail[0] + tail[1] * u[0] + tail[2] * u[1] + tail[3] * u[2];
@@ -110,7 +112,7 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Numbers spread evenly over −1..1, the same in every run (a linear congruential generator with Knuth's constants).
+/// Returns a generator of numbers uniform over −1..1, equal in every run (a linear congruential generator with Knuth's constants).
 fn spread(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     move || {
@@ -146,7 +148,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
             let mut next = spread(seed);
             let mut start = Vec::with_capacity(SIZE);
             for _ in 0..NEURONS {
-                // Steps at all velocities, steep and gentle, leaning on displacement and acceleration.
+                // Start with steps at all velocities, steep and gentle, that also depend on displacement and acceleration.
                 let steep = libm::pow(10f64, 0.75 * (1.0 + next()));
                 start.extend([steep * 0.5 * next(), next(), steep, next(), 0.1 * next()]);
             }
@@ -155,7 +157,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
         })
         .collect();
     let mut priors = vec![Some(Prior { mean: 0.0, spread: DECAY }); SIZE];
-    // Steepness over velocity is what friction needs most of.
+    // Friction needs a steep dependence on velocity most.
     for k in 0..NEURONS {
         priors[5 * k + 2] = Some(Prior { mean: 0.0, spread: 10.0 * DECAY });
     }
@@ -180,7 +182,7 @@ impl Network {
             .collect()
     }
 
-    /// Its force at every sample of a motion, N.
+    /// Returns the force of the network at every sample of a motion, N.
     pub fn forces(&self, motion: &Motion) -> Vec<f64> {
         self.inputs(motion, &acceleration(motion))
             .iter()

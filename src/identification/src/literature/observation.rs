@@ -1,6 +1,6 @@
-//! The tests as the models of the literature see them: motion, force, and what a newton of error counts.
+//! Tests in the form that the models of the literature use: motion, force, and the scale of the residual.
 //!
-//! This is the one place where they meet the preparation of records; everything else here works on these types.
+//! This module alone depends on the preparation of records. All other modules here work on these types.
 
 use dashpot_estimation::segment::Segment;
 use dashpot_records::Record;
@@ -15,32 +15,32 @@ pub struct Motion {
     pub displacement: Vec<f64>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
-    /// Sample one or more whole cycles after the first, where the motion is periodic.
+    /// Index of a sample one or more whole cycles after the first, if the motion is periodic.
     ///
     /// The internal state of a model there equals that at the first sample.
     pub returns: Option<usize>,
 }
 
-/// A test to identify a model from.
+/// A test from which a model is identified.
 #[derive(Debug, Clone)]
 pub struct Observation {
     /// Name of the test.
     pub name: String,
-    /// What the rig did.
+    /// Motion of the rig.
     pub motion: Motion,
     /// Measured force, N.
     pub force: Vec<f64>,
-    /// First sample whose force counts; those before it let a model settle.
+    /// First sample whose force counts. The samples before it let the transient of a model decay.
     pub from: usize,
-    /// Force that one unit of weighted residual stands for, N.
+    /// Force of one unit of weighted residual, N.
     pub scale: f64,
 }
 
-/// Share of the range of a motion by which two samples one cycle apart may differ.
+/// Fraction of the range of a motion by which two samples one cycle apart may differ.
 const SAME: f64 = 0.05;
 
 impl Motion {
-    /// The smoothed motion of a record at its own samples.
+    /// Makes the smoothed motion of a record at its own samples.
     pub fn from_record(record: &Record) -> Motion {
         let smoothed = smooth(record);
         let dt = std::iter::once(0.0).chain(record.time.windows(2).map(|w| w[1] - w[0])).collect();
@@ -62,7 +62,7 @@ impl Motion {
         (0..self.dt.len()).map(|i| step(&mut memory, i)).collect()
     }
 
-    /// Middle of the displacements, m, without the way there and back.
+    /// Returns the middle of the displacements, m, without the approach and the return.
     pub(super) fn middle(&self) -> f64 {
         let mut sorted = self.displacement.clone();
         sorted.sort_by(f64::total_cmp);
@@ -71,17 +71,17 @@ impl Motion {
     }
 }
 
-/// Lowest and highest.
+/// Returns the lowest and the highest value.
 pub(super) fn range(values: &[f64]) -> (f64, f64) {
     values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)))
 }
 
-/// The tests of a fit, from records.
+/// Makes the observations of a fit from records.
 pub fn of_records(records: &[&Record]) -> Vec<Observation> {
     observations(&dashpot_estimation::samples::segments(records))
 }
 
-/// The tests of a fit.
+/// Makes the observations of a fit from segments.
 pub fn observations(segments: &[Segment]) -> Vec<Observation> {
     segments.iter().map(observation).collect()
 }
@@ -89,8 +89,8 @@ pub fn observations(segments: &[Segment]) -> Vec<Observation> {
 fn observation(segment: &Segment) -> Observation {
     let displacement: Vec<f64> = segment.input.iter().map(|i| i.displacement.unwrap_or(0.0)).collect();
     let velocity: Vec<f64> = segment.input.iter().map(|i| i.velocity).collect();
-    // The scored part holds whole cycles where the motion has any, so the sample that lies as far before the end as the
-    // scored part begins after the start is one or more whole cycles after the first.
+    // The scored part contains whole cycles if the motion has any. So the sample at (length − `from`) lies one or more whole cycles after
+    // the first.
     let returns = (displacement.len() - segment.from).min(displacement.len() - 1);
     let near = |values: &[f64]| {
         let (low, high) = range(values);
@@ -106,7 +106,7 @@ fn observation(segment: &Segment) -> Observation {
     }
 }
 
-/// How large forces and motions are: the numbers of every model are looked for about these.
+/// Scales of forces and motions. The parameters of every model are identified relative to them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scales {
     /// Largest |force|, N.
@@ -120,7 +120,7 @@ pub(super) struct Scales {
 }
 
 impl Scales {
-    /// Scales of the scored samples of all tests.
+    /// Determines the scales from the scored samples of all tests.
     pub fn from_tests(tests: &[Observation]) -> Scales {
         let largest = |of: &dyn Fn(&Observation, usize) -> f64| {
             let all = tests.iter().flat_map(|t| (t.from..t.force.len()).map(move |i| (t, i)));

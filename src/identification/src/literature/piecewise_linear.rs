@@ -1,15 +1,15 @@
 //! Piecewise-linear force-velocity curve.
 //!
-//! One of the models that Jonnalagadda & Vyas compare theirs with (*Modelling of Automotive Suspension Damper*, KTH 2020,
-//! chapter 2): rebound slopes Cr1 to Cr3 between two knees, compression slopes Cc1 and Cc2 about one, through the origin,
-//! and a constant gas force.
+//! It is one of the models with which Jonnalagadda & Vyas compare theirs (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter
+//! 2). It has rebound slopes Cr1 to Cr3 with two knees, compression slopes Cc1 and Cc2 with one knee, and a constant gas force. The lines
+//! pass through the origin.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
 use dashpot_core::{Params, element, number, parameter};
 use serde::{Deserialize, Serialize};
 
-/// The kernel's numbers of this form of the curve.
+/// Kernel parameters of this form of the curve.
 pub const COEFFICIENTS_AND_KNEES: [parameter::Number; 8] = [
     number!("fv_rebound_c1"),
     number!("fv_rebound_c2"),
@@ -21,7 +21,7 @@ pub const COEFFICIENTS_AND_KNEES: [parameter::Number; 8] = [
     number!("fv_compression_v1"),
 ];
 
-/// Its numbers.
+/// Parameters of the piecewise-linear curve.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PiecewiseLinear {
     /// Cr1, Cr2, Cr3, N s/m.
@@ -50,7 +50,7 @@ impl PiecewiseLinear {
         curve - self.gas_force_n
     }
 
-    /// For the kernel, which has this form of the curve.
+    /// Converts the curve to a parameter set of the kernel, which has this form of the curve.
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();
@@ -72,7 +72,7 @@ impl Law for PiecewiseLinear {
     fn numbers(s: &Scales) -> Vec<Number> {
         let slope = Number::Linear { typical: s.force / s.velocity, low: 0.0, high: 1e6 };
         let knee = Number::Log { low: (1e-3 * s.velocity).max(1e-4), high: s.velocity.min(9.0) };
-        // The second knee as its distance from the first, so that they keep their order.
+        // The unknown of the second knee is its distance from the first, so the knees keep their order.
         vec![slope, slope, slope, knee, knee, slope, slope, knee, Number::linear(s.force)]
     }
 

@@ -1,33 +1,34 @@
 //! Restoring-force surface.
 //!
-//! S. F. Masri, T. K. Caughey, *A nonparametric identification technique for nonlinear dynamic problems*, J. Appl. Mech. 46,
-//! 1979: the force as a double series of Chebyshev polynomials over displacement and velocity, both scaled to −1..1 by
-//! the tests. Linear in its coefficients; the two degrees are those that predict tests left out best. Beyond the tests
-//! the surface is held at its edge, where a polynomial would run away.
+//! S. F. Masri, T. K. Caughey, *A nonparametric identification technique for nonlinear dynamic problems*, J. Appl. Mech. 46, 1979. The
+//! force is a double series of Chebyshev polynomials over displacement and velocity, both scaled to −1..1 by the tests.
+//!
+//! It is linear in its coefficients. The two degrees are those that best predict left-out tests. Beyond the tests the surface is constant,
+//! because a polynomial would diverge.
 
 use super::observation::{Motion, Observation, range};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Parameters of the surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Surface {
     /// Range of displacement, m.
     pub displacement_m: [f64; 2],
     /// Range of velocity, m/s.
     pub velocity_m_s: [f64; 2],
-    /// Coefficients C_ij of T_i(x) T_j(v), N, one row a degree in displacement.
+    /// Coefficients C_ij of T_i(x) T_j(v), N, with one row for each degree in displacement.
     pub coefficients_n: Vec<Vec<f64>>,
 }
 
-/// Highest degree in displacement tried.
+/// Highest degree in displacement that is tried.
 const MOST_X: usize = 5;
-/// Highest degree in velocity tried.
+/// Highest degree in velocity that is tried.
 const MOST_V: usize = 11;
-/// Ridge over the mean of the diagonal: combinations of displacement and velocity that no test visits stay flat.
+/// Ridge relative to the mean of the diagonal. It keeps the surface flat where no test combines displacement and velocity.
 const RIDGE: f64 = 1e-5;
 
-/// T_0 to T_n of a value held inside −1..1.
+/// Computes T_0 to T_n of a value clamped to −1..1.
 fn chebyshev(value: f64, [low, high]: [f64; 2], n: usize) -> Vec<f64> {
     let u = ((2.0 * value - low - high) / (high - low).max(1e-12)).clamp(-1.0, 1.0);
     let mut t = vec![1.0, u];
@@ -38,7 +39,7 @@ fn chebyshev(value: f64, [low, high]: [f64; 2], n: usize) -> Vec<f64> {
     t
 }
 
-/// Weighted sums of one test over all products.
+/// Weighted sums of products of the basis functions over one test.
 struct Sums {
     square: DMatrix<f64>,
     right: DVector<f64>,
@@ -99,14 +100,14 @@ pub fn fit(tests: &[Observation]) -> Option<Surface> {
             let of = chosen(nx, nv);
             let (square, right) = part(&total, &of);
             let missed: f64 = if sums.len() < 3 {
-                // Nothing can be left out: a plain surface.
+                // Too few tests to leave one out: use fixed degrees.
                 if (nx, nv) == (1, 5) { 0.0 } else { f64::INFINITY }
             } else {
                 sums.iter()
                     .map(|test| {
                         let (own, own_right) = part(test, &of);
                         match solve(&(&square - &own), &(&right - &own_right)) {
-                            // By ratios: one test beyond the reach of the others must not decide alone.
+                            // Sum logarithms, so that one test beyond the range of the others does not decide alone.
                             Some(c) => {
                                 libm::log((test.force - 2.0 * own_right.dot(&c) + c.dot(&(&own * &c))).max(1e-9))
                             }
@@ -129,7 +130,7 @@ pub fn fit(tests: &[Observation]) -> Option<Surface> {
 }
 
 impl Surface {
-    /// Its force at every sample of a motion, N.
+    /// Returns the force of the surface at every sample of a motion, N.
     pub fn forces(&self, motion: &Motion) -> Vec<f64> {
         let nx = self.coefficients_n.len().saturating_sub(1);
         let nv = self.coefficients_n.first().map_or(0, |row| row.len().saturating_sub(1));

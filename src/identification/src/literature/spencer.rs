@@ -1,10 +1,10 @@
 //! Spencer's modified Bouc-Wen model.
 //!
-//! B. F. Spencer, S. J. Dyke, M. K. Sain, J. D. Carlson, *Phenomenological model for magnetorheological dampers*, J. Eng.
-//! Mech. ASCE 123, 1997. A Bouc-Wen element with spring k₀ and dashpot c₀ beside it, in series with a dashpot c₁ that
-//! rounds the loop at low speed, and an accumulator k₁ beside all of it:
-//! `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁ ẏ + k₁ x + f₀`, z the hysteresis of [`super::bouc_wen`] over x − y.
-//! The paper's `k₁ (x − x₀)` is written with f₀ = −k₁ x₀: the same model, without a division where k₁ is nearly nothing.
+//! B. F. Spencer, S. J. Dyke, M. K. Sain, J. D. Carlson, *Phenomenological model for magnetorheological dampers*, J. Eng. Mech. ASCE 123,
+//! 1997. A Bouc-Wen element is in parallel with spring k₀ and dashpot c₀. A dashpot c₁ in series with them rounds the loop at low speed.
+//! The accumulator k₁ is in parallel with the whole path:
+//! `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁ ẏ + k₁ x + f₀`, with z the hysteresis of [`super::bouc_wen`] over x − y.
+//! The paper's `k₁ (x − x₀)` is written with f₀ = −k₁ x₀. This avoids a division if k₁ is nearly zero.
 
 use super::bouc_wen::BoucWen;
 use super::bristle::{Shape, phi};
@@ -12,20 +12,20 @@ use super::law::{self, Law, Number};
 use super::observation::{Motion, Observation, Scales};
 use serde::{Deserialize, Serialize};
 
-/// Its numbers.
+/// Parameters of Spencer's model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spencer {
     /// Level F_z of the hysteretic force (α z at sliding), N.
     pub level_n: f64,
-    /// Travel over which it builds up, m.
+    /// Travel over which the hysteretic force builds up, m.
     pub stick_distance_m: f64,
-    /// Sharpness n of the passage to sliding.
+    /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
     /// β; γ is 1 − β.
     pub beta: f64,
-    /// Damping c₀ beside the hysteresis, N s/m.
+    /// Damping c₀ in parallel with the hysteresis, N s/m.
     pub inner_damping_n_s_m: f64,
-    /// Stiffness k₀ beside the hysteresis, N/m.
+    /// Stiffness k₀ in parallel with the hysteresis, N/m.
     pub inner_stiffness_n_m: f64,
     /// Damping c₁ in series with both, N s/m.
     pub series_damping_n_s_m: f64,
@@ -37,15 +37,17 @@ pub struct Spencer {
 
 /// Largest travel of one step, in stick distances.
 const STEP: f64 = 0.25;
-/// Largest decay of the dashpot's own deflection in one step.
+/// Largest relative decay of the deflection x − y in one step.
 const DECAY: f64 = 0.5;
-/// Most steps between two samples; they are needed only where a start is far off.
+/// Largest number of steps between two samples. Only a start far from the solution needs so many.
 const MOST: f64 = 24.0;
 
-/// Series damping, over that of the tests, at which the series path is as good as rigid.
+/// Series damping, relative to the damping of the tests, at which the series path is practically rigid.
 const RIGID: f64 = 3e3;
 
-/// Identifies the model; among its starts is the plain Bouc-Wen model, which it contains, so that it is never worse.
+/// Identifies the model.
+///
+/// The model contains the plain Bouc-Wen model, whose fit is one of the starts. So the fit is never worse than that of Bouc-Wen.
 pub fn fit(tests: &[Observation]) -> Option<Spencer> {
     let s = Scales::from_tests(tests);
     let plain = law::fit::<BoucWen>(tests).map(|b| {
@@ -66,7 +68,7 @@ pub fn fit(tests: &[Observation]) -> Option<Spencer> {
 
 #[derive(Clone, Copy)]
 struct Memory {
-    /// Bend of the hysteresis, −1..1.
+    /// Deflection of the hysteresis, −1..1.
     z: f64,
     /// x − y, m.
     deflection: f64,
@@ -79,7 +81,7 @@ impl Law for Spencer {
             Number::Log { low: 1e-3 * s.force, high: 10.0 * s.force },
             Number::Log { low: 1e-5 * s.displacement, high: 3.0 * s.displacement },
             Number::Log { low: 1.0, high: 20.0 },
-            // Below a half the element would give energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
+            // Below 0.5 the element would produce energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
             Number::Plain { typical: 1.0, low: 0.5, high: 5.0 },
             Number::Plain { typical: damp, low: 0.0, high: 10.0 * damp },
             Number::Plain { typical: stiff, low: -2.0 * stiff, high: 10.0 * stiff },
@@ -131,7 +133,7 @@ impl Law for Spencer {
         let (x, v) = (&motion.displacement, &motion.velocity);
         let shape = Shape { sharpness: self.sharpness, turning: self.beta };
         let sum = self.inner_damping_n_s_m + self.series_damping_n_s_m;
-        // Velocity of the inner point.
+        // Returns the velocity of the inner point.
         let inner = |m: &Memory, v: f64| {
             (self.level_n * m.z + self.inner_damping_n_s_m * v + self.inner_stiffness_n_m * m.deflection) / sum
         };
@@ -142,7 +144,7 @@ impl Law for Spencer {
                 let decay = self.inner_stiffness_n_m.abs() / sum * dt;
                 let steps = (travel / STEP).max(decay / DECAY).ceil().clamp(1.0, MOST);
                 let h = dt / steps;
-                // Over a sample the velocity is the one that the displacements need, so that travel adds up.
+                // The mean velocity over a sample is the difference of the displacements, so that the travel adds up.
                 let mean = (x[i] - x[i - 1]) / dt;
                 for k in 0..steps as usize {
                     let part = (k as f64 + 0.5) / steps;

@@ -1,10 +1,10 @@
-//! Every model finds itself again, is the same in the kernel and from its file.
+//! Every model recovers its own parameters, and gives equal forces in the kernel and after a file round trip.
 
 use super::*;
 use dashpot_core::list;
 use std::f64::consts::TAU;
 
-/// Sines of these amplitudes, m, and frequencies, Hz, with the forces of a model.
+/// Makes sine tests of these amplitudes, m, and frequencies, Hz, with the forces of a model.
 fn tests_of(model: &Literature, plan: &[(f64, f64)]) -> Vec<Observation> {
     plan.iter()
         .map(|(amplitude, frequency)| {
@@ -27,7 +27,7 @@ fn tests_of(model: &Literature, plan: &[(f64, f64)]) -> Vec<Observation> {
 const FITTED: [(f64, f64); 5] = [(0.025, 0.25), (0.025, 1.0), (0.005, 3.0), (0.002, 5.0), (0.01, 0.05)];
 const LEFT_OUT: [(f64, f64); 2] = [(0.01, 2.0), (0.005, 4.0)];
 
-/// Root mean square error over the largest force, on all tests.
+/// Returns the root mean square error over all tests, relative to the largest force.
 fn missed(model: &Literature, tests: &[Observation]) -> f64 {
     let (mut squares, mut count, mut top) = (0.0, 0usize, 0.0f64);
     for test in tests {
@@ -105,7 +105,7 @@ fn every_law_finds_itself_again_and_predicts_tests_left_out() {
 
 #[test]
 fn surface_and_network_learn_a_smooth_damper() {
-    // A degressive curve, a spring, and damping that rises inwards.
+    // The damper has a degressive curve, a spring, and damping that increases inward.
     let smooth = |plan: &[(f64, f64)]| {
         let mut tests = tests_of(&examples()[5], plan);
         for test in &mut tests {
@@ -131,7 +131,7 @@ fn all_models_are_identified_on_one_test_and_twice_the_same() {
         assert_eq!(found.name(), name);
         assert!(missed(&found, &tests).is_finite(), "{name}");
         assert_eq!(found, Literature::fit(name, &tests).unwrap());
-        // Its file gives it back.
+        // A file round trip returns the same model.
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("model.toml");
         let text = file::write(&found, &["a".to_owned()]);
@@ -152,7 +152,7 @@ fn what_cannot_be_identified_is_said() {
 
 #[test]
 fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
-    // 4 ms a sample, short against the time constants: what is compared is the model, not the step.
+    // 4 ms a sample is short compared with the time constants, so the test compares the models and not their step sizes.
     let damper = &examples()[3];
     let tests = tests_of(damper, &[(0.025, 3.0), (0.005, 3.0)]);
     let mut models = ["fv", "piecewise"].map(|name| Literature::fit(name, &tests).unwrap()).to_vec();
@@ -175,7 +175,7 @@ fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
             let own = found.forces(&test.motion);
             let top = own.iter().fold(0.0f64, |m, f| m.max(f.abs()));
             let mut state = model.steady_state(&input(0));
-            // The motion over and over, until the lag has settled; the kernel integrates its ramp a little otherwise.
+            // Repeat the motion until the transient of the lag has decayed. The kernel integrates its ramp slightly differently.
             const PASSES: usize = 60;
             for pass in 1..=PASSES {
                 for (i, own) in own.iter().enumerate().skip(1) {
@@ -191,7 +191,7 @@ fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
 
 #[test]
 fn slow_records_alone_keep_the_polynomial_inside_the_kernels_range() {
-    // ±12 mm at 0.05 Hz: the seventh power of 3.8 mm/s asks for coefficients that the kernel refuses.
+    // ±12 mm at 0.05 Hz: the seventh power of 3.8 mm/s needs coefficients that the kernel rejects.
     let damper = &examples()[3];
     let tests = tests_of(damper, &[(0.012, 0.05)]);
     let found = Literature::fit("lag", &tests).unwrap();
@@ -203,7 +203,8 @@ fn slow_records_alone_keep_the_polynomial_inside_the_kernels_range() {
 
 #[test]
 fn the_curve_shows_the_friction_step_where_slow_tests_are_and_has_no_level_stretch() {
-    // Friction of ±170 N that is fully there at 1 mm/s, on a degressive curve; peaks as in a schedule with slow tests.
+    // Friction of ±170 N, fully developed at 1 mm/s, is added to a degressive curve. The peak velocities are those of a schedule with slow
+    // tests.
     let law = |v: f64| 170.0 * libm::tanh(v / 4e-4) + 2500.0 * v / (1.0 + (v / 0.3).abs()).sqrt() - 40.0;
     let plan = [(0.05, 0.00637), (0.05, 0.008), (0.05, 0.17), (0.05, 0.83), (0.05, 3.33), (0.01, 0.83), (0.01, 4.0)];
     let kwok = &examples()[5];

@@ -1,24 +1,24 @@
-//! Comparison with models of the literature, each identified from the tests that the model was fitted to.
+//! Comparison with models of the literature, each identified from the tests of the model's fit.
 
 use super::compared::Compared;
 use super::deviation::Deviation;
 use crate::literature::Literature;
 use serde::Serialize;
 
-/// A model of the literature and how close it comes.
+/// Model of the literature with its errors.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Against {
     /// Its name on the command line.
     pub model: String,
-    /// The model in words.
+    /// Description of the model.
     pub meaning: String,
-    /// Its errors on every test, in the order of the validation's tests.
+    /// Errors on every test, in the order of the validation's tests.
     pub tests: Vec<AgainstTest>,
-    /// Mean errors on the tests that it was identified from.
+    /// Mean errors on the tests from which it was identified.
     pub used_in_fit: Option<AgainstSummary>,
     /// Mean errors on the tests left out.
     pub left_out: Option<AgainstSummary>,
-    /// The model with its numbers; absent for the model that is validated.
+    /// The model with its parameters; absent for the validated model.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numbers: Option<Literature>,
 }
@@ -30,7 +30,7 @@ pub struct AgainstTest {
     pub name: String,
     /// Whether the model was identified from it.
     pub used_in_fit: bool,
-    /// Its errors.
+    /// Errors of the model.
     #[serde(flatten)]
     pub errors: Deviation,
 }
@@ -46,7 +46,7 @@ pub struct AgainstSummary {
 }
 
 impl Against {
-    /// Measures forces of a model on every compared test.
+    /// Computes the errors of a model's forces on every compared test.
     pub fn measure(model: &str, meaning: &str, compared: &[Compared<'_>], forces: &[Vec<f64>]) -> Against {
         let tests = compared
             .iter()
@@ -61,7 +61,7 @@ impl Against {
         Self::from_tests(model, meaning, tests)
     }
 
-    /// From errors test by test.
+    /// Summarizes the errors of the tests.
     pub(super) fn from_tests(model: &str, meaning: &str, tests: Vec<AgainstTest>) -> Against {
         let summary = |used: bool| {
             let errors: Vec<Deviation> = tests.iter().filter(|t| t.used_in_fit == used).map(|t| t.errors).collect();

@@ -1,4 +1,4 @@
-//! The validation of a whole campaign: every test, the overall figures, and the tests left out of the fit apart.
+//! Validation of a whole campaign: every test, the overall figures, and separate figures of the tests left out of the fit.
 
 use super::against::{Against, AgainstTest};
 use super::compared::{Compared, ValidationError};
@@ -10,8 +10,9 @@ use crate::limits::Certificate;
 use dashpot_records::{Sentence, Unusable, is_same_setting};
 use serde::Serialize;
 
-/// Mean figures over a set of tests. Each test has equal weight whatever its length; the percent is the mean of the
-/// tests' percents and the root mean square the mean of the tests' root mean squares.
+/// Mean figures over a set of tests, with equal weight for each test regardless of its length.
+///
+/// The percent is the mean of the tests' percents. The root mean square is the mean of the tests' root mean squares.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     /// Number of tests.
@@ -21,50 +22,50 @@ pub struct Summary {
     pub errors: Errors,
 }
 
-/// How close a model comes to a campaign. Its JSON form is what `dashpot validate` writes.
+/// Errors of a model over a campaign. `dashpot validate` writes its JSON form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Validation {
     /// Every test, in the order given.
     pub tests: Vec<TestValidation>,
     /// All tests together.
     pub overall: Summary,
-    /// The tests identification saw, if any.
+    /// Tests used by the identification, if any.
     pub used_in_fit: Option<Summary>,
-    /// The tests identification did not see, if any.
+    /// Tests not used by the identification, if any.
     pub left_out: Option<Summary>,
     /// Errors by amplitude and peak velocity.
     pub matrix: ErrorMatrix,
-    /// Speed between region 1 and region 2, m/s.
+    /// Speed that separates region 1 from region 2, m/s.
     pub region_boundary_m_s: f64,
-    /// Errors at each setting of a damper that depends on one; empty for another.
+    /// Errors at each setting; empty if the damper has no setting.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub settings: Vec<SettingSummary>,
-    /// Errors of the tests whose setting changes; absent where there are none.
+    /// Errors of the tests whose setting changes; absent without such tests.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub changing: Option<ChangingSummary>,
-    /// Responses to steps of the setting; empty where no test has any.
+    /// Responses to steps of the setting; empty if no test has steps.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub step_responses: Vec<StepResponse>,
-    /// The model and those of the literature that it was compared with, on the same tests; empty where none was asked for.
+    /// The model and the models of the literature, on the same tests; empty if no comparison was requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
-    /// Limits that the damper had to keep; absent where none were given.
+    /// Results of the limits; absent if none were given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Certificate>,
-    /// What the model's own fit found its records to be off by, and whether it was taken out of these; absent where it found nothing.
+    /// Measurement errors that the model's own fit found, and whether these records were corrected by them; absent if it found none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<Sentence>,
-    /// Files and tests of the campaign that could not be used, and are in no figure.
+    /// Files and tests of the campaign that could not be used. No figure includes them.
     pub unusable: Vec<Unusable>,
 }
 
 /// Mean figures over the tests whose setting changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChangingSummary {
-    /// Its tests.
+    /// Figures of these tests.
     #[serde(flatten)]
     pub summary: Summary,
-    /// Places of its tests among those of the validation.
+    /// Indices of these tests among those of the validation.
     #[serde(skip)]
     pub places: Vec<usize>,
 }
@@ -74,19 +75,21 @@ pub struct ChangingSummary {
 pub struct SettingSummary {
     /// Value of the setting.
     pub setting: f64,
-    /// Whether the model file gives numbers at this value; else they are interpolated.
+    /// Whether the model file gives numbers at this value. Otherwise they are interpolated.
     pub is_of_grid: bool,
-    /// Its tests.
+    /// Figures of the tests at this setting.
     #[serde(flatten)]
     pub summary: Summary,
-    /// Places of its tests among those of the validation.
+    /// Indices of these tests among those of the validation.
     #[serde(skip)]
     pub places: Vec<usize>,
 }
 
 impl Validation {
-    /// Summarizes the tests by their setting, lowest first. `settings` holds that of every test, `grid` those of the model file.
-    /// A test whose setting changes has none, and is summarized with its like.
+    /// Summarizes the tests by their setting, lowest first. `settings` holds the setting of every test, `grid` the settings of the model
+    /// file.
+    ///
+    /// A test whose setting changes has `None`. These tests are summarized together.
     pub fn summarize_settings(&mut self, settings: &[Option<f64>], grid: &[f64]) {
         let all = 0..self.tests.len().min(settings.len());
         let (constant, changing): (Vec<usize>, Vec<usize>) = all.partition(|place| settings[*place].is_some());
@@ -108,7 +111,7 @@ impl Validation {
         self.settings = found;
     }
 
-    /// The model that is validated, in the form of those that it is compared with.
+    /// Returns the errors of the validated model in the form of the compared models.
     pub fn as_against(&self) -> Against {
         let test = |t: &TestValidation| AgainstTest {
             name: t.name.clone(),
@@ -119,10 +122,10 @@ impl Validation {
     }
 }
 
-/// Measures every test and groups the figures.
+/// Computes the figures of every test, and summarizes them.
 ///
 /// # Errors
-/// [`ValidationError`] for the first test that cannot be measured; see there.
+/// [`ValidationError`] for the first test that cannot be validated.
 pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError> {
     compared.iter().try_for_each(Compared::check)?;
     let tests: Vec<TestValidation> = compared.iter().map(TestValidation::of).collect();
@@ -185,7 +188,7 @@ mod tests {
 
     #[test]
     fn the_written_keys_are_the_promised_ones() {
-        // Scripts read these names; changing one breaks them.
+        // Scripts read these keys. A changed key breaks them.
         const ERRORS: [&str; 5] = ["mean_error_n", "error_percent", "region1_n", "region2_n", "rmse_n"];
         let a = record("a", 1000.0);
         let validation = validate(&[shifted(&a, 9.0, 18.0, true)]).unwrap();

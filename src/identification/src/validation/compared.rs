@@ -1,8 +1,8 @@
-//! One test with its simulated forces, and what is refused.
+//! One test with its simulated forces, and the checks before a comparison.
 
 use dashpot_records::Record;
 
-/// A measured test beside the forces simulated at its samples.
+/// A measured test with the forces simulated at its samples.
 #[derive(Debug, Clone)]
 pub struct Compared<'a> {
     /// The measured test.
@@ -11,11 +11,11 @@ pub struct Compared<'a> {
     pub model: Vec<f64>,
     /// Force of the force–velocity curve alone at every sample of the record, N.
     pub fv_only: Vec<f64>,
-    /// Whether identification saw this test; a test left out is the honest check.
+    /// Whether the identification used this test. Only a left-out test is an independent check.
     pub used_in_fit: bool,
 }
 
-/// Why a comparison cannot be measured.
+/// Error of a comparison.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ValidationError {
     /// There is nothing to compare.
@@ -27,33 +27,33 @@ pub enum ValidationError {
         /// Name of the test.
         test: String,
     },
-    /// A series that does not belong to the record.
+    /// A series whose length differs from that of the record.
     #[error(
         "test '{test}': {series} has {got} samples, the force has {expected}: simulate at the record's own samples"
     )]
     Length {
         /// Name of the test.
         test: String,
-        /// Which series.
+        /// Name of the series.
         series: &'static str,
         /// Samples of the measured force.
         expected: usize,
         /// Samples of the series.
         got: usize,
     },
-    /// A value that is not a number, measured or simulated.
+    /// A measured or simulated value that is not finite.
     #[error("test '{test}': {series} is not a finite number at sample {sample}: {advice}")]
     NotFinite {
         /// Name of the test.
         test: String,
-        /// Which series.
+        /// Name of the series.
         series: &'static str,
         /// Sample number, counted from 1.
         sample: usize,
-        /// What to do about it.
+        /// Remedy.
         advice: &'static str,
     },
-    /// A cycle that points outside its record.
+    /// A cycle that extends beyond its record.
     #[error("test '{test}': cycle {cycle} reaches beyond the last sample: derive the cycles again after cleaning")]
     Cycle {
         /// Name of the test.
@@ -61,7 +61,7 @@ pub enum ValidationError {
         /// Cycle number, counted from 1.
         cycle: usize,
     },
-    /// No force was measured, so an error in percent of it has no meaning.
+    /// All measured forces are zero, so an error in percent is undefined.
     #[error("test '{test}': the measured force is zero throughout: was the load cell connected?")]
     NoForce {
         /// Name of the test.
@@ -70,7 +70,7 @@ pub enum ValidationError {
 }
 
 impl Compared<'_> {
-    /// Refuses what cannot be measured, so that every figure computed afterwards is a finite number.
+    /// Rejects data that cannot be compared. Every figure computed afterwards is then finite.
     pub(super) fn check(&self) -> Result<(), ValidationError> {
         const RECORD: &str = "clean the record first";
         const SIMULATED: &str = "the simulation diverged, check the model's parameters";

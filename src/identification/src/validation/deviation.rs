@@ -1,30 +1,29 @@
-//! Error figures of one simulated force against the measured one.
+//! Error figures of one simulated force relative to the measured force.
 
 use serde::Serialize;
 
-/// Speed between region 1 (slow: friction, bleed, hysteresis) and region 2 (fast: valve shims, blow-off), m/s.
+/// Speed that separates region 1 (slow: friction, bleed, hysteresis) from region 2 (fast: valve shims, blow-off), m/s.
 ///
-/// The reference work prints both parts but not the boundary. Its own tables put it between two peak velocities of
-/// its schedule, 0.262 m/s and 0.524 m/s; the middle of these, rounded, is used here.
+/// The reference work prints both parts but not the boundary. Its tables imply a boundary between two peak velocities of its schedule,
+/// 0.262 m/s and 0.524 m/s. The value is their rounded middle.
 pub const REGION_BOUNDARY: f64 = 0.4;
 
-/// How far a simulated force is from the measured one.
+/// Error figures of a simulated force relative to the measured force.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Deviation {
     /// Mean of |simulated − measured| over the samples, N.
     pub mean_error_n: f64,
     /// 100 · mean error / largest |measured force|, %.
     pub error_percent: f64,
-    /// Part of the mean error that falls on samples slower than [`REGION_BOUNDARY`], N. The two parts add up to the
-    /// mean error.
+    /// Contribution to the mean error of the samples slower than [`REGION_BOUNDARY`], N. Both contributions add up to the mean error.
     pub region1_n: f64,
-    /// Part of the mean error that falls on samples at or above [`REGION_BOUNDARY`], N.
+    /// Contribution to the mean error of the samples at or above [`REGION_BOUNDARY`], N.
     pub region2_n: f64,
     /// Root mean square of simulated − measured, N.
     pub rmse_n: f64,
 }
 
-/// The error figures of the full model and, beside them, those of the force–velocity curve alone.
+/// Error figures of the full model, and those of the force–velocity curve alone for comparison.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Errors {
     /// The full model.
@@ -35,8 +34,8 @@ pub struct Errors {
 }
 
 impl Deviation {
-    /// Measures one test. The slices have equal lengths and finite values; `max_force` is the largest |measured
-    /// force|, N, and not zero.
+    /// Computes the figures of one test. The slices have equal lengths and finite values. `max_force` is the largest |measured force|, N,
+    /// and not zero.
     pub(super) fn of_test(simulated: &[f64], measured: &[f64], velocity: &[f64], max_force: f64) -> Self {
         let (mut region1, mut region2, mut squares) = (0.0, 0.0, 0.0);
         for ((simulated, measured), velocity) in simulated.iter().zip(measured).zip(velocity) {
@@ -59,7 +58,7 @@ impl Deviation {
         }
     }
 
-    /// Plain mean of every figure: each test counts once, however long it was recorded.
+    /// Averages every figure. Each test counts once, regardless of its length.
     pub(super) fn mean(of: &[Self]) -> Self {
         let mean = |figure: fn(&Self) -> f64| of.iter().map(figure).sum::<f64>() / of.len() as f64;
         Self {
@@ -73,7 +72,7 @@ impl Deviation {
 }
 
 impl Errors {
-    /// Plain mean of every figure over tests, each with equal weight. `None` without tests.
+    /// Averages every figure over tests, each with equal weight. Returns `None` without tests.
     pub(super) fn mean(of: &[Self]) -> Option<Self> {
         if of.is_empty() {
             return None;
@@ -83,7 +82,7 @@ impl Errors {
         Some(Self { model: Deviation::mean(&model), fv_only: Deviation::mean(&fv_only) })
     }
 
-    /// Figures with the percent of another largest force, N: that of a whole row of tests.
+    /// Returns the figures with percents relative to another largest force, N: that of a whole row of tests.
     pub(super) fn in_percent_of(mut self, max_force: f64) -> Self {
         for deviation in [&mut self.model, &mut self.fv_only] {
             deviation.error_percent = percent(deviation.mean_error_n, max_force);
@@ -92,7 +91,7 @@ impl Errors {
     }
 }
 
-/// Error percent as the reference work defines it.
+/// Computes the error in percent as the reference work defines it.
 fn percent(mean_error: f64, max_force: f64) -> f64 {
     100.0 * mean_error / max_force
 }

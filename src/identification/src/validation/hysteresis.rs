@@ -1,36 +1,37 @@
-//! Hysteresis of one test: the gap between the strokes at equal velocity, the loop area, the energy per cycle.
+//! Hysteresis of one test: the gap between the strokes at equal velocity, the loop area, and the energy per cycle.
 //!
-//! All three come from whole cycles only, because a loop that does not close has no area.
+//! All three come from whole cycles only, because a loop that is not closed has no area.
 //!
-//! Signs. Gap and area are taken as force at rising velocity minus force at falling velocity. A force that lags
-//! behind the velocity (gas and oil compressibility, a parallel spring) makes them negative, a force that leads
-//! (moving mass) positive, and a function of velocity alone makes them zero.
+//! Gap and area are the force at rising velocity minus the force at falling velocity. A force that lags behind the velocity (gas and oil
+//! compressibility, a parallel spring) makes them negative. A force that leads (moving mass) makes them positive. They are zero for a
+//! function of velocity alone.
 
 use super::Compared;
 use serde::Serialize;
 
-/// Velocity bins from the negative to the positive peak velocity. Even, so that zero velocity is an edge: friction
-/// changes sign there and must not be averaged away.
+/// Number of velocity bins from the negative to the positive peak velocity.
+///
+/// It is even, so that zero velocity is an edge: friction changes sign there, and one bin across zero would average it away.
 const BINS: usize = 20;
 
-/// Samples a branch needs inside a bin before its force there is believed.
+/// Smallest number of samples of a branch in a bin for a valid mean force.
 const MIN_SAMPLES: usize = 2;
 
-/// Samples a cycle needs before its area is believed.
+/// Smallest number of samples of a cycle for a valid area.
 const MIN_CYCLE_SAMPLES: usize = 8;
 
-/// One figure for each of the three forces.
+/// One figure of each of the three forces.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct OfEach {
-    /// From the measured force.
+    /// Figure of the measured force.
     pub measured: f64,
-    /// From the full model.
+    /// Figure of the full model.
     pub model: f64,
-    /// From the force–velocity curve alone.
+    /// Figure of the force–velocity curve alone.
     pub fv_only: f64,
 }
 
-/// The vertical gap at one velocity.
+/// Vertical gap at one velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GapBin {
     /// Middle of the velocity bin, m/s.
@@ -42,9 +43,9 @@ pub struct GapBin {
 /// Hysteresis of one test, averaged over its whole cycles.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Hysteresis {
-    /// Whole cycles the figures rest on.
+    /// Number of whole cycles used.
     pub cycles: usize,
-    /// Gap over velocity; bins that hold too few samples of either branch are left out.
+    /// Gap over velocity, without bins that have too few samples of either branch.
     pub gap: Vec<GapBin>,
     /// Mean of |gap| over the bins, N; zero without bins.
     pub mean_gap_n: OfEach,
@@ -56,7 +57,7 @@ pub struct Hysteresis {
     pub gap_error_fv_only_n: f64,
     /// ∮F dv of one cycle, N·m/s.
     pub area_n_m_s: OfEach,
-    /// ∮F dx of one cycle, J: what the damper turns into heat.
+    /// ∮F dx of one cycle, J: the heat dissipated by the damper.
     pub energy_j: OfEach,
 }
 
@@ -70,7 +71,7 @@ impl OfEach {
         }
     }
 
-    /// A statistic over bins, for each of the three.
+    /// Computes a statistic over bins for each of the three forces.
     fn over(bins: &[GapBin], figure: impl Fn(&mut dyn Iterator<Item = f64>) -> f64) -> Self {
         Self {
             measured: figure(&mut bins.iter().map(|bin| bin.gap_n.measured)),
@@ -81,7 +82,7 @@ impl OfEach {
 }
 
 impl Hysteresis {
-    /// Measures a checked test; `None` where it holds no whole cycle or no motion.
+    /// Computes the hysteresis of a checked test; `None` if the test has no whole cycle or no motion.
     pub(crate) fn of_test(compared: &Compared<'_>) -> Option<Self> {
         let record = compared.record;
         let cycles: Vec<_> = record.cycles.iter().filter(|cycle| cycle.len() >= MIN_CYCLE_SAMPLES).cloned().collect();
@@ -116,7 +117,7 @@ impl Hysteresis {
     }
 }
 
-/// ∮F dq of one cycle by trapezoids, closed from its last sample back to its first.
+/// Computes ∮F dq of one cycle by the trapezoidal rule, closed from its last sample to its first.
 fn loop_integral(force: &[f64], over: &[f64]) -> f64 {
     let next = |i: usize| (i + 1) % force.len();
     (0..force.len()).map(|i| 0.5 * (force[i] + force[next(i)]) * (over[next(i)] - over[i])).sum()
@@ -124,17 +125,19 @@ fn loop_integral(force: &[f64], over: &[f64]) -> f64 {
 
 /// Samples of whole cycles sorted by velocity bin and by branch.
 struct Bins {
-    /// Peak velocity the bins span, m/s.
+    /// Peak velocity of the outermost bins, m/s.
     peak: f64,
-    /// Samples of `[rising, falling]` velocity per bin.
+    /// Samples of `[rising, falling]` velocity in each bin.
     samples: Vec<[Vec<usize>; 2]>,
-    /// Whether the samples of a bin carry a gap.
+    /// Whether a bin has enough samples for a gap.
     usable: Vec<bool>,
 }
 
 impl Bins {
-    /// Velocity rises while the damper is below the middle of its stroke and falls above it. That side is read from
-    /// the displacement, since differentiating a measured velocity would only sort the noise.
+    /// Sorts samples into bins and branches.
+    ///
+    /// Velocity rises while the damper is below the middle of its stroke, and falls above it. The branch follows from the displacement,
+    /// because the derivative of a measured velocity is too noisy.
     fn sort(velocity: &[f64], displacement: &[f64], cycles: &[std::ops::Range<usize>], peak: f64) -> Self {
         let mut samples = vec![[Vec::new(), Vec::new()]; BINS];
         for cycle in cycles {
@@ -160,18 +163,19 @@ impl Bins {
         self.usable[bin]
     }
 
-    /// Middle velocity of a bin, m/s.
+    /// Returns the middle velocity of a bin, m/s.
     fn middle(&self, bin: usize) -> f64 {
         self.peak * ((2 * bin + 1) as f64 / BINS as f64 - 1.0)
     }
 
-    /// Sum of squared velocity deviations from the branch means.
+    /// Returns the sum of squared velocity deviations from the branch means.
     fn spread(&self, bin: usize, velocity: &[f64]) -> f64 {
         self.samples[bin].iter().map(|branch| co_deviation(branch, velocity, velocity)).sum()
     }
 
-    /// Gap of a usable bin: the distance of two parallel lines through the branches. The shared slope keeps a
-    /// difference in where the samples of either branch happen to lie from posing as hysteresis.
+    /// Returns the gap of a usable bin: the distance between two parallel lines through the branches.
+    ///
+    /// The shared slope corrects different mean velocities of the branches, which would otherwise appear as hysteresis.
     fn gap(&self, bin: usize, velocity: &[f64], force: &[f64]) -> f64 {
         let [rising, falling] = &self.samples[bin];
         let along: f64 = [rising, falling].map(|branch| co_deviation(branch, velocity, force)).iter().sum();
@@ -181,12 +185,12 @@ impl Bins {
     }
 }
 
-/// Mean of the chosen samples.
+/// Averages the chosen samples.
 fn mean(samples: &[usize], of: &[f64]) -> f64 {
     samples.iter().map(|i| of[*i]).sum::<f64>() / samples.len() as f64
 }
 
-/// Sum over the chosen samples of the product of two channels' deviations from their means.
+/// Sums the product of two channels' deviations from their means over the chosen samples.
 fn co_deviation(samples: &[usize], a: &[f64], b: &[f64]) -> f64 {
     let (mean_a, mean_b) = (mean(samples, a), mean(samples, b));
     samples.iter().map(|i| (a[*i] - mean_a) * (b[*i] - mean_b)).sum()
@@ -201,8 +205,7 @@ mod tests {
     const AMPLITUDE: f64 = 0.02;
     const FREQUENCY: f64 = 1.5;
 
-    /// A sine test of whole cycles about 30 mm whose force is a function of displacement from the middle, velocity and
-    /// acceleration.
+    /// Makes a sine test of whole cycles about 30 mm. The force is a function of displacement from the middle, velocity and acceleration.
     fn sine(cycles: usize, per_cycle: usize, force: impl Fn(f64, f64, f64) -> f64) -> Record {
         let omega = 2.0 * PI * FREQUENCY;
         let mut record = Record {
@@ -245,7 +248,7 @@ mod tests {
             if part.abs() < 0.9 {
                 assert!((bin.gap_n.measured / gap(part) - 1.0).abs() < 0.02, "{part} {}", bin.gap_n.measured);
             } else {
-                // The outermost bins average over the closing end of the loop.
+                // The outermost bins average over the end of the loop, where the gap closes.
                 assert!((gap(0.9)..0.0).contains(&bin.gap_n.measured), "{part} {}", bin.gap_n.measured);
             }
         }

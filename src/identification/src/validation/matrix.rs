@@ -1,36 +1,36 @@
-//! The error matrix: the campaign's errors by constant amplitude, by constant peak velocity, and for the slow tests.
+//! Error matrix: the campaign's errors by constant amplitude, by constant peak velocity, and for the slow tests.
 //!
-//! Rows stand for the reference work's stitched records (all tests of one amplitude joined into one). Each test has
-//! equal weight inside its row, so that no densely sampled frequency dominates; the percent is taken of the largest
-//! measured force of the whole row.
+//! Rows correspond to the reference work's stitched records, which join all tests of one amplitude. Each test has equal weight in its row,
+//! so no frequency with many tests dominates. The percent is relative to the largest measured force of the whole row.
 
 use super::deviation::Errors;
 use super::of_test::TestValidation;
 use serde::Serialize;
 
-/// Tests whose peak velocity stays below this are friction tests and form a row of their own, m/s. The reference
-/// work's slow test reaches 2.6 mm/s, its slowest damping test 52 mm/s.
+/// Peak velocity below which tests are friction tests and form a row of their own, m/s.
+///
+/// The reference work's slow test reaches 2.6 mm/s, its slowest damping test 52 mm/s.
 pub const SLOW_PEAK_VELOCITY: f64 = 0.005;
 
-/// Relative scatter of a measured amplitude or peak velocity that still counts as the same nominal value.
+/// Relative scatter of a measured amplitude or peak velocity that still counts as one nominal value.
 const SAME: f64 = 0.05;
 
-/// Scatter of a measured amplitude that a rig shows however small the stroke, m.
+/// Scatter of a measured amplitude on a rig even at the smallest strokes, m.
 const SAME_AMPLITUDE: f64 = 0.0001;
 
-/// Scatter of a peak velocity that a rig shows however slow the test, m/s.
+/// Scatter of a measured peak velocity on a rig even in the slowest tests, m/s.
 const SAME_VELOCITY: f64 = 0.002;
 
 /// Errors of one group of tests.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MatrixRow {
-    /// What the tests have in common, in words.
+    /// Description of the common property of the tests.
     pub label: String,
     /// The common amplitude, m, or peak velocity, m/s: the mean over the tests.
     pub value: f64,
     /// Number of tests.
     pub tests: usize,
-    /// Their names.
+    /// Names of the tests.
     pub test_names: Vec<String>,
     /// Largest |measured force| of the row, N.
     pub max_force_n: f64,
@@ -53,23 +53,23 @@ pub struct MatrixCell {
     pub errors: Errors,
 }
 
-/// The campaign's errors, grouped as the test schedule is.
+/// Errors of a campaign, grouped like the test schedule.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ErrorMatrix {
-    /// One row per amplitude, largest first as in the test schedule.
+    /// One row for each amplitude, largest first as in the test schedule.
     pub by_amplitude: Vec<MatrixRow>,
-    /// One row per peak velocity, slowest first.
+    /// One row for each peak velocity, slowest first.
     pub by_peak_velocity: Vec<MatrixRow>,
-    /// Where the two meet.
+    /// Errors of each combination of amplitude and peak velocity that was tested.
     pub cells: Vec<MatrixCell>,
-    /// The slow friction tests, which appear in no other row.
+    /// Slow friction tests, which appear in no other row.
     pub slow: Option<MatrixRow>,
     /// Tests without whole cycles (random, road), which have neither amplitude nor frequency.
     pub not_periodic: Option<MatrixRow>,
 }
 
 impl ErrorMatrix {
-    /// Groups measured tests.
+    /// Groups the validated tests.
     pub(super) fn of(tests: &[TestValidation]) -> Self {
         let (slow, rest): (Vec<_>, Vec<_>) =
             tests.iter().partition(|test| test.cycles > 0 && test.peak_velocity_m_s < SLOW_PEAK_VELOCITY);
@@ -118,7 +118,7 @@ impl ErrorMatrix {
     }
 }
 
-/// A row over tests; `None` without tests.
+/// Makes a row of tests; `None` without tests.
 fn row(label: String, value: f64, tests: &[&TestValidation]) -> Option<MatrixRow> {
     let errors: Vec<Errors> = tests.iter().map(|test| test.errors).collect();
     let max_force_n = tests.iter().map(|test| test.max_force_n).fold(0.0, f64::max);
@@ -132,8 +132,9 @@ fn row(label: String, value: f64, tests: &[&TestValidation]) -> Option<MatrixRow
     })
 }
 
-/// Indices grouped by nearly equal value, smallest value first; inside a group in the order given. A value joins the
-/// group below it while it stays within [`SAME`] of the group's mean, or within `floor`.
+/// Groups indices by nearly equal value, smallest value first, and keeps the given order within a group.
+///
+/// A value joins the group below it if it lies within [`SAME`] of the group's mean, or within `floor`.
 fn groups(values: &[f64], floor: f64) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
@@ -148,17 +149,17 @@ fn groups(values: &[f64], floor: f64) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Mean of the chosen values.
+/// Averages the chosen values.
 fn mean(group: &[usize], values: &[f64]) -> f64 {
     group.iter().map(|i| values[*i]).sum::<f64>() / group.len() as f64
 }
 
-/// Mean peak velocity, m/s; zero without tests.
+/// Averages the peak velocities, m/s; zero without tests.
 fn mean_peak_velocity(tests: &[&TestValidation]) -> f64 {
     tests.iter().map(|test| test.peak_velocity_m_s).sum::<f64>() / tests.len().max(1) as f64
 }
 
-/// A positive value to three significant digits, without trailing zeros after the point.
+/// Formats a positive value to three significant digits, without trailing zeros after the decimal point.
 fn three_digits(value: f64) -> String {
     let decimals = (2.0 - libm::log10(value.abs().max(1e-9)).floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.decimals$}");

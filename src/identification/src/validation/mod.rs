@@ -1,19 +1,19 @@
-//! How close a model comes to the rig: error figures, the error matrix and hysteresis.
+//! Validation of a model against the rig: error figures, the error matrix and hysteresis.
 //!
-//! The input is one [`Compared`] per test: the measured record and two simulated forces at its samples, those of the
-//! full model and those of the force–velocity curve alone. Every figure is given for both, because a model is only
-//! worth its cost where it beats the curve.
+//! The input is one [`Compared`] for each test: the measured record and two simulated forces at its samples, those of the full model and
+//! those of the force–velocity curve alone. Every figure is given for both, because a model is only worth its cost if it is closer than the
+//! curve.
 //!
 //! | file | measure |
 //! |---|---|
-//! | [`Against`] | the same tests with the models of the literature |
+//! | [`Against`] | errors of the models of the literature on the same tests |
 //! | [`deviation`] | mean absolute error, error percent, speed regions, root mean square |
 //! | [`hysteresis`] | vertical gap between the strokes, loop area, energy per cycle |
-//! | [`ResponseTimes`] | how fast the force follows a step of the setting |
+//! | [`ResponseTimes`] | times of the force response to a step of the setting |
 //! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
 //!
-//! Definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5, so that
-//! figures can be set beside the published ones.
+//! Definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5, so the figures are comparable
+//! with the published ones.
 
 mod against;
 mod campaign;

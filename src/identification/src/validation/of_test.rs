@@ -1,4 +1,4 @@
-//! The validation of one test.
+//! Validation of one test.
 
 use super::compared::Compared;
 use super::deviation::{Deviation, Errors};
@@ -6,14 +6,14 @@ use super::hysteresis::{Hysteresis, OfEach};
 use crate::peaks::AtPeak;
 use serde::Serialize;
 
-/// Every figure of one test.
+/// All figures of one test.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TestValidation {
     /// Name of the test.
     pub name: String,
     /// Displacement amplitude, m.
     pub amplitude_m: f64,
-    /// Frequency, Hz; zero where the motion is not periodic.
+    /// Frequency, Hz; zero if the motion is not periodic.
     pub frequency_hz: f64,
     /// Peak velocity, m/s.
     pub peak_velocity_m_s: f64,
@@ -22,17 +22,17 @@ pub struct TestValidation {
     /// Errors of the model and of the force–velocity curve alone.
     #[serde(flatten)]
     pub errors: Errors,
-    /// Whether identification saw this test.
+    /// Whether the identification used this test.
     pub used_in_fit: bool,
     /// Number of samples compared.
     pub samples: usize,
     /// Number of whole cycles.
     pub cycles: usize,
-    /// Root mean square of the measured force's noise, N: no model can come closer.
+    /// Root mean square of the measured force's noise, N. No model can have a smaller error.
     pub noise_rms_n: f64,
-    /// Hysteresis, where the test has whole cycles.
+    /// Hysteresis, if the test has whole cycles.
     pub hysteresis: Option<Hysteresis>,
-    /// Force at peak velocity in rebound and in compression, where the test has whole cycles.
+    /// Force at peak velocity in rebound and in compression, if the test has whole cycles.
     pub peaks: Vec<PeakForce>,
 }
 
@@ -41,12 +41,12 @@ pub struct TestValidation {
 pub struct PeakForce {
     /// Velocity, m/s, rebound positive.
     pub velocity_m_s: f64,
-    /// The forces there, N.
+    /// Measured and simulated forces at this velocity, N.
     pub force_n: OfEach,
 }
 
 impl TestValidation {
-    /// Measures a checked test.
+    /// Computes all figures of a checked test.
     pub(super) fn of(compared: &Compared<'_>) -> Self {
         let record = compared.record;
         let max_force_n = record.force.iter().fold(0.0_f64, |largest, force| largest.max(force.abs()));

@@ -1,26 +1,26 @@
-//! How fast the force follows a step of the setting: times of a response, measured and by the model.
+//! Response of the force to a step of the setting: times of the measured force and of the model.
 
 use serde::Serialize;
 
 /// Times of a response to a step, s, counted from the step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ResponseTimes {
-    /// Until the force has gone a tenth of its way.
+    /// Time until the force has completed 10 % of its change.
     pub t10_s: f64,
-    /// Until it has gone 63 %.
+    /// Time until the force has completed 63 % of its change.
     pub t63_s: f64,
-    /// Until it has gone 90 %.
+    /// Time until the force has completed 90 % of its change.
     pub t90_s: f64,
-    /// How far it goes beyond its end, as a fraction of its way.
+    /// Overshoot beyond the final force, as a fraction of the change.
     pub overshoot: f64,
 }
 
 impl ResponseTimes {
-    /// Times of a response that runs from 0 to 1. `None` where it does not get there, or is not known where it crosses.
+    /// Computes the times of a response from 0 to 1. Returns `None` if the response does not reach 1, or has no samples at a crossing.
     pub fn measure(time: &[f64], response: &[f64]) -> Option<ResponseTimes> {
         let begins = time.partition_point(|t| *t < 0.0);
         let reach = |fraction: f64, from: usize| -> Option<usize> {
-            // Two in a row, so that no single sample of noise is a response.
+            // Require two consecutive samples, so that a single noisy sample is not a response.
             let pairs = response.windows(2).enumerate().skip(from);
             pairs.filter(|(_, pair)| pair[0] >= fraction && pair[1] >= fraction).map(|(k, _)| k).next()
         };
@@ -36,7 +36,7 @@ impl ResponseTimes {
         let at_63 = reach(0.632, begins)?;
         let at_10 = (begins..=at_63).rev().find(|k| response[*k] < 0.1).map_or(begins, |k| k + 1);
         let at_90 = reach(0.9, at_63)?;
-        // The mean of neighbors: the largest of many noisy samples is no overshoot.
+        // Average neighbors: the largest of many noisy samples is not an overshoot.
         let most = response[at_63..].windows(5).map(|w| w.iter().sum::<f64>() / 5.0).fold(1.0, f64::max);
         Some(ResponseTimes {
             t10_s: crossing(at_10, 0.1)?.max(0.0),
@@ -47,7 +47,7 @@ impl ResponseTimes {
     }
 }
 
-/// The response to steps of one test in one direction.
+/// Response to the steps of one test in one direction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepGroup {
     /// Name of the test.
@@ -56,7 +56,7 @@ pub struct StepGroup {
     pub is_rebound: bool,
     /// Number of steps.
     pub steps: usize,
-    /// Times of the measured force; absent where the records do not show them.
+    /// Times of the measured force; absent if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
     /// Times of the model's force.
@@ -64,7 +64,7 @@ pub struct StepGroup {
     pub model: Option<ResponseTimes>,
 }
 
-/// The response to steps from one setting to another.
+/// Response to steps from one setting to another.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepResponse {
     /// Setting before.
@@ -73,15 +73,15 @@ pub struct StepResponse {
     pub to: f64,
     /// Number of steps.
     pub steps: usize,
-    /// Tests that they are in.
+    /// Names of the tests with these steps.
     pub tests: Vec<String>,
-    /// Time between two samples, s; half of it is how far the instant of a step is known.
+    /// Sampling interval, s. The instant of a step is known to half of it.
     pub sample_s: f64,
-    /// Fraction of its way that the model's force has gone at the end of the levels.
+    /// Fraction of its change that the model's force has completed at the end of the levels.
     pub end_fraction: f64,
-    /// Response times of each test and direction that has at least three steps; a limit judges the slowest.
+    /// Response times of each test and direction with at least three steps. A limit applies to the slowest.
     pub groups: Vec<StepGroup>,
-    /// Times of the measured force; absent where the records do not show them.
+    /// Times of the measured force; absent if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
     /// Times of the model's force.
@@ -90,16 +90,16 @@ pub struct StepResponse {
     /// Time since the step, s.
     #[serde(skip)]
     pub time: Vec<f64>,
-    /// Fraction of its way that the measured force has gone.
+    /// Fraction of its change that the measured force has completed.
     #[serde(skip)]
     pub measured_response: Vec<f64>,
-    /// Fraction of its way that the model's force has gone.
+    /// Fraction of its change that the model's force has completed.
     #[serde(skip)]
     pub model_response: Vec<f64>,
 }
 
 impl StepResponse {
-    /// Whether the setting rises.
+    /// Returns whether the setting rises.
     pub fn is_up(&self) -> bool {
         self.to > self.from
     }

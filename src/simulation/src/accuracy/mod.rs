@@ -1,4 +1,4 @@
-//! How far the fixed step is from the exact solution, over a test matrix.
+//! Error of the fixed step relative to a converged solution, over a test matrix.
 
 pub mod radau;
 
@@ -16,32 +16,32 @@ pub struct Sine {
 }
 
 impl Sine {
-    /// Displacement and velocity: from rest at the lower end.
+    /// Returns displacement and velocity over time, starting at rest at the lower end.
     pub fn motion(self) -> impl Fn(f64) -> (f64, f64) {
         let (a, w) = (self.amplitude, TAU * self.frequency);
         move |t| (-a * libm::cos(w * t), a * w * libm::sin(w * t))
     }
 }
 
-/// What the host tells the damper at each step.
+/// Input that the host provides at each step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HostInput {
     /// Displacement and velocity.
     Motion,
-    /// Velocity alone.
+    /// Velocity only.
     Velocity,
 }
 
-/// Errors of one test, as shares of its largest force.
+/// Errors of one test, relative to its largest force.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
     /// Root mean square.
     pub rms: f64,
-    /// Largest.
+    /// Largest error.
     pub largest: f64,
 }
 
-/// Forces of the fixed step at each multiple of `dt`.
+/// Computes the forces of the fixed step at each multiple of `dt`.
 pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: HostInput) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.evaluate(t);
@@ -61,7 +61,7 @@ pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: u
     forces
 }
 
-/// Errors of `forces` against `exact`, as shares of the largest exact force.
+/// Computes the errors of `forces` relative to the largest force of `exact`.
 pub fn errors(forces: &[f64], exact: &[f64]) -> Errors {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     let (mut sum, mut largest) = (0.0, 0.0f64);
@@ -72,16 +72,16 @@ pub fn errors(forces: &[f64], exact: &[f64]) -> Errors {
     Errors { rms: (sum / exact.len() as f64).sqrt() / top, largest: largest / top }
 }
 
-/// The converged reference of each test, at the finest step that will be asked for.
+/// Converged reference of each test, at the finest step of the comparison.
 pub struct References {
     tests: Vec<(Sine, Vec<f64>)>,
     dt: f64,
 }
 
-/// Radau steps inside the finest interval; doubling them changes the reference by less than a thousandth of the
-/// errors measured against it (see the tests).
+/// Number of Radau steps in the finest interval. Twice the number changes the reference by less than a thousandth of the errors measured
+/// with it (see the tests).
 const PARTS: usize = 4;
-/// Cycles of each test; slow tests are cut to [`LONGEST`].
+/// Number of cycles of each test; slow tests are truncated to [`LONGEST`], s.
 const CYCLES: f64 = 2.0;
 const LONGEST: f64 = 8.0;
 
@@ -92,7 +92,7 @@ impl References {
             .par_iter()
             .map(|sine| {
                 let steps = ((CYCLES / sine.frequency).min(LONGEST) / dt).ceil() as usize;
-                // A whole number of the coarsest host steps.
+                // The number of steps is a multiple of the coarsest host step.
                 let steps = steps.div_ceil(40) * 40;
                 (*sine, radau::reference_forces(model, &sine.motion(), dt, steps, PARTS))
             })
@@ -100,12 +100,12 @@ impl References {
         References { tests, dt }
     }
 
-    /// The tests and their exact forces at each multiple of the step.
+    /// Returns the tests and their exact forces at each multiple of the step.
     pub fn forces(&self) -> impl Iterator<Item = (Sine, &[f64])> {
         self.tests.iter().map(|(sine, exact)| (*sine, exact.as_slice()))
     }
 
-    /// Errors of the model's own step at `dt` for each test; `dt` is a multiple of the reference's.
+    /// Computes the errors of the model's own step at `dt` for each test. `dt` is a multiple of the reference step.
     pub fn compare(&self, model: &Model, dt: f64, given: HostInput) -> Vec<(Sine, Errors)> {
         let every = (dt / self.dt).round() as usize;
         self.tests
@@ -119,7 +119,7 @@ impl References {
     }
 }
 
-/// The worst of several tests.
+/// Returns the largest errors of several tests.
 pub fn worst(errors: &[(Sine, Errors)]) -> Errors {
     errors
         .iter()

@@ -1,4 +1,4 @@
-//! The gain of a host's step over what a damper goes through: sines about a place, their turns, and every piece of the FV curve.
+//! Gain of a host's step over typical motions: sines about a position, their reversals, and every segment of the FV curve.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -6,25 +6,26 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Output, Params};
 use dashpot_core::{element, list, number};
 
-/// Amplitudes of the motions looked at, m, and their peak velocities, m/s; from standstill to a pothole. Away from the usual situation only those
-/// of a middle size: the others differ little there and take most of the time.
+/// Amplitudes of the motions, m, and their peak velocities, m/s, from standstill to a pothole.
+///
+/// Outside the reference situation only medium motions are evaluated. The others differ little there and cost most of the time.
 const AMPLITUDES: [f64; 4] = [2e-4, 1e-3, 5e-3, 0.02];
 const SPEEDS: [f64; 4] = [2e-3, 0.02, 0.2, 1.0];
-/// One stroke through most of the travel, such as opens a void.
+/// Amplitude, m, and peak velocity, m/s, of a stroke through most of the travel, which can open a void.
 const LONG: (f64, f64) = (0.05, 1.0);
-/// Most steps of one motion.
+/// Largest number of steps of one motion.
 pub(super) const STEPS: usize = 4000;
-/// Velocities looked at where a motion turns, m/s.
+/// Velocities that are evaluated at a reversal, m/s.
 const AT_THE_TURN: [f64; 5] = [0.0, 5e-4, -5e-4, 3e-3, -3e-3];
-/// Places on a piece of the FV curve, as shares of it: a monotone cubic is steepest in its middle or at an end.
+/// Positions on a segment of the FV curve, as fractions of its length. A monotone cubic is steepest in its middle or at an end.
 const ON_A_PIECE: [f64; 3] = [0.02, 0.5, 0.98];
-/// A motion looked at: a sine from its middle.
+/// Evaluated motion: a sine from its middle.
 #[derive(Clone, Copy)]
 pub(super) struct Sine {
     situation: Situation,
     amplitude: f64,
     speed: f64,
-    /// rad/s.
+    /// Angular frequency, rad/s.
     pub(super) omega: f64,
 }
 
@@ -37,7 +38,7 @@ impl Sine {
     }
 }
 
-/// The motions that a host can follow.
+/// Returns the motions that a host can follow.
 pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
     let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
     let is_usual = situation == Situation::REFERENCE;
@@ -48,7 +49,7 @@ pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = 
         .filter(move |sine| sine.omega * host.step <= 0.5)
 }
 
-/// The largest gain, and where the damper has it.
+/// Largest gain, with the motion and force at which it occurs.
 pub(super) struct Largest {
     pub gain: f64,
     pub velocity: f64,
@@ -56,7 +57,7 @@ pub(super) struct Largest {
     pub situation: Situation,
 }
 
-/// The largest gain over all motions in a situation.
+/// Returns the largest gain over all motions in a situation.
 pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Largest {
     let gain = |o: &Output| host.step / host.mass * (o.d_force_d_velocity + host.step * o.d_force_d_displacement);
     let rest = situation.input();
@@ -68,7 +69,7 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
         let steps = (1.25 * std::f64::consts::TAU / (sine.omega * host.step)) as usize;
         for k in 1..=steps.min(STEPS) {
             let to = input(k);
-            // At the turn itself a void or a gap may close, between two instants of the motion.
+            // At the reversal itself a void or a gap may close, between two samples of the motion.
             if to.velocity * input(k - 1).velocity <= 0.0 {
                 for velocity in AT_THE_TURN {
                     let turned = Input { velocity, ..to };
@@ -89,7 +90,8 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
     most
 }
 
-/// The largest gain at steady velocities on every piece of the FV curve: a narrow steep one lies between the instants of every motion.
+/// Returns the largest gain at steady velocities on every segment of the FV curve. The samples of every motion may miss a narrow steep
+/// segment.
 pub(super) fn on_the_curve(params: &Params, model: &Model, host: Host) -> Largest {
     let knots = if params.number(number!("fv_form")) == 0.0 {
         params.list(list!("fv_velocity")).to_vec()

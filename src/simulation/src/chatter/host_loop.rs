@@ -1,5 +1,5 @@
-//! A loop like that of the host: its mass on a tyre, moved by a road. The slopes at an instant do not see what a mass or a void in the
-//! damper makes of the next steps; the loop does.
+//! Simulation of a loop like that of the host: its mass on a tire, moved by a road.
+//! Derivatives at one instant do not show the effect of a mass or a void in the damper on the next steps. The loop shows it.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -7,53 +7,51 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use dashpot_core::{element, number};
 
-/// Stiffness of the tyre that the host's mass stands on in the loop, N/m (a car's).
+/// Stiffness of the tire under the host's mass in the loop, N/m (a car's).
 ///
-/// Softer where the step could not follow the mass on it: by a step it moves on by no more than this angle, rad.
+/// The tire is softer if the step could not resolve the mass on it: the phase advances by at most `FOLLOWS`, rad, in a step.
 const TYRE: f64 = 2e5;
 const FOLLOWS: f64 = 0.3;
-/// Velocity, m/s, beyond which no damper moves: the loop has left all bounds.
+/// Velocity, m/s, above which the loop counts as diverged. No damper moves so fast.
 const BEYOND: f64 = 100.0;
-/// Velocity, m/s, with which the loop begins: a knock of 10 m/s² in a millisecond.
+/// Initial velocity of the loop, m/s: 10 m/s² during a millisecond.
 const KNOCK: f64 = 0.01;
 /// Alternating part of the force, N, that is visible in a vehicle's signals.
 ///
-/// The second number is how often the force must turn among the last 24 steps. A single impact (a gap, a stop, dry
-/// friction at a reversal) turns it three or four times. A mass whose ringing is no multiple of the step turns it in
-/// most steps, not in all.
+/// `TURNS` is the smallest number of reversals of the force in the last 24 steps. A single impact (a gap, a stop, dry friction at a
+/// reversal) causes three or four. A mass whose period is not a multiple of the step reverses the force in most steps, not in all.
 const SEEN: f64 = 5.0;
 const TURNS: u32 = 9;
 const WINDOW: u32 = (1 << 24) - 1;
-/// Most steps of the loop over one road.
+/// Largest number of steps of the loop over one road.
 const LOOP: usize = 3000;
-/// Heights of the roads, m, the first for all situations; shares of the height and Hz: body, axle and what lies between.
+/// Heights of the roads, m; situations other than the reference use the first one. The waves have a fraction of the height and a frequency,
+/// Hz: body, axle and between.
 const ROADS: [f64; 3] = [0.005, 0.02, 0.05];
 const WAVES: [(f64, f64); 4] = [(0.5, 1.3), (0.25, 3.1), (0.12, 9.7), (0.06, 14.0)];
-/// Mass of the body over that of the wheel.
+/// Ratio of the mass of the body to that of the wheel.
 const BODY: f64 = 10.0;
-/// Halvings of the step that are tried.
+/// Largest number of halvings of the step that are tried.
 pub(super) const HALVINGS: i32 = 6;
-/// Shares of the critical damping of the inner mass that are tried.
+/// Fractions of the critical damping of the internal mass that are tried.
 const DAMPED: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
-/// What a loop like that of the host does where its force turns at every step.
+/// Result of a host loop whose force reverses at every step.
 ///
-/// The host's mass on a tyre, moved by a road.
-///
-/// The slopes at an instant do not see what a moving mass, an inner mass or a void make of the next steps. The loop does.
+/// The loop is the host's mass on a tire, moved by a road.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning {
-    /// Largest alternating part of the force, N; infinite where the motion leaves all bounds.
+    /// Largest alternating part of the force, N; infinite if the motion diverges.
     pub force: f64,
-    /// Steps in which it turns; those until the motion leaves all bounds, where it does.
+    /// Number of steps in which the force reverses; if the motion diverges, the number of steps until then.
     pub steps: usize,
     /// Height of the road, m.
     pub height: f64,
-    /// Where and under what.
+    /// Situation in which this occurs.
     pub situation: Situation,
 }
 
 impl Turning {
-    /// In words.
+    /// Describes the result.
     pub(super) fn told(&self, host: Host) -> String {
         let Turning { force, steps, height, situation } = *self;
         let does = if self.grows() {
@@ -69,29 +67,29 @@ impl Turning {
         )
     }
 
-    /// Whether the motion leaves all bounds.
+    /// Returns whether the motion diverges.
     pub fn grows(&self) -> bool {
         self.force == f64::INFINITY
     }
 }
 
-/// What the loop does on the roads of a situation, where it is not quiet.
+/// Simulates the loop on the roads of a situation. Returns `None` if it is quiet.
 pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option<Turning> {
-    // In a stop a high road would be beyond every force of it.
+    // In a stop a high road would exceed every realistic force.
     let roads = if situation == Situation::REFERENCE { &ROADS[..] } else { &ROADS[..1] };
     let found = roads.iter().filter_map(|height| loop_like_the_hosts(model, situation, *height, host));
     found.max_by(|a, b| a.force.total_cmp(&b.force))
 }
 
-/// Displacement of a rough road of a height, m.
+/// Returns the displacement of a rough road of a height, m.
 fn road(height: f64, time: f64) -> f64 {
     height * WAVES.iter().map(|(share, hertz)| share * libm::sin(std::f64::consts::TAU * hertz * time)).sum::<f64>()
 }
 
-/// One road.
+/// Simulates the loop on one road.
 pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f64, host: Host) -> Option<Turning> {
     let Host { step: h, mass } = host;
-    // Of wheel and body the damper moves what is left of the two masses in series.
+    // The damper moves the effective mass of wheel and body in series.
     let mass = mass * BODY / (1.0 + BODY);
     let tyre = TYRE.min(mass * (FOLLOWS / h).powi(2));
     let rest = situation.input();
@@ -99,14 +97,14 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     let at_rest = step(model, &state, &rest, 0.0).1.force;
     let (mut x, mut v) = (0.0, KNOCK);
     let mut force = [at_rest; 3];
-    // One bit for each of the last steps in which the force turned.
+    // Each bit stands for one of the last steps, and is set if the force reversed.
     let (mut turned, mut last, mut most, mut found) = (0u32, 0.0, 0.0f64, None::<f64>);
     let mut count = 0;
     let turning = |force: f64, steps: usize| Turning { force, steps, height, situation };
     let pace = h.min(FOLLOWS / (std::f64::consts::TAU * WAVES[WAVES.len() - 1].1));
     for k in 1..=LOOP {
         let under = road(height, pace * k as f64);
-        // Semi-implicit, as MuJoCo's Euler and game engines are.
+        // Semi-implicit Euler, as in MuJoCo and game engines.
         v += h / mass * (tyre * (under - x) - (force[2] - at_rest));
         x += h * v;
         if !(v.abs() < BEYOND) {
@@ -129,15 +127,15 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     found.map(|force| turning(force, count + TURNS as usize - 1))
 }
 
-/// The longest of the steps halved from the host's at which the loop is quiet, s.
+/// Returns the longest step, s, halved repeatedly from the host's step, at which the loop is quiet.
 pub(super) fn quiet_loop(model: &Model, situation: Situation, host: Host) -> Option<f64> {
     let shorter = (1..=HALVINGS).map(|halved| Host { step: host.step * 0.5f64.powi(halved), ..host });
     shorter.into_iter().find(|shorter| turning(model, situation, *shorter).is_none()).map(|shorter| shorter.step)
 }
 
-/// Damping of the path in series, N s/m, with which the loop is quiet, where the path has none.
+/// Returns a damping of the series path, N s/m, at which the loop is quiet, if the path has none.
 ///
-/// A mass rings on a spring that nothing damps.
+/// Without damping the mass rings on its spring.
 pub(super) fn calming(params: &Params, turning: &Turning, host: Host) -> Option<f64> {
     let [stiffness, mass, damping] =
         [number!("series_stiffness"), number!("internal_mass"), number!("series_damping")].map(|n| params.number(n));

@@ -1,4 +1,4 @@
-//! What a damper does in a host, and which element makes it.
+//! Check of a damper in a host, and of the element that causes chatter.
 
 use super::gain::{Largest, largest, on_the_curve};
 use super::host::Host;
@@ -8,40 +8,40 @@ use dashpot_core::element;
 use dashpot_core::parameter::Element;
 use dashpot_core::{Fault, Model, Params};
 
-/// Gain from which a disturbance changes sign at every step.
+/// Gain above which a disturbance changes sign at every step.
 pub const RINGS: f64 = 1.0;
-/// Gain from which it grows.
+/// Gain above which a disturbance grows.
 pub const GROWS: f64 = 2.0;
 
-/// Share of the gain that must go with an element to be its doing.
+/// Smallest fraction of the gain that must disappear without an element for the element to be at fault.
 pub(super) const ITS_DOING: f64 = 0.3;
-/// What a damper does in a host.
+/// Result of the check of a damper in a host.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chatter {
     /// The largest gain.
     pub gain: f64,
-    /// Velocity at which it has it, m/s, and the slopes there: N s/m, N/m.
+    /// Velocity at which the largest gain occurs, m/s.
     pub velocity: f64,
-    /// ∂F/∂v.
+    /// ∂F/∂v there, N s/m.
     pub d_force_d_velocity: f64,
-    /// ∂F/∂x.
+    /// ∂F/∂x there, N/m.
     pub d_force_d_displacement: f64,
-    /// Where and under what it has it.
+    /// Situation in which the largest gain occurs.
     pub situation: Situation,
-    /// The longest step at which nothing changes sign, s; `None` where none was found.
+    /// Longest step at which no disturbance changes sign, s; `None` if none was found.
     pub quiet_step: Option<f64>,
-    /// The element that makes most of it, and the gain without it; `None` where no element alone does.
+    /// Element that causes most of the gain, and the gain without it; `None` if no single element does.
     pub element: Option<(Element, f64)>,
-    /// What a loop like that of the host does, where that is not quiet.
+    /// Result of the host loop, if the loop is not quiet.
     pub turning: Option<Turning>,
-    /// A damping of the path in series, N s/m, with which the loop would be quiet, where it has none.
+    /// Damping of the series path, N s/m, at which the loop would be quiet, if the path has none.
     pub calming: Option<f64>,
 }
 
-/// Looks at a damper in a host: over its stroke, under side force and in the cold where those change it.
+/// Checks a damper in a host: over its stroke, and under side force and in the cold if these matter.
 ///
 /// # Errors
-/// Parameters that make no model.
+/// Parameters that form no valid model.
 pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
     let model = Model::new(params)?;
     let usual = largest(&model, Situation::REFERENCE, host);
@@ -69,7 +69,7 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
         .filter(|(_, left)| *left < (1.0 - ITS_DOING) * gain)
         .or_else(|| {
             let turning = turning.filter(|_| gain < RINGS)?;
-            // Without the path in series nothing has a mass of its own, which says little.
+            // Without the series path no mass is left inside, so this comparison shows nothing.
             let on = Element::all().filter(|e| params.is_on(*e) && *e != element!("series_compliance"));
             let is_quiet = |element: &Element| {
                 let mut less = *params;

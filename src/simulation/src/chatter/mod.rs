@@ -1,4 +1,4 @@
-//! Whether a damper chatters in a host that holds its force over a step, which element makes it, and a damper that does not.
+//! Chatter of a damper in a host with a zero-order hold of the force: detection, cause and remedy.
 //!
 //! A host that computes the force at the start of a step and moves a mass m by it over the step h,
 //!
@@ -6,20 +6,21 @@
 //! v' = v − (h/m) F(x, v),   x' = x + h v'
 //! ```
 //!
-//! returns a small disturbance of the velocity times 1 − g, with g = (h/m)(∂F/∂v + h ∂F/∂x). Below 1 it dies out smoothly, from 1 on
-//! it changes sign at every step, beyond 2 it grows until something bounds it: friction swings between its two levels for ever.
-//! The slopes are those of the damper's own step of the length h, so that a series spring and presliding friction soften what they carry.
+//! multiplies a small disturbance of the velocity by 1 − g, with g = (h/m)(∂F/∂v + h ∂F/∂x). For g below 1 the disturbance decays smoothly.
+//! From 1 on it changes sign at every step. Beyond 2 it grows until something bounds it: friction then alternates between its two levels
+//! forever.
+//! The derivatives are those of the damper's own step of length h, so a series spring and presliding friction reduce them.
 //!
 //! | module | what |
 //! |---|---|
 //! | [`Host`] | step and mass of the host |
-//! | [`Situation`] | where in its stroke a damper is looked at, and under what |
-//! | `gain` | the gain over motions and over the FV curve |
-//! | [`Turning`] | the loop of the host, run |
-//! | [`chatter`] | all of it for one damper, and which element makes it |
-//! | [`softened`] | a damper that does not |
-//! | [`Ready`] | a damper judged in a host, and made ready for it |
-//! | `told` | all of it in words |
+//! | [`Situation`] | position, side force and temperature of a check |
+//! | `gain` | gain over motions and over the FV curve |
+//! | [`Turning`] | result of the simulated host loop |
+//! | [`chatter`] | full check of one damper, and the element at fault |
+//! | [`softened`] | damper that does not chatter |
+//! | [`Ready`] | damper checked in a host and prepared for it |
+//! | `told` | messages |
 
 mod gain;
 mod host;
@@ -41,9 +42,9 @@ pub use softened::{Softened, Softer, softened};
 
 use dashpot_core::Params;
 
-/// What must be known beside an export of a damper.
+/// Returns the remarks that belong to an export of a damper.
 ///
-/// How it chatters, where it does in that host, and whether its step follows the mass inside.
+/// They describe chatter in that host, and a mass inside whose oscillation the step does not resolve.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
     Ready::prepare(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }

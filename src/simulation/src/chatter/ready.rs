@@ -1,4 +1,4 @@
-//! A damper made ready for a host: judged at its step and, where that is asked for, with friction that would chatter replaced.
+//! Preparation of a damper for a host: check at the host's step and, on request, replacement of friction that would chatter.
 
 use super::host::Host;
 use super::in_host::{Chatter, chatter};
@@ -9,53 +9,53 @@ use dashpot_core::family::Definition;
 use dashpot_identification::model_file::{NoModel, prepared};
 use serde::Serialize;
 
-/// Why a damper cannot be judged in a host.
+/// Error of the check of a damper in a host.
 #[derive(Debug, thiserror::Error)]
 pub enum HostError {
-    /// No step of a host.
+    /// The step is not that of a host.
     #[error("{name} is in s and lies between 1e-6 and 0.1, not {step}")]
     Step {
-        /// Which option gave it.
+        /// Name of the option.
         name: &'static str,
-        /// What was given.
+        /// Given step, s.
         step: f64,
     },
-    /// No mass that a damper moves.
+    /// The mass is not one that a damper moves.
     #[error("--wheel-mass is in kg and lies between 0.001 and 100000, not {0}")]
     Mass(f64),
-    /// The parameters do not make a model.
+    /// The parameters do not form a valid model.
     #[error(transparent)]
     Model(#[from] NoModel),
-    /// What the kernel refuses.
+    /// The kernel rejects the parameters.
     #[error("{0}")]
     Rejected(&'static str),
-    /// Friction of a damper over a setting that would have to be replaced.
+    /// Friction that chatters, in a damper over a setting.
     #[error(
         "at the setting {setting} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {setting} -o one.toml, or fit presliding friction"
     )]
     OverSetting {
-        /// The setting.
+        /// Setting at which it chatters.
         setting: f64,
-        /// The element.
+        /// Element that chatters.
         element: &'static str,
     },
 }
 
-/// A damper for a host.
+/// Damper prepared for a host.
 pub struct Ready {
     /// The damper.
     pub params: Params,
     /// The host.
     pub host: Host,
-    /// What it does there.
+    /// Chatter of the damper in this host.
     pub chatter: Chatter,
-    /// What was replaced for it.
+    /// Elements that were replaced for this host.
     pub softened: Option<Softened>,
-    /// Whether replacing was asked for.
+    /// Whether replacement was requested.
     asked: bool,
 }
 
-/// What `dashpot check --json` writes.
+/// Output of `dashpot check --json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Figures {
     host_step_s: f64,
@@ -85,7 +85,7 @@ pub struct Figures {
 }
 
 impl Ready {
-    /// The damper in a host of a step, s, and a mass, kg; in that of `for_step`, where one is given, made ready for it.
+    /// Checks the damper in a host with this step, s, and mass, kg. With `for_step` it replaces friction that chatters at that step.
     ///
     /// # Errors
     /// [`HostError`].
@@ -111,10 +111,10 @@ impl Ready {
         Ok(Ready { params, host, chatter, softened: soft, asked: for_step.is_some() })
     }
 
-    /// The damper at each value of its setting; an ordinary damper as it is.
+    /// Checks the damper at each value of its setting; an ordinary damper once.
     ///
     /// # Errors
-    /// The errors of [`Ready::prepare`]; [`HostError::OverSetting`] where friction would have to be replaced at a setting, for then its numbers
+    /// The errors of [`Ready::prepare`]. [`HostError::OverSetting`] if friction would have to be replaced at a setting, because its numbers
     /// over the setting would be lost.
     pub fn prepare_at_settings(
         definition: &Definition,
@@ -137,7 +137,7 @@ impl Ready {
         }
     }
 
-    /// In sentences.
+    /// Describes the replacements and the chatter.
     pub fn messages(&self) -> Vec<String> {
         let mut lines = self.replaced();
         lines.push(self.chatter.describe(self.host, self.asked));
@@ -145,18 +145,18 @@ impl Ready {
         lines
     }
 
-    /// What was replaced, in sentences.
+    /// Describes the replacements.
     pub fn replaced(&self) -> Vec<String> {
         self.softened.iter().map(Softened::describe).collect()
     }
 
-    /// Chatter, where there is some, and a mass that the step does not follow.
+    /// Describes chatter, and a mass whose oscillation the step does not resolve, if present.
     pub fn remarks(&self) -> Vec<String> {
         let chatters = self.chatter.rings().then(|| self.chatter.describe(self.host, self.asked));
         chatters.into_iter().chain(self.unfollowed()).collect()
     }
 
-    /// What must be known beside an export: what was replaced, and what is to be remarked where there is something.
+    /// Describes the replacements and the remarks that belong to an export.
     pub fn notes(&self) -> Vec<String> {
         match self.softened {
             Some(_) => self.messages(),
@@ -164,23 +164,23 @@ impl Ready {
         }
     }
 
-    /// A mass that the step does not follow, in a sentence.
+    /// Describes a mass whose oscillation the step does not resolve.
     fn unfollowed(&self) -> Option<String> {
         prepared(&self.params).ok().and_then(|model| followed::remark(&model, self.host.step))
     }
 
-    /// How fast its states are for a host that integrates them itself, in a sentence where that is to be known.
+    /// Describes the stiffness of the states for hosts that integrate them. Returns `None` if explicit steps of 1 ms are stable.
     ///
     /// # Errors
-    /// Where the parameters make no model.
+    /// Parameters that form no valid model.
     pub fn stiffness(&self) -> Result<Option<String>, NoModel> {
         Ok(stiffness::remark(&prepared(&self.params)?))
     }
 
-    /// The figures.
+    /// Returns the figures of the check.
     ///
     /// # Errors
-    /// Where the parameters make no model.
+    /// Parameters that form no valid model.
     pub fn figures(&self) -> Result<Figures, NoModel> {
         let (chatter, softened) = (&self.chatter, self.softened.as_ref());
         let model = prepared(&self.params)?;

@@ -1,36 +1,36 @@
-//! Where in its stroke a damper is looked at, and under what.
+//! Operating conditions at which a damper is checked: position in the stroke, side force and temperature.
 
 use dashpot_core::element;
 use dashpot_core::{Input, Model, Params};
 
-/// Side force, N, that a damper with friction in proportion to it is looked at under.
+/// Side force, N, at which a damper with side-force friction is checked.
 ///
-/// A strut of a car in a bend or under the brake.
+/// It occurs in a strut of a car during cornering or braking.
 pub(super) const SIDE_FORCE: f64 = 2000.0;
-/// Force, N, up to which a stop is looked at: a front corner that goes through a pothole.
+/// Force, N, up to which a stop is checked: a front corner in a pothole.
 pub(super) const STOP_FORCE: f64 = 1e4;
-/// Temperature, °C, at which a damper whose oil thickens is looked at: a winter's morning.
+/// Temperature, °C, at which a damper with temperature-dependent oil is checked: a winter morning.
 pub(super) const COLD: f64 = -20.0;
-/// Places of the stroke, m, where the damping depends on the place.
+/// Positions in the stroke, m, for a damper with position-dependent damping.
 pub(super) const PLACES: [f64; 8] = [-0.08, -0.06, -0.04, -0.02, 0.02, 0.04, 0.06, 0.08];
-/// Furthest place, m, at which a stop is sought.
+/// Largest displacement, m, at which a stop is searched.
 const FURTHEST: f64 = 0.3;
-/// Where in its stroke a damper moves, and under what.
+/// Operating conditions of a damper: position in the stroke, side force and temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Situation {
     /// Middle of the motion, m.
     pub place: f64,
-    /// N.
+    /// Side force, N.
     pub side_force: f64,
-    /// °C.
+    /// Temperature, °C.
     pub temperature: f64,
 }
 
 impl Situation {
-    /// In the middle, without side force, at the temperature at which rigs measure.
+    /// Middle of the stroke, without side force, at the typical temperature of a rig.
     pub const REFERENCE: Situation = Situation { place: 0.0, side_force: 0.0, temperature: 20.0 };
 
-    /// All that changes the slopes of this damper.
+    /// Returns all conditions that change the derivatives of this damper.
     pub(super) fn all(params: &Params, model: &Model) -> Vec<Situation> {
         let mut all = vec![Situation::REFERENCE];
         if params.is_on(element!("side_force_friction")) {
@@ -52,7 +52,7 @@ impl Situation {
         Input { side_force: self.side_force, temperature: self.temperature, ..Input::motion(self.place, 0.0) }
     }
 
-    /// What is not usual about it, in words.
+    /// Describes how the situation differs from [`Situation::REFERENCE`].
     pub(super) fn told(&self) -> String {
         let mut told = String::new();
         if self.place != 0.0 {
@@ -72,7 +72,7 @@ impl Situation {
     }
 }
 
-/// Where the stop of a side holds [`STOP_FORCE`].
+/// Returns the displacement at which the stop of a side reaches [`STOP_FORCE`].
 fn in_the_stop(model: &Model, side: f64) -> f64 {
     let force = |depth: f64| model.static_output(&Input::motion(side * depth, 0.0)).stop_force.abs();
     let (mut low, mut high) = (0.0, FURTHEST);

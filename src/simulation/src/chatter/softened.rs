@@ -1,4 +1,4 @@
-//! A damper that does not chatter in a host: its steep friction as presliding friction.
+//! Replacement of steep friction by presliding friction, so that the damper does not chatter in a host.
 
 use super::gain::{STEPS, largest, motions};
 use super::host::Host;
@@ -9,50 +9,50 @@ use dashpot_core::step::step;
 use dashpot_core::{Fault, Model, Params};
 use dashpot_core::{element, number};
 
-/// Elements that [`softened`] can replace, with their level.
+/// Elements that [`softened`] can replace, with their friction force.
 pub(super) const FRICTION: [(Element, Number); 2] = [
     (element!("coulomb_friction"), number!("coulomb_force")),
     (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
 ];
 
-/// A damper that does not chatter in a host, with what that costs.
+/// Damper that does not chatter in a host, with the errors of the replacement.
 #[derive(Debug, Clone)]
 pub struct Softened {
     /// The damper.
     pub params: Params,
-    /// What was done to each friction that chattered.
+    /// Replacement of each friction that chattered.
     pub softer: Vec<Softer>,
-    /// By how much its force differs over the motions looked at, root mean square and at most, N.
+    /// Root mean square difference of the force over the compared motions, N.
     pub rms_error: f64,
-    /// At most.
+    /// Largest difference of the force over the compared motions, N.
     pub largest_error: f64,
-    /// Largest gain of it.
+    /// Largest gain of the damper.
     pub gain: f64,
 }
 
-/// What was done to a friction.
+/// Replacement of one friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Softer {
-    /// Presliding friction takes its place.
+    /// Presliding friction replaces the element.
     Replaced {
         /// The element.
         element: Element,
-        /// Level of the presliding friction, N: of all that it replaces.
+        /// Force of the presliding friction, N, for all elements that it replaces.
         force: f64,
-        /// Length over which it turns, m.
+        /// Length over which the presliding friction reverses, m.
         length: f64,
     },
-    /// Side-force friction, whose level is the host's, changes its sign less steeply, s/m.
+    /// Side-force friction changes sign less steeply, s/m. Its force depends on the host, so it cannot be replaced.
     LessSteep {
-        /// Steepness as it was.
+        /// Steepness before.
         before: f64,
-        /// As it is.
+        /// Steepness after.
         after: f64,
     },
 }
 
 impl Softer {
-    /// What tells a damper that was made softer from the one that it was.
+    /// Returns the differences between a damper and its softened version.
     fn all(before: &Params, soft: &Params) -> Vec<Softer> {
         let (force, length) = (soft.number(number!("presliding_force")), soft.number(number!("presliding_length")));
         let replaced = FRICTION.iter().filter(|(element, _)| before.is_on(*element) && !soft.is_on(*element));
@@ -65,7 +65,7 @@ impl Softer {
         all
     }
 
-    /// The element that it was done to.
+    /// Returns the element that was changed.
     pub fn element(&self) -> Element {
         match self {
             Softer::Replaced { element, .. } => *element,
@@ -74,22 +74,24 @@ impl Softer {
     }
 }
 
-/// Length over which presliding friction of seals usually turns, m (Deubel & Prokop, J. Automob. Eng. 2023: tenths of a millimetre): none
-/// longer is tried, and of the shorter ones, which are nearer to friction that turns at once, the shortest of this gain.
+/// Typical length over which presliding friction of seals reverses, m (Deubel & Prokop, J. Automob. Eng. 2023: tenths of a millimeter).
+///
+/// No longer length is tried. Shorter lengths are closer to friction that reverses instantaneously, so the shortest with a gain up to
+/// `QUIET` is chosen.
 const LENGTH: f64 = 2e-4;
 const QUIET: f64 = 0.3;
-/// Longest step at which the two are compared, s.
+/// Longest step at which both dampers are compared, s.
 const FINE: f64 = 1e-4;
-/// Elements that turn at once: no damper has more.
+/// Largest number of elements that reverse instantaneously in a damper.
 const MOST: usize = FRICTION.len() + 1;
 
 /// Replaces steep friction by presliding friction and flattens side-force friction; `None` if that would not help.
 ///
-/// Presliding friction acts like a stiff spring where the other jumps. The result is `None`, too, where no steep
-/// friction chatters.
+/// Presliding friction acts like a stiff spring, while the replaced friction jumps. The result is also `None` if no steep friction
+/// chatters.
 ///
 /// # Errors
-/// Parameters that make no model.
+/// Parameters that form no valid model.
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
     let mut soft = *params;
     for _ in 0..MOST {
@@ -118,7 +120,7 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
         for k in 1..=(1.5 * std::f64::consts::TAU / (omega * dt)) as usize {
             let ((next_a, from), (next_b, to)) = (step(&before, &a, &input(k), dt), step(&after, &b, &input(k), dt));
             (a, b) = (next_a, next_b);
-            // The first half turn builds the friction up from a start at rest.
+            // The first half turn builds up the friction after a start at rest.
             if omega * dt * k as f64 > 0.5 * std::f64::consts::TAU {
                 squares += (to.force - from.force).powi(2);
                 count += 1.0;
@@ -130,7 +132,8 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     Ok(Some(Softened { params: soft, softer, rms_error, largest_error, gain: found.gain }))
 }
 
-/// A steep friction that rings in a situation, whatever rings beside it in others (a stop, the FV curve), and that situation.
+/// Finds a steep friction that rings in a situation, and that situation. Other elements (a stop, the FV curve) may ring in other
+/// situations.
 fn friction_that_rings(params: &Params, host: Host) -> Result<Option<(Element, Situation)>, Fault> {
     let model = Model::new(params)?;
     for situation in Situation::all(params, &model) {
@@ -153,7 +156,7 @@ fn friction_that_rings(params: &Params, host: Host) -> Result<Option<(Element, S
     Ok(None)
 }
 
-/// Puts presliding friction in the place of an element, beside what the damper has of it.
+/// Replaces an element by presliding friction, in addition to existing presliding friction.
 fn presliding_instead(
     soft: &mut Params,
     (element, level): (Element, Number),
@@ -168,7 +171,7 @@ fn presliding_instead(
     soft.enable(element, false);
     soft.enable(presliding, true);
     soft.set(number!("presliding_force"), force)?;
-    // What the damper has of it keeps its length where that is quiet.
+    // Existing presliding friction keeps its length if that is quiet.
     if has && gain(soft)? <= QUIET {
         return Ok(());
     }
@@ -187,7 +190,7 @@ fn presliding_instead(
     Ok(())
 }
 
-/// Halves the steepness of side-force friction until it is quiet in a situation; whether that was possible.
+/// Halves the steepness of side-force friction until it is quiet in a situation. Returns whether this succeeded.
 fn less_steep(soft: &mut Params, situation: Situation, host: Host) -> Result<bool, Fault> {
     let steepness = number!("side_force_steepness");
     let mut without = *soft;

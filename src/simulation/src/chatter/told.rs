@@ -1,4 +1,4 @@
-//! All of it in words.
+//! Messages about chatter.
 
 use super::host::Host;
 use super::host_loop::HALVINGS;
@@ -9,17 +9,17 @@ use crate::limit::plain;
 use dashpot_core::element;
 
 impl Chatter {
-    /// Whether a disturbance changes sign at every step, by the slopes or in the loop.
+    /// Returns whether a disturbance changes sign at every step, by the derivatives or in the host loop.
     pub fn rings(&self) -> bool {
         self.gain >= RINGS || self.turning.is_some()
     }
 
-    /// Whether it does so without dying out.
+    /// Returns whether this disturbance persists.
     pub fn swings(&self) -> bool {
         self.gain >= GROWS || self.turning.is_some()
     }
 
-    /// What to know of it, in sentences; `softened` where `--for-step` was asked for already.
+    /// Describes the chatter; `softened` if `--for-step` was already given.
     pub fn describe(&self, host: Host, softened: bool) -> String {
         let Host { step, mass } = host;
         let head = format!(
@@ -86,7 +86,7 @@ impl Chatter {
 }
 
 impl Softened {
-    /// What was done and what it costs, in a sentence.
+    /// Describes the replacements and their errors.
     pub fn describe(&self) -> String {
         let done = self.softer.iter().map(|one| match one {
             Softer::Replaced { element, force, length } => format!(

@@ -8,27 +8,27 @@
 pub struct Car {
     /// Sprung mass, kg.
     pub sprung_mass: f64,
-    /// Mass of a wheel with its share of the suspension, kg.
+    /// Mass of a wheel with its part of the suspension, kg.
     pub unsprung_mass: f64,
     /// Roll, pitch and yaw inertia, kg m².
     pub inertia: [f64; 3],
-    /// Distance of the front and of the rear axle from the centre of gravity, m.
+    /// Distance of the front and of the rear axle from the center of gravity, m.
     pub axle: [f64; 2],
     /// Track, m.
     pub track: f64,
-    /// Height of the centre of gravity above the roll axis, m.
+    /// Height of the center of gravity above the roll axis, m.
     pub roll_arm: f64,
     /// Spring rate at the wheel, front and rear, N/m.
     pub spring: [f64; 2],
     /// Anti-roll rate at the wheel, front and rear, N/m of difference in stroke.
     pub anti_roll: [f64; 2],
-    /// Vertical tyre stiffness, N/m.
+    /// Vertical tire stiffness, N/m.
     pub tyre: f64,
-    /// Cornering stiffness of a tyre, N/rad.
+    /// Cornering stiffness of a tire, N/rad.
     pub cornering: f64,
-    /// Friction of the tyre on the road.
+    /// Friction of the tire on the road.
     pub grip: f64,
-    /// Damper travel per wheel travel.
+    /// Ratio of damper travel to wheel travel.
     pub motion_ratio: f64,
 }
 
@@ -43,10 +43,10 @@ pub struct CarValue {
     pub unit: &'static str,
 }
 
-/// Why a file describes no vehicle.
+/// Error of a file that describes no vehicle.
 #[derive(Debug, thiserror::Error)]
 pub enum CarError {
-    /// No TOML, or a value that is no number.
+    /// The file is not TOML, or a value is not a number.
     #[error("{0}")]
     Toml(String),
     /// A name that a vehicle does not have.
@@ -54,10 +54,10 @@ pub enum CarError {
     Unknown {
         /// The name.
         name: String,
-        /// Where it stands, from 1.
+        /// Line, from 1.
         line: usize,
     },
-    /// A value that no vehicle has.
+    /// A value out of range.
     #[error("line {line}: {name} = {value} {unit}; it must be {least}")]
     Range {
         /// The name.
@@ -66,15 +66,15 @@ pub enum CarError {
         value: f64,
         /// Its unit.
         unit: &'static str,
-        /// What is allowed.
+        /// Allowed range.
         least: &'static str,
-        /// Where it stands, from 1.
+        /// Line, from 1.
         line: usize,
     },
 }
 
 impl Car {
-    /// A vehicle from a file of `name = number` lines in SI; what it does not say stays as in the passenger car.
+    /// Reads a vehicle from a file of `name = number` lines in SI units. Numbers that the file omits are those of the passenger car.
     ///
     /// # Errors
     /// [`CarError`] with the line.
@@ -92,7 +92,7 @@ impl Car {
             let Some(number) = number else {
                 return Err(CarError::Toml(format!("line {line}: {name} is {value}, which is no number")));
             };
-            // Anti-roll bars and the roll arm may be missing; everything else divides something.
+            // Anti-roll bars and the roll arm may be 0. All other values are divisors.
             let may_be_zero = name.ends_with("anti_roll") || name == "roll_arm";
             if !(number.is_finite() && (number > 0.0 || (may_be_zero && number == 0.0))) {
                 let least = if may_be_zero { "0 or more" } else { "more than 0" };
@@ -103,7 +103,7 @@ impl Car {
         Ok(car)
     }
 
-    /// Every number with its name and unit, in the order that files and reports have.
+    /// Returns every number with its name and unit, in the order of files and reports.
     pub fn values(&self) -> [CarValue; 17] {
         let units = [
             ("sprung_mass", "kg"),
@@ -128,7 +128,7 @@ impl Car {
         units.map(|(name, unit)| CarValue { name, value: *car.place_of(name), unit })
     }
 
-    /// Where a number of this name is kept.
+    /// Returns a reference to the number of this name.
     fn place_of(&mut self, name: &str) -> &mut f64 {
         match name {
             "sprung_mass" => &mut self.sprung_mass,
@@ -153,7 +153,7 @@ impl Car {
 }
 
 impl Default for Car {
-    /// A passenger car.
+    /// Returns a passenger car.
     fn default() -> Car {
         Car {
             sprung_mass: 1400.0,
@@ -172,16 +172,16 @@ impl Default for Car {
     }
 }
 
-/// Positions and velocities.
+/// Positions and velocities of a vehicle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Body {
     /// Heave, roll (left side up) and pitch (nose down): m, rad, rad.
     pub position: [f64; 3],
-    /// Their velocities.
+    /// Velocities of heave, roll and pitch, m/s, rad/s, rad/s.
     pub velocity: [f64; 3],
     /// Heights of the wheels, m.
     pub wheel: [f64; 4],
-    /// Their velocities, m/s.
+    /// Velocities of the wheels, m/s.
     pub wheel_velocity: [f64; 4],
     /// Velocity to the left, m/s, and yaw rate, rad/s.
     pub lateral: [f64; 2],
@@ -194,29 +194,29 @@ pub struct Body {
 const GRAVITY: f64 = 9.81;
 
 impl Car {
-    /// Place of a corner: forward and to the left of the centre of gravity, m.
+    /// Returns the position of a corner: forward and to the left of the center of gravity, m.
     pub fn place(&self, corner: usize) -> [f64; 2] {
         let x = if corner < 2 { self.axle[0] } else { -self.axle[1] };
         [x, if corner.is_multiple_of(2) { 0.5 * self.track } else { -0.5 * self.track }]
     }
 
-    /// Static load of a wheel, N.
+    /// Returns the static load of a wheel, N.
     fn load(&self, corner: usize) -> f64 {
         let wheelbase = self.axle[0] + self.axle[1];
         let share = self.axle[if corner < 2 { 1 } else { 0 }] / wheelbase;
         GRAVITY * (0.5 * share * self.sprung_mass + self.unsprung_mass)
     }
 
-    /// Stroke of a suspension and its rate, extension positive, at the wheel.
+    /// Returns the stroke of a suspension, m, and its rate, m/s, extension positive, at the wheel.
     pub fn stroke(&self, body: &Body, corner: usize) -> [f64; 2] {
         let [x, y] = self.place(corner);
         let above = |q: &[f64; 3]| q[0] + y * q[1] - x * q[2];
         [above(&body.position) - body.wheel[corner], above(&body.velocity) - body.wheel_velocity[corner]]
     }
 
-    /// One step of `dt` on the road heights under the wheels, at a forward speed and a steering angle.
+    /// Makes one step of `dt` at a forward speed and a steering angle, with these road heights under the wheels.
     ///
-    /// The damper forces are above the static ones, at the wheel, tension positive. Semi-implicit: velocities first,
+    /// The damper forces are differences from the static ones, at the wheel, tension positive. The step is semi-implicit: velocities first,
     /// then positions.
     pub fn step(&self, body: &mut Body, dt: f64, speed: f64, steer: f64, road: [f64; 4], damper: [f64; 4]) {
         let stroke: [f64; 4] = std::array::from_fn(|i| self.stroke(body, i)[0]);
@@ -224,7 +224,7 @@ impl Car {
         let mut wheel = [0.0; 4];
         for i in 0..4 {
             let ([x, y], axle, other) = (self.place(i), i / 2, i ^ 1);
-            // What lifts the body and presses the wheel down.
+            // Force that lifts the body and presses the wheel down.
             let lift = -self.spring[axle] * stroke[i] - self.anti_roll[axle] * (stroke[i] - stroke[other]) - damper[i];
             let load = (self.load(i) + self.tyre * (road[i] - body.wheel[i])).max(0.0);
             wheel[i] = (load - self.load(i) - lift) / self.unsprung_mass;
@@ -259,7 +259,7 @@ impl Car {
         body.lateral[1] += dt * yaw / self.inertia[2];
     }
 
-    /// Energy of heave, pitch, roll, wheels, springs and tyres above the static position, J, on a flat road.
+    /// Returns the energy of heave, pitch, roll, wheels, springs and tires above the static position, J, on a flat road.
     pub fn energy(&self, body: &Body) -> f64 {
         let kinetic: f64 = self.sprung_mass * body.velocity[0].powi(2)
             + self.inertia[0] * body.velocity[1].powi(2)
@@ -281,7 +281,7 @@ impl Car {
 mod tests {
     use super::*;
 
-    /// Free swings lose in energy what the dampers take, to the order of the step.
+    /// Free oscillations lose the energy that the dampers absorb, up to the order of the step.
     #[test]
     fn energy_goes_where_the_dampers_take_it() {
         let car = Car::default();
@@ -292,7 +292,7 @@ mod tests {
             for _ in 0..(1.0 / dt) as usize {
                 let rate: [f64; 4] = std::array::from_fn(|i| car.stroke(&body, i)[1]);
                 let force = rate.map(|v| 1500.0 * v);
-                // A speed at which the tyres' side forces hardly matter, and no roll from them.
+                // At this speed the side forces of the tires hardly matter and cause no roll.
                 car.step(&mut body, dt, 1e9, 0.0, [0.0; 4], force);
                 let after: [f64; 4] = std::array::from_fn(|i| car.stroke(&body, i)[1]);
                 taken += dt * (0..4).map(|i| force[i] * 0.5 * (rate[i] + after[i])).sum::<f64>();
@@ -312,7 +312,7 @@ mod tests {
         assert!(body.position.iter().chain(&body.wheel).all(|x| x.abs() < 1e-12), "{body:?}");
     }
 
-    /// Steady cornering has the yaw rate of the linear single-track model, and rolls to the outside.
+    /// Steady cornering has the yaw rate of the linear single-track model, with roll to the outside.
     #[test]
     fn steady_cornering_is_that_of_the_single_track_model() {
         let (car, mut body) = (Car::default(), Body::default());

@@ -1,6 +1,6 @@
-//! What is driven: speed, steering and road over time.
+//! Maneuvers: speed, steering and road over time.
 
-/// A manoeuvre.
+/// Maneuver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manoeuvre {
     /// Both axles over a bump of 40 mm and 0.5 m length at 30 km/h.
@@ -13,10 +13,10 @@ pub enum Manoeuvre {
     Track,
 }
 
-/// The track's surface: waves of an ISO 8608 road between B and C, different left and right.
+/// Surface of the track: waves of an ISO 8608 road between class B and C, different left and right.
 #[derive(Clone, Debug)]
 pub struct Road {
-    /// Angular wave number (rad/m), amplitude (m), phase on the left and on the right.
+    /// Angular wave number (rad/m), amplitude (m), and phase on the left and on the right of each wave.
     waves: Vec<[f64; 4]>,
 }
 
@@ -24,7 +24,7 @@ pub struct Road {
 const UNEVENNESS: f64 = 100e-6;
 
 impl Road {
-    /// Random road; a seed always yields one road.
+    /// Makes a random road. A seed always yields the same road.
     pub fn new(seed: u64) -> Road {
         let mut state = seed;
         let mut uniform = || {
@@ -44,7 +44,7 @@ impl Road {
                 let n = from + uniform() * (to - from);
                 let amplitude = (2.0 * UNEVENNESS * (n / 0.1).powi(-2) * (to - from)).sqrt();
                 let phase = std::f64::consts::TAU * uniform();
-                // Long waves are the same on both sides, short ones are not.
+                // Long waves are equal on both sides, short ones are not.
                 let apart = std::f64::consts::TAU * (uniform() - 0.5) * (n / 0.3).min(1.0);
                 [std::f64::consts::TAU * n, amplitude, phase, phase + apart]
             })
@@ -52,14 +52,14 @@ impl Road {
         Road { waves }
     }
 
-    /// Height under a wheel, m; `side` 0 is left.
+    /// Returns the height under a wheel, m; `side` 0 is left.
     pub fn height(&self, distance: f64, side: usize) -> f64 {
         self.waves.iter().map(|w| w[1] * libm::sin(w[0] * distance + w[2 + side])).sum()
     }
 }
 
 impl Manoeuvre {
-    /// All, with their names on the command line.
+    /// All maneuvers, with their names on the command line.
     pub const ALL: [(&'static str, Manoeuvre); 4] = [
         ("bump", Manoeuvre::Bump),
         ("step-steer", Manoeuvre::StepSteer),
@@ -67,7 +67,7 @@ impl Manoeuvre {
         ("track", Manoeuvre::Track),
     ];
 
-    /// Forward speed, m/s.
+    /// Returns the forward speed, m/s.
     pub fn speed(self) -> f64 {
         match self {
             Manoeuvre::Bump => 30.0 / 3.6,
@@ -76,7 +76,7 @@ impl Manoeuvre {
         }
     }
 
-    /// Length, s.
+    /// Returns the duration, s.
     pub fn duration(self) -> f64 {
         match self {
             Manoeuvre::Bump => 3.0,
@@ -86,7 +86,7 @@ impl Manoeuvre {
         }
     }
 
-    /// Steering angle at the wheels, rad, left positive.
+    /// Returns the steering angle at the wheels, rad, left positive.
     pub fn steer(self, time: f64) -> f64 {
         let t = time - 0.5;
         if t <= 0.0 {
@@ -103,7 +103,7 @@ impl Manoeuvre {
         }
     }
 
-    /// Height of the road, m, under a wheel `ahead` of the centre of gravity; `side` 0 is left.
+    /// Returns the height of the road, m, under a wheel `ahead` of the center of gravity; `side` 0 is left.
     pub fn road(self, road: &Road, time: f64, ahead: f64, side: usize) -> f64 {
         let distance = self.speed() * time + ahead;
         match self {
@@ -116,7 +116,7 @@ impl Manoeuvre {
                 }
             }
             Manoeuvre::Track => {
-                // Fades in, so that the vehicle starts at rest.
+                // The road fades in, so that the vehicle starts at rest.
                 road.height(distance, side) * (time / 2.0).min(1.0)
             }
             Manoeuvre::StepSteer | Manoeuvre::SineSteer => 0.0,

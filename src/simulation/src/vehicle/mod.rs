@@ -1,8 +1,8 @@
-//! A vehicle on four dampers, stepped as a real-time simulator steps.
+//! Vehicle on four dampers, with the fixed step of a real-time simulator.
 //!
-//! The damper forces of one step are held through the next, and the dampers answer the motion that results.
+//! The damper forces have a zero-order hold over the next step. The dampers then respond to the resulting motion.
 //!
-//! Small on purpose: it shows what a damper model changes in a vehicle, it does not predict one.
+//! The model is deliberately small. It shows the effect of a damper model on a vehicle, and does not predict a real vehicle.
 
 mod car;
 mod manoeuvre;

@@ -1,4 +1,4 @@
-//! A manoeuvre driven from beginning to end at a fixed step.
+//! Simulation of a maneuver at a fixed step.
 
 use super::too_fast::{SHORTEST_STEP, TooFast, too_fast};
 use super::{Body, Car, Manoeuvre, Road};
@@ -8,69 +8,69 @@ use dashpot_core::{Input, Model, State, step};
 /// Names of the corners.
 pub const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
 
-/// What a damper saw and gave.
+/// Motion and force of one damper.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Corner {
     /// Displacement of the damper from its static position, m, extension positive.
     pub displacement: f64,
-    /// Its velocity, m/s.
+    /// Velocity of the damper, m/s.
     pub velocity: f64,
-    /// Its force, N, tension positive.
+    /// Force of the damper, N, tension positive.
     pub force: f64,
 }
 
-/// One instant.
+/// Sample of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// s.
+    /// Time, s.
     pub time: f64,
-    /// The vehicle.
+    /// State of the vehicle.
     pub body: Body,
-    /// The dampers.
+    /// Motion and force of the dampers.
     pub corner: [Corner; 4],
     /// Height of the road under the wheels, m.
     pub road: [f64; 4],
 }
 
-/// A manoeuvre as it went.
+/// Results of a maneuver.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Every host step.
+    /// Samples of every host step.
     pub samples: Vec<Sample>,
-    /// Largest c h / m: slope of the damper at the wheel times step over unsprung mass. Above 2 an explicit host is
-    /// unstable; with one more step of delay above 1.
+    /// Largest coupling ratio c h/m: slope of the damper at the wheel times step over unsprung mass. An explicit host is unstable above 2;
+    /// with one more step of delay above 1.
     pub coupling: f64,
-    /// Ratio of the exchange where the damper moves faster than [`SLOW`].
+    /// Largest coupling ratio at damper velocities above [`SLOW`].
     ///
-    /// Below, the derivative is that of friction. Its force is bounded, so that the exchange chatters there but does
-    /// not grow.
+    /// Below that velocity friction determines the slope. Its force is bounded, so the coupling chatters there but does not grow.
     pub coupling_moving: f64,
 }
 
-/// Velocity below which friction makes the slope, m/s.
+/// Damper velocity below which friction determines the slope, m/s.
 pub const SLOW: f64 = 0.02;
 
-/// Why a manoeuvre could not be driven.
+/// Error of a maneuver.
 #[derive(Debug, thiserror::Error)]
 pub enum VehicleError {
-    /// The step is no step of a real-time simulator.
+    /// The step is outside the range of real-time simulators.
     #[error("a vehicle is stepped by 0.0001 to 0.005 s, not {0}")]
     Step(f64),
-    /// The vehicle swung up: when, s, and what is to blame.
+    /// The vehicle became unstable: time, s, and cause.
     #[error("the vehicle left the road after {0:.3} s: {1}")]
     Unstable(f64, TooFast),
 }
 
-/// Four dampers as a simulator meets them: motion in at each of its steps, force out. Extension and tension positive.
+/// Four dampers behind the interface of a simulator: motion in at each step, force out. Extension and tension are positive.
 pub trait Dampers {
-    /// Settles all at displacement 0 and answers with their static forces, N.
+    /// Sets all dampers to equilibrium at displacement 0 and returns their static forces, N.
     fn rest(&mut self) -> [f64; 4];
-    /// A step of `dt` to these displacements and velocities: force, N, and its change per velocity where the displacement follows
-    /// through the step, N s/m.
+    /// Advances by `dt` to these displacements and velocities.
+    ///
+    /// Returns the force, N, and its total derivative with respect to velocity, N s/m. The displacement changes with the velocity by `dt`.
     fn step(&mut self, dt: f64, motion: [[f64; 2]; 4]) -> [[f64; 2]; 4];
 }
 
-/// Models stepped by the kernel.
+/// Models that the kernel steps.
 struct Kernels<'a> {
     models: [&'a Model; 4],
     states: [State; 4],
@@ -86,7 +86,7 @@ impl Dampers for Kernels<'_> {
     fn rest(&mut self) -> [f64; 4] {
         let still = Input::motion(0.0, 0.0);
         self.states = self.models.map(|model| model.steady_state(&still));
-        // dt = 0 is the static answer.
+        // A step with dt = 0 returns the static force.
         std::array::from_fn(|i| step(self.models[i], &self.states[i], &still, 0.0).1.force)
     }
 
@@ -100,18 +100,18 @@ impl Dampers for Kernels<'_> {
     }
 }
 
-/// Drives a manoeuvre with the dampers L1, R1, L2, R2 of these models at a fixed step.
+/// Simulates a maneuver with the dampers L1, R1, L2, R2 of these models at a fixed step.
 ///
 /// # Errors
-/// Where the step is out of range, or the run unstable.
+/// A step out of range, or an unstable run.
 pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
     run_with(car, manoeuvre, &mut Kernels::new(models), dt)
 }
 
-/// Runs the vehicle with dampers of any kind, such as those behind the simulator bridge.
+/// Simulates a maneuver with dampers of any kind, such as those behind the simulator bridge.
 ///
 /// # Errors
-/// Where the step is out of range, or the run unstable.
+/// A step out of range, or an unstable run.
 pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt: f64) -> Result<Run, VehicleError> {
     if !(SHORTEST_STEP..=5e-3).contains(&dt) {
         return Err(VehicleError::Step(dt));
@@ -119,7 +119,7 @@ pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt:
     told_every(1, car, manoeuvre, dampers, dt)
 }
 
-/// Every so many steps of `dt` there is a sample.
+/// Simulates a maneuver and stores a sample after `every` steps of `dt`.
 fn told_every(
     every: usize,
     car: &Car,
@@ -142,7 +142,7 @@ fn told_every(
         car.step(&mut body, dt, manoeuvre.speed(), manoeuvre.steer(time), heights, held);
         let motion: [[f64; 2]; 4] = std::array::from_fn(|i| car.stroke(&body, i).map(|stroke| ratio * stroke));
         if !motion.iter().all(|[displacement, velocity]| velocity.abs() < 50.0 && displacement.abs() < 1.0) {
-            // The slope in motion: that of friction is steeper, but its force is bounded.
+            // Use the slope at moving dampers: the slope of friction is steeper, but its force is bounded.
             let slope = coupling_moving * car.unsprung_mass / dt;
             return Err(VehicleError::Unstable(time, too_fast(car, slope, dt)));
         }
@@ -166,26 +166,26 @@ fn told_every(
     Ok(Run { samples, coupling, coupling_moving })
 }
 
-/// Two sets of dampers in the same manoeuvre, in steps so short that the exchange of force and motion chatters with none.
+/// Runs of two sets of dampers in one maneuver, with steps so short that the coupling of force and motion does not chatter.
 #[derive(Clone, Debug)]
 pub struct Quiet {
-    /// The step, s.
+    /// Step, s.
     pub step: f64,
-    /// As they went, told at the steps of the host.
+    /// The runs, with samples at the steps of the host.
     pub runs: [Run; 2],
 }
 
-/// What c h / m is brought down to: what rings below dies out within a few steps.
+/// Coupling ratio c h/m that the shorter step aims at. With it an oscillation decays within a few steps.
 const QUIET: f64 = 0.5;
-/// Most parts of a host step: a curve so steep that it chatters in them is a jump, which no step is short enough for.
+/// Largest number of substeps of a host step. A curve that still chatters contains a jump, for which no step is short enough.
 const MOST_PARTS: f64 = 64.0;
 
-/// Runs the sets of dampers in shorter steps, if one of the `runs` of `dt` chatters.
+/// Simulates the sets of dampers in shorter steps, if one of the `runs` at `dt` chatters.
 ///
-/// What they differ by is then that of the dampers and not of the exchange.
+/// The difference between the runs is then due to the dampers and not to the coupling step.
 ///
 /// # Errors
-/// Where a run is unstable.
+/// An unstable run.
 pub fn without_chatter(
     car: &Car,
     manoeuvre: Manoeuvre,
@@ -214,7 +214,7 @@ mod tests {
         run(&Car::default(), manoeuvre, [&model; 4], dt).unwrap()
     }
 
-    /// Heave at common instants, relative to its largest.
+    /// Returns the largest difference in heave at common instants, relative to the largest heave.
     fn apart(a: &Run, b: &Run, every: [usize; 2]) -> f64 {
         let heave = |r: &Run, n: usize| -> Vec<f64> {
             r.samples.iter().skip(n - 1).step_by(n).map(|s| s.body.position[0]).collect()
@@ -224,7 +224,7 @@ mod tests {
         a.iter().zip(&b).fold(0.0_f64, |m, (x, y)| m.max((x - y).abs())) / peak
     }
 
-    /// Steps from 2 to 0.25 ms tell the same story, the more so the shorter.
+    /// Runs with steps from 2 to 0.25 ms agree, the better the shorter the steps.
     #[test]
     fn runs_converge_with_the_step() {
         for manoeuvre in [Manoeuvre::Bump, Manoeuvre::Track] {
@@ -255,7 +255,7 @@ mod tests {
         assert!(last.corner[0].displacement > 0.005 && last.corner[1].displacement < -0.005);
     }
 
-    /// Friction makes the largest slope, the curve the one in motion: the steepest of the curve times the step over the wheel.
+    /// Friction determines the largest slope, and the curve the slope in motion: its steepest slope times the step over the wheel mass.
     #[test]
     fn the_slope_in_motion_is_that_of_the_curve() {
         let run = drive(Manoeuvre::Track, 1e-3);
@@ -273,9 +273,9 @@ mod tests {
         }
     }
 
-    /// A curve that holds friction as a jump chatters in steps of a millisecond.
+    /// A curve that contains friction as a jump chatters in steps of a millisecond.
     ///
-    /// In short ones it does not, and both tell the same instants.
+    /// In short steps it does not, and both runs have samples at the same instants.
     #[test]
     fn a_steep_curve_is_driven_without_its_chatter() {
         let mut steep = Params::new();
@@ -286,7 +286,7 @@ mod tests {
         let (steep, smooth) = (Model::new(&steep).unwrap(), Model::new(&Params::new()).unwrap());
         let car = Car::default();
         let drive = |model: &Model| run(&car, Manoeuvre::StepSteer, [model; 4], 1e-3).unwrap();
-        // How much the force of a wheel changes from step to step once the vehicle rests.
+        // Mean change of a wheel's damper force from step to step once the vehicle is at rest.
         let restless = |run: &Run| {
             let force: Vec<f64> = run.samples.iter().rev().take(400).map(|s| s.corner[0].force).collect();
             force.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>() / 399.0

@@ -1,61 +1,62 @@
-//! The cause of a vehicle leaving the road in steps of this length.
+//! Search for the cause if a vehicle becomes unstable with a step.
 //!
-//! The steepest derivative of its dampers at the wheel is in N s/m.
+//! The cause is a part of the vehicle whose frequency is too high for the step, or a damper that is too steep for it.
 //!
-//! The part of it that swings too fast for the step, or the damper that is too steep for it.
-//!
-//! A mass m on a stiffness k, moved by semi-implicit steps h against a damper of slope c whose force is that of the step before,
+//! Consider a mass m on a stiffness k, moved by semi-implicit steps h. The force of its damper of slope c is that of the step before. The
+//! motion
 //!
 //! ```text
 //! v' = v − (h/m)(k x + c v),   x' = x + h v'
 //! ```
 //!
-//! swings up where 2 c h/m + k h²/m > 4. That tells the shares of damper and springs; how long a step may be is tried with the whole vehicle,
-//! since its masses swing together and each other's are lighter than alone.
+//! grows if 2 c h/m + k h²/m > 4. The two terms give the fractions of damper and springs. The longest stable step is found by simulation of
+//! the whole vehicle. Its masses are coupled, and the effective mass of each is smaller than alone.
 
 use super::{Body, Car};
 use std::fmt;
 
-/// What swings up.
+/// Cause of the instability.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Blame {
-    /// A mass on its springs, whatever the damper does.
+    /// A mass on its springs, regardless of the damper.
     Part {
-        /// The mass or inertia that swings, by its name in a file, and its value.
+        /// Name in a file and value of the oscillating mass or inertia.
         mass: (&'static str, f64),
-        /// The stiffest of what it swings on, by its name, and its value, N/m.
+        /// Name in a file and value, N/m, of the stiffest spring at the mass.
         spring: (&'static str, f64),
     },
-    /// The exchange of damper force and motion.
+    /// The delayed coupling of damper force and motion.
     Damper {
         /// Its damping at the wheel, N s/m.
         damping: f64,
-        /// The mass that it moves, by its name in a file, and its value.
+        /// Name in a file and value of the mass that the damper moves.
         mass: (&'static str, f64),
     },
-    /// Neither: the vehicle moves so by its numbers.
+    /// Neither of them: the motion follows from the vehicle's parameters.
     Neither,
 }
 
-/// Why a run left the road.
+/// Cause of an unstable run, and the steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooFast {
-    /// What is to blame.
+    /// Cause of the instability.
     pub blame: Blame,
-    /// The step that was taken, s.
+    /// Step of the run, s.
     pub step: f64,
-    /// The longest step that keeps clear of swinging up, s; where nothing swings up, the one taken.
+    /// Longest step that is safely stable, s; the step of the run if it is not the cause.
     pub longest: f64,
 }
 
-/// Share of the longest step in which nothing swings up that is named. A wheel that loses the road and comes back gains on the way once the step is
-/// near its end: with tyres of 1e8 to 1e9 N/m and dampers of 20 to 1500 N s/m no manoeuvre left the road up to 0.7 of it, some did from 0.8 on.
+/// Ratio of the reported step to the longest stable one.
+///
+/// Near the stability limit a wheel that lifts off and lands gains energy. With tires of 1e8 to 1e9 N/m and dampers of 20 to 1500 N s/m no
+/// maneuver became unstable up to a ratio of 0.7. Some did from 0.8 on.
 const ROOM: f64 = 0.7;
 
-/// Shortest step that a vehicle is driven with, s.
+/// Shortest allowed step of a vehicle, s.
 pub const SHORTEST_STEP: f64 = 1e-4;
 
-/// One way in which a vehicle swings: mass or inertia, stiffness and damper slope that act on it, and the stiffest spring of them.
+/// Oscillation mode of a vehicle: mass or inertia, stiffness and damper slope that act on it, and its stiffest spring.
 struct Way {
     mass: (&'static str, f64),
     stiffness: f64,
@@ -64,25 +65,25 @@ struct Way {
 }
 
 impl Way {
-    /// 1 where it begins to swing up: the share of the damper and that of the springs.
+    /// Returns the contributions of the damper and the springs to the stability criterion. The motion grows if their sum exceeds 1.
     fn shares(&self, step: f64) -> [f64; 2] {
         [self.slope * step / (2.0 * self.mass.1), self.stiffness * step * step / (4.0 * self.mass.1)]
     }
 }
 
 impl Car {
-    /// Whether a disturbance grows in steps of this length.
+    /// Returns whether a disturbance grows in steps of this length.
     ///
-    /// The dampers have this derivative at the wheel, N s/m, and their force has a zero-order hold over a step.
+    /// `slope` is the derivative of the dampers at the wheel, N s/m. Their force has a zero-order hold over a step.
     fn swings_up(&self, slope: f64, step: f64) -> bool {
-        // Small enough to keep every tyre on the road, and uneven enough to move the vehicle in every way.
+        // The disturbance is small enough to keep every tire on the road, and excites all modes.
         let mut body = Body { position: [1e-9, 2e-9, 3e-9], wheel: [1e-9, -2e-9, 3e-9, -5e-9], ..Body::default() };
         let begin = self.energy(&body);
         for _ in 0..3000 {
             let force = std::array::from_fn(|i| slope * self.stroke(&body, i)[1]);
-            // At a speed at which tyres have hardly a side force.
+            // At this speed the tires have almost no side force.
             self.step(&mut body, step, 1e9, 0.0, [0.0; 4], force);
-            // What does not swing up never has more than a small multiple of what it began with.
+            // The energy of a stable vehicle stays below a small multiple of its initial value.
             if !(self.energy(&body) < 1e6 * begin) {
                 return true;
             }
@@ -90,11 +91,11 @@ impl Car {
         false
     }
 
-    /// Every way in which it swings, with dampers of this slope at the wheel, N s/m.
+    /// Returns all oscillation modes, with dampers of this slope at the wheel, N s/m.
     fn ways(&self, slope: f64) -> Vec<Way> {
         const SPRING: [&str; 2] = ["front_spring", "rear_spring"];
         const ANTI_ROLL: [&str; 2] = ["front_anti_roll", "rear_anti_roll"];
-        // By name, value, and how often it counts.
+        // Name, value and multiplicity of a spring.
         type Spring = (&'static str, f64, f64);
         let stiffest = |springs: &[Spring]| {
             let most = springs.iter().max_by(|a, b| (a.1 * a.2).total_cmp(&(b.1 * b.2)));
@@ -102,7 +103,7 @@ impl Car {
         };
         let mut ways = Vec::new();
         for axle in 0..2 {
-            // Both wheels of an axle against each other wind up its anti-roll bar twice.
+            // If both wheels of an axle move in opposite directions, they deflect its anti-roll bar twice.
             let on: [Spring; 3] = [
                 ("tyre", self.tyre, 1.0),
                 (SPRING[axle], self.spring[axle], 1.0),
@@ -112,7 +113,7 @@ impl Car {
             let stiffness = on.iter().map(|(_, value, times)| value * times).sum();
             ways.push(Way { mass: ("unsprung_mass", self.unsprung_mass), stiffness, slope, spring });
         }
-        // The body: heave, roll and pitch, with what each corner's spring gives at its arm.
+        // Body modes: heave, roll and pitch, each with the springs of the corners at their lever arms.
         let arms = |axle: usize| [1.0, 0.5 * self.track, self.axle[axle]];
         let masses =
             [("sprung_mass", self.sprung_mass), ("roll_inertia", self.inertia[0]), ("pitch_inertia", self.inertia[1])];
@@ -135,9 +136,9 @@ impl Car {
     }
 }
 
-/// The cause of a vehicle leaving the road in steps of this length.
+/// Finds the cause if a vehicle becomes unstable in steps of this length.
 ///
-/// The steepest derivative of its dampers at the wheel is in N s/m.
+/// `slope` is the steepest derivative of its dampers at the wheel, N s/m.
 pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     if !car.swings_up(slope, step) {
         return TooFast { blame: Blame::Neither, step, longest: step };
@@ -160,7 +161,7 @@ pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     TooFast { blame, step, longest: ROOM * quiet }
 }
 
-/// A step to two digits, never longer than it is.
+/// Rounds a step down to two digits.
 fn shorter(step: f64) -> f64 {
     let digit = libm::pow(10f64, libm::log10(step).floor() - 1.0);
     (step / digit).floor() * digit
@@ -208,7 +209,7 @@ mod tests {
     use super::*;
     use dashpot_core::{Model, Params, element, list};
 
-    /// A damper of one slope, N s/m.
+    /// Makes a damper of constant slope, N s/m.
     fn straight(slope: f64) -> Model {
         let mut params = Params::new();
         params.disable_all();
@@ -226,9 +227,9 @@ mod tests {
         }
     }
 
-    /// What is named is what was made too fast.
+    /// The reported part is the one that was made too fast.
     ///
-    /// In the step that is named the vehicle stays on the road, and not far above a disturbance swings up.
+    /// In the reported step the vehicle is stable. At a slightly longer step a disturbance grows.
     #[test]
     fn the_part_that_is_too_fast_is_named_with_the_longest_step() {
         let usual = Car::default();

@@ -1,4 +1,4 @@
-//! `dashpot demo`: everything once, on a virtual rig.
+//! `dashpot demo`: all steps once, on a virtual rig.
 
 mod riddle;
 
@@ -30,7 +30,7 @@ pub struct Args {
     seed: u64,
 }
 
-/// Rows of the matrix that the fit does not see: two large strokes and a small one.
+/// Rows of the matrix that the fit does not use: two large strokes and a small one.
 const HELD_OUT: [&str; 3] = ["a40mm*", "a25mm*", "a02mm*"];
 
 /// Runs the verb.

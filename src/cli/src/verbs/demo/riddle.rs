@@ -1,4 +1,4 @@
-//! The second half of the demo: a damper with an effect hidden in it is measured, identified without it and diagnosed.
+//! Second half of the demo: a damper with an injected effect is measured, identified without the effect, and diagnosed.
 
 use super::super::data::DataArgs;
 use super::super::{diagnose, diagnosed, fit};
@@ -15,10 +15,10 @@ use dashpot_report::{Print, replace_file};
 use dashpot_rig::{CHECK_PREFIX, InjectedCase, Options, Plan};
 use std::path::{Path, PathBuf};
 
-/// What is hidden, and how strongly.
+/// Injected effect and its strength.
 const HIDDEN: (&str, f64) = ("free_play", 1.0);
 
-/// Tells the story and leaves everything in a folder; returns the path of the report.
+/// Runs this part of the demo and writes its results to a folder. Returns the path of the report.
 pub fn write(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     let say = |text: &str| dashpot_output::say(None, text);
     let folder = folder.join("riddle");

@@ -1,4 +1,4 @@
-//! `dashpot export dpr`: the FV curve as an Adams Car property file.
+//! `dashpot export dpr`: FV curve as an Adams Car property file.
 
 use crate::verbs::model;
 use anyhow::Context as _;

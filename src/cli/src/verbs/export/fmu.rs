@@ -1,4 +1,4 @@
-//! `dashpot export fmu`: a model in the form that most simulators import.
+//! `dashpot export fmu`: model in the format that most simulators import.
 
 use super::super::host_step::HostArgs;
 use crate::quantity::metres;
@@ -97,7 +97,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let (mut notes, mut remarks) = (Vec::new(), Vec::new());
     let mut models: Vec<Definition> = Vec::new();
-    // Without a curve in the model there is none to show.
+    // A model without a curve has none to show.
     let mut curve = None;
     for path in &args.models {
         let file = model::read_family(path)?;
@@ -140,7 +140,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
-    // A command that holds no compiled runtime compiles one here, where that can be done.
+    // A command without a compiled runtime compiles one here, if possible.
     let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
     let compiles = args.from_source || !holds_one && library(None).is_ok();
     if compiles && !args.from_source {
@@ -166,7 +166,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             remarks: &remarks,
         },
     )?;
-    // Made before anything is written, since it may be refused.
+    // The text is made before anything is written, because it may be rejected.
     let plug_info = plug_info.map(|path| -> anyhow::Result<_> {
         let name = args.output.file_stem().unwrap_or_default().to_string_lossy();
         let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();
@@ -197,7 +197,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     notes.iter().try_for_each(|note| dashpot_output::say(None, note))
 }
 
-/// A binary for another platform, from PLATFORM=FILE.
+/// Reads a binary for another platform, from PLATFORM=FILE.
 fn binary(text: &str) -> anyhow::Result<Binary> {
     let Some((platform, file)) = text.split_once('=') else {
         bail!("--binary is given as PLATFORM=FILE, such as win64=dashpot_damper.dll, not {text}");
@@ -205,7 +205,7 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
     Binary::read(platform, Path::new(file)).context("--binary")
 }
 
-/// The static library: as named, or where cargo or a package puts it.
+/// Returns the static library: the given one, or the one that cargo or a package installed.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
     let path = named.map_or_else(handed_out::static_library, |named| Ok(named.to_path_buf()))?;
     if !path.is_file() {

@@ -1,4 +1,4 @@
-//! `dashpot export`: the damper for other programs.
+//! `dashpot export`: export of a damper for other programs.
 
 mod adams;
 mod adm;

@@ -1,4 +1,4 @@
-//! `dashpot import dpr`: a model from an Adams Car property file, TeimOrbit or XML.
+//! `dashpot import dpr`: import of a model from an Adams Car property file, TeimOrbit or XML.
 
 use dashpot_hosts::adams::imported::of_property_file;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! `dashpot import`: dampers from other programs and tables.
+//! `dashpot import`: import of dampers from other programs and tables.
 
 mod dpr;
 mod peaks;

@@ -1,4 +1,4 @@
-//! `dashpot import peaks`: a model to begin with, from a table of peak force over peak velocity.
+//! `dashpot import peaks`: initial model from a table of peak force over peak velocity.
 
 use crate::quantity::newtons;
 use anyhow::{Context as _, bail};
@@ -71,7 +71,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The file of a click's model: `damper.toml` becomes `damper_10.toml`.
+/// Returns the model file of a click: `damper.toml` becomes `damper_10.toml`.
 fn of_click(output: &Path, click: f64) -> PathBuf {
     let stem = output.file_stem().unwrap_or_default().to_string_lossy();
     let ending = output.extension().map_or_else(String::new, |ending| format!(".{}", ending.to_string_lossy()));
@@ -102,7 +102,7 @@ fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
 }
 
 impl Args {
-    /// What is said of the table.
+    /// Converts the arguments to options of the table.
     fn options(&self) -> anyhow::Result<PeakOptions> {
         let mut options = PeakOptions { positive: self.positive, ..PeakOptions::default() };
         for text in &self.unit {

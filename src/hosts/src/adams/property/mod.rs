@@ -1,4 +1,4 @@
-//! The damper property files of Adams Car: TeimOrbit (`.dpr`) and XML. In both and here rebound velocity and tension are positive.
+//! Damper property files of Adams Car: TeimOrbit (`.dpr`) and XML. In both formats, and here, rebound velocity and tension are positive.
 
 mod teim_orbit;
 mod units;
@@ -17,7 +17,8 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// The curve's own points; of the form with slopes and knees, a point at every knee and some between and beyond.
+    /// Returns the points of the model's curve. For the form with slopes and knees these are the knees, and some points between and beyond
+    /// them.
     pub fn from_model(params: &Params, model: &Model) -> Curve {
         let fv = model.elements().paths.fv_curve;
         let velocities = if params.number(number!("fv_form")) == 0.0 {
@@ -44,29 +45,29 @@ impl Curve {
     }
 }
 
-/// What a property file says of a damper, in SI.
+/// Contents of a property file, in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Properties {
     /// The damper's curve.
     pub curve: Curve,
-    /// Whether it is linear between its points: a linear rate.
+    /// Whether the curve is linear between its points, as for a linear rate.
     pub linear: bool,
     /// Constant gas force, N, positive where it pushes the rod out.
     pub gas_force: f64,
-    /// Read: what the file says beside these and this form has no place for. Written: what it leaves out, and whose it is.
+    /// On reading: other contents, which this format does not represent. On writing: omitted elements and the origin of the file.
     pub notes: Vec<String>,
 }
 
-/// Which form a file has.
+/// Format of a property file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// `.dpr`; has no place for a gas force.
+    /// `.dpr`; cannot represent a gas force.
     TeimOrbit,
     /// `.xml`.
     Xml,
 }
 
-/// The text of a property file in mm, s and N.
+/// Writes a property file in mm, s and N.
 pub fn write(properties: &Properties, form: Form) -> String {
     match form {
         Form::TeimOrbit => teim_orbit::write(properties),
@@ -74,22 +75,22 @@ pub fn write(properties: &Properties, form: Form) -> String {
     }
 }
 
-/// Reads either form, whatever the name of the file.
+/// Reads either format, regardless of the file name.
 ///
 /// # Errors
-/// Where the file is of another type, a unit is unknown, or the table is not one: with the line.
+/// A file of another type, an unknown unit, or an invalid table, with the line.
 pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
-    // Adams Car names models of MTS Empirical Dynamics (.edd) where it names property files.
+    // In property files Adams Car can also reference models of MTS Empirical Dynamics (.edd).
     if bytes.starts_with(b"EDM") {
         anyhow::bail!(
             "this is a binary model of MTS Empirical Dynamics; it holds no curve that could be read. Take the records it was made from"
         );
     }
-    // Property files are ASCII or Latin-1; a byte that is no UTF-8 stands in a comment or a name.
+    // Property files are ASCII or Latin-1. A byte that is not UTF-8 is part of a comment or a name.
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let read = if text.trim_start().starts_with('<') { xml::read(text) } else { teim_orbit::read(text) }?;
-    // Finite in the units of the file, and beyond every number in SI or in the units of the next file.
+    // A number may be finite in the units of the file, and overflow in SI or in the units of the next file.
     let numbers = read.curve.velocities.iter().chain(&read.curve.forces).chain([&read.gas_force]);
     if let Some(number) = numbers.into_iter().find(|n| !(n.abs() <= MOST)) {
         anyhow::bail!("a velocity or force of it becomes {number:e} in SI (m/s, N); look at its numbers and units");
@@ -97,18 +98,18 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     Ok(read)
 }
 
-/// Metres in a unit of length by its word, in property files and models of Adams.
+/// Returns the size of a unit of length in meters, by its word in property files and models of Adams.
 ///
 /// # Errors
-/// Where it is none.
+/// An unknown word.
 pub fn length_in_metres(word: &str) -> anyhow::Result<f64> {
     units::length(word)
 }
 
-/// A note as it may stand in a comment.
+/// Formats a note for a comment.
 ///
-/// In one line, without what neither form of file may hold, and in ASCII, which is what hosts read for certain. A
-/// note names parts of a file that somebody else wrote.
+/// The result is one line of ASCII, which every host reads, without characters that either format forbids. The replacement is necessary
+/// because a note cites parts of a file from someone else.
 fn as_comment(note: &str) -> String {
     let ascii = |c: char| match c {
         '·' => '*',
@@ -119,10 +120,10 @@ fn as_comment(note: &str) -> String {
     note.chars().map(ascii).collect()
 }
 
-/// Largest velocity or force in SI: what people write to prolong a curve stays far below. Without it, a number can grow beyond all in mm/s.
+/// Largest velocity or force in SI. Numbers that extend a curve stay far below it. Without this limit a number could overflow in mm/s.
 const MOST: f64 = 1e12;
 
-/// One row of a table; `line` is told where it is none.
+/// Reads one row of a table. An error names `line`.
 fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
     let number = |word: &str| word.replace(['D', 'd'], "e").parse::<f64>().ok().filter(|n| n.is_finite());
     let words = text.split([' ', '\t', ',']).filter(|w| !w.is_empty());
@@ -133,11 +134,12 @@ fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
     }
 }
 
-/// A row of a table with its line.
+/// A row of a table with its line number.
 type Row = ([f64; 2], usize);
 
-/// The curve of rows whose abscissae increase or decrease throughout; `rises`: one whose ordinates do not fall, the damper's, which no model could hold
-/// otherwise.
+/// Makes a curve from rows whose abscissae increase or decrease throughout.
+///
+/// With `rises` the ordinates must not decrease. This holds for the curve of a damper, because a model cannot represent a decreasing one.
 fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
     let falls = rows.len() > 1 && rows[0].0[0] > rows[rows.len() - 1].0[0];
     if falls {
@@ -145,7 +147,7 @@ fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
     }
     let mut curve = Curve::default();
     for (i, ([v, f], own)) in rows.iter().enumerate() {
-        // The later of the two in the file.
+        // Line of the row that comes later in the file.
         let line = if falls && i > 0 { rows[i - 1].1 } else { *own };
         if let Some(before) = curve.velocities.last().filter(|before| *before >= v) {
             anyhow::bail!(
@@ -185,7 +187,7 @@ mod tests {
         let text = "[UNITS]\nLENGTH='mm'\nFORCE='KN'\nTIME='second'\n[CURVE]\n0 0\n1 1e307\n";
         let error = read(text.as_bytes()).unwrap_err().to_string();
         assert!(error.contains("becomes inf in SI"), "{error}");
-        // Finite here, and beyond all numbers in the millimetres of the next file.
+        // The number is finite here, but overflows in the millimeters of the next file.
         assert!(read(text.replace("1 1e307", "1e307 1").as_bytes()).is_err());
         assert!(read(text.replace("1e307", "1e5").as_bytes()).is_ok());
     }

@@ -1,10 +1,10 @@
-//! The TeimOrbit form (`.dpr`, version 4.0): blocks of `key = value` and a table.
+//! TeimOrbit property files (`.dpr`, version 4.0): blocks of `key = value` and a table.
 
 use super::{Properties, row, units};
 use anyhow::{Context as _, bail};
 use std::fmt::Write as _;
 
-/// The table as a property file in mm, s and N.
+/// Writes the properties as a file in mm, s and N.
 pub fn write(properties: &Properties) -> String {
     let ruler = |name: &str| format!("${}{name}\n", "-".repeat(78 - name.len()));
     let mut out = String::new();
@@ -23,7 +23,7 @@ pub fn write(properties: &Properties) -> String {
     out
 }
 
-/// Where a comment begins, outside quotes.
+/// Removes the comment of a line, which begins outside quotes.
 fn without_comment(line: &str) -> &str {
     let mut quoted = None;
     for (i, c) in line.char_indices() {
@@ -37,7 +37,7 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
-/// Words of a row, with or without quotes; quoted ones may hold blanks.
+/// Returns the words of a row. Quoted words may contain spaces.
 fn words(line: &str) -> impl Iterator<Item = &str> {
     let mut rest = line;
     std::iter::from_fn(move || {
@@ -53,7 +53,7 @@ fn words(line: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Whether a line in a sub-block of comments is none: `KEY = value`, outside quotes.
+/// Returns whether a line in a comment sub-block is not a comment but `KEY = value`, outside quotes.
 fn is_key(line: &str) -> bool {
     line.split_once('=').is_some_and(|(key, _)| {
         let key = key.trim();
@@ -64,9 +64,9 @@ fn is_key(line: &str) -> bool {
 /// Reads a property file.
 ///
 /// # Errors
-/// As [`super::read`].
+/// The errors of [`super::read`].
 pub fn read(text: &str) -> anyhow::Result<Properties> {
-    // Blocks [..], sub-blocks (..) of a block, the heading {..} of a table.
+    // Format: blocks [..], sub-blocks (..) of a block, and the heading {..} of a table.
     let (mut block, mut within, mut turned) = (String::new(), String::new(), false);
     let mut columns: Vec<String> = Vec::new();
     let (mut length, mut time, mut force) = (None, None, None);
@@ -94,11 +94,11 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             columns = words.split([' ', '\t', ',']).filter(|w| !w.is_empty()).map(str::to_owned).collect();
             let place = |what: &str| columns.iter().position(|c| c.starts_with(what));
             if let ("CURVE", Some(force), Some(velocity)) = (block.as_str(), place("force"), place("vel")) {
-                // The table itself: a sub-block of comments ahead of it has ended.
+                // The table begins here, so a comment sub-block before it has ended.
                 (within, turned) = (String::new(), force < velocity);
             }
         } else if within == "COMMENTS" && !is_key(line) {
-            // One line of it, or several.
+            // A comment has one or several lines.
         } else if block == "UNITS" && within == "BASE" {
             for (column, word) in columns.iter().zip(words(line)) {
                 match column.as_str() {
@@ -109,7 +109,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 }
             }
         } else if block == "UNITS" && within == "USER" {
-            // Units of derived quantities, by powers of the base ones and a factor.
+            // Units of derived quantities are powers of the base units, times a factor.
             let kind = words(line).next().unwrap_or_default().to_lowercase();
             let factor = columns.iter().position(|c| c.starts_with("conv")).and_then(|place| words(line).nth(place));
             let is_one = factor.is_some_and(|factor| factor.parse() == Ok(1.0));
@@ -120,7 +120,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 );
             }
         } else if !within.is_empty() && within != "COMMENTS" {
-            // What is told above.
+            // Lines of other sub-blocks were handled above.
         } else if let Some((key, value)) = line.split_once('=') {
             within.clear();
             let (key, value) = (key.trim().to_uppercase(), value.trim().trim_matches(['\'', '"']).trim());

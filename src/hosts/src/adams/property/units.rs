@@ -1,32 +1,32 @@
-//! Unit words of property files, in either form.
+//! Units of property files, in both formats.
 
 use anyhow::bail;
 
-/// Factors to SI.
+/// Factors to SI units.
 #[derive(Debug, Clone, Copy)]
 pub struct Units {
-    /// m.
+    /// Length, m.
     pub length: f64,
-    /// s.
+    /// Time, s.
     pub time: f64,
-    /// N.
+    /// Force, N.
     pub force: f64,
 }
 
 impl Units {
-    /// A velocity of the file in m/s.
+    /// Converts a velocity of the file to m/s.
     pub fn velocity(&self, v: f64) -> f64 {
         self.metres(v) / self.time
     }
 
-    /// A length of the file in m. Dividing by a whole number makes 254 mm into 0.254 m to the last bit.
+    /// Converts a length of the file to m. Division by an integer converts 254 mm to exactly the number 0.254.
     pub fn metres(&self, x: f64) -> f64 {
         let per_metre = 1.0 / self.length;
         if per_metre.fract() == 0.0 { x / per_metre } else { x * self.length }
     }
 }
 
-/// m for a word.
+/// Returns the size of a unit of length, m.
 pub fn length(word: &str) -> anyhow::Result<f64> {
     Ok(match word.to_lowercase().as_str() {
         "mm" | "millimeter" | "millimetre" => 1e-3,
@@ -40,7 +40,7 @@ pub fn length(word: &str) -> anyhow::Result<f64> {
     })
 }
 
-/// s for a word.
+/// Returns the size of a unit of time, s.
 pub fn time(word: &str) -> anyhow::Result<f64> {
     Ok(match word.to_lowercase().as_str() {
         "second" | "sec" | "s" => 1.0,
@@ -51,10 +51,10 @@ pub fn time(word: &str) -> anyhow::Result<f64> {
     })
 }
 
-/// N; by definition of the international pound and the standard acceleration of fall.
+/// Pound-force, N, by definition of the international pound and the standard acceleration of gravity.
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
 
-/// N for a word.
+/// Returns the size of a unit of force, N.
 pub fn force(word: &str) -> anyhow::Result<f64> {
     Ok(match word.to_lowercase().as_str() {
         "newton" | "n" => 1.0,
@@ -74,7 +74,7 @@ pub fn force(word: &str) -> anyhow::Result<f64> {
 mod tests {
     use super::*;
 
-    /// The words that the makers of the format list for it.
+    /// The makers of the format list these words.
     #[test]
     fn every_word_of_the_format_is_known() {
         for word in ["mm", "m", "meter", "cm", "mile", "foot", "inch"] {
@@ -86,7 +86,7 @@ mod tests {
         for word in ["second", "sec", "millisecond", "minute", "hour"] {
             assert!(time(word).is_ok(), "{word}");
         }
-        // A pound of force is what one slug takes to gain one foot per second and second.
+        // One pound-force accelerates one slug by one foot per second squared.
         assert!((force("pound_force").unwrap() - 14.593_902_937_2 * 0.3048).abs() < 1e-9);
         assert_eq!(16.0 * force("ounce_force").unwrap(), force("pound_force").unwrap());
         assert_eq!(5280.0 * length("foot").unwrap(), length("mile").unwrap());

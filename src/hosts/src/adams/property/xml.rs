@@ -1,4 +1,4 @@
-//! The XML form: root `afc` with bibliography, units and the damper side by side. It has a place for a gas force.
+//! XML property files: root `afc` with bibliography, units and the damper. They can represent a gas force.
 
 use super::units::{self, Units};
 use super::{Curve, Properties, row};
@@ -6,7 +6,7 @@ use anyhow::{Context as _, bail};
 use roxmltree::{Document, Node};
 use std::fmt::Write as _;
 
-/// The properties as a file in mm, s and N.
+/// Writes the properties as a file in mm, s and N.
 pub fn write(properties: &Properties) -> String {
     let mut rows = String::new();
     for (v, f) in properties.curve.velocities.iter().zip(&properties.curve.forces) {
@@ -19,11 +19,11 @@ pub fn write(properties: &Properties) -> String {
         .replace("{rows}", rows.trim_end())
         .replace("{gas_method}", if gas == 0.0 { "none" } else { "constant" })
         .replace("{gas_force}", &format!("{gas:?}"))
-        // Last: a note may hold anything.
+        // The notes are inserted last, because a note may contain any text.
         .replace("{notes}", &notes)
 }
 
-/// A note in whose comment no two hyphens stand together, since they would end it.
+/// Separates consecutive hyphens in a note, because they would end its comment.
 fn apart(note: &str) -> String {
     let mut out = super::as_comment(note);
     while out.contains("--") {
@@ -35,7 +35,7 @@ fn apart(note: &str) -> String {
 /// Reads a property file.
 ///
 /// # Errors
-/// As [`super::read`].
+/// The errors of [`super::read`].
 pub fn read(text: &str) -> anyhow::Result<Properties> {
     let document = Document::parse(text)?;
     let is_damper = |n: &Node| n.is_element() && ["DamperProperties", "StrutProperties"].contains(&n.tag_name().name());
@@ -106,7 +106,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             notes.push(format!("<{}> {name}", other.tag_name().name()));
         }
     }
-    // Both attributes are in use; where both are there, dampingMethod is the newer one.
+    // Both attributes occur. If a file has both, dampingMethod is the newer one.
     let method = damper.attribute("dampingMethod").or(damper.attribute("method")).unwrap_or("non_linear");
     let (curve, straight) = match method {
         "linear" => {
@@ -114,7 +114,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             if !(rate > 0.0) {
                 bail!("line {}: a linear damper needs a rate above 0", line(&damper));
             }
-            // Prolonged straight beyond: any two speeds do.
+            // The curve is extrapolated linearly, so any two velocities suffice.
             (Curve { velocities: vec![-1.0, 0.0, 1.0], forces: vec![-rate, 0.0, rate] }, true)
         }
         "non_linear" => {
@@ -157,10 +157,10 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
     Ok(Properties { curve, linear: straight, gas_force, notes })
 }
 
-/// The rows of a spline in SI: over velocity, or over length.
+/// Reads the rows of a spline in SI, over velocity or over length.
 fn table(document: &Document, node: &Node, units: &Units, over_velocity: bool) -> anyhow::Result<Curve> {
     let first = document.text_pos_at(node.range().start).row as usize;
-    // A spline may name units of its own.
+    // A spline may have its own units.
     let own = |name: &str| node.attribute(name).map(str::trim).filter(|u| !u.is_empty());
     let mut units = *units;
     let at = || format!("line {first}");
