@@ -33,8 +33,7 @@ impl Random {
     }
 }
 
-/// Returns sine tests with amplitudes from 1 to 50 mm and peak velocities from 52 mm/s to 1.57 m/s, up to the 25 Hz of
-/// a rig.
+/// Returns sine tests of 1 to 50 mm and 52 mm/s to 1.57 m/s (peak), up to the 25 Hz of a rig.
 pub fn strokes_and_speeds() -> Vec<Sine> {
     let mut tests = Vec::new();
     for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {

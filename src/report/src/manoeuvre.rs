@@ -1,7 +1,7 @@
 //! Report of a manoeuvre.
 //!
-//! It contains the forces of the dampers with the model and with its FV curve alone, the road, the chassis, the
-//! operating region of the dampers, and the vehicle.
+//! It contains the forces of the dampers with the model and with its FV curve alone. It also contains the road, the
+//! chassis, the operating region of the dampers, and the vehicle.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};

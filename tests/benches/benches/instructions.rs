@@ -1,4 +1,4 @@
-//! Counts the instructions of a step, a fit and a reading with callgrind, independent of other load on the machine:
+//! Counts the instructions of a step, a fit and a reading with callgrind, independent of other load on the machine. Run
 //! `cargo bench -p dashpot-benches --bench instructions`. It needs valgrind, and iai-callgrind-runner of the version in
 //! `Cargo.toml`.
 #![allow(missing_docs)]

@@ -23,8 +23,8 @@ fn notes() -> PathBuf {
 
 /// Reports that this test cannot run here, with the reason.
 ///
-/// The line appears on the terminal immediately, because the test harness does not capture it, and in the count at the
-/// end of a whole run.
+/// The line appears on the terminal immediately, because the test harness does not capture it. A whole run ends with
+/// the count of skips.
 ///
 /// # Panics
 /// If the note is not writable.

@@ -26,8 +26,8 @@ use std::sync::LazyLock;
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
 const BETWEEN: f64 = 0.6;
 
-/// Error limits on one small campaign of a semi-active damper: of the random current, of the valve's lag at all steps
-/// but one, and at the worst step. For the whole protocol, the book has 19 % at the worst step.
+/// Error limits on one small campaign of a semi-active damper. They apply to the random current, and to the lag at all
+/// steps but one and at the worst step. For the whole protocol, the book has 19 % at the worst step.
 const RANDOM: f64 = 0.03;
 const LAG: f64 = 0.1;
 const WORST_LAG: f64 = 0.2;

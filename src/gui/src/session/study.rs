@@ -112,7 +112,8 @@ mod tests {
         let phase = |i: usize| TAU * i as f64 / n as f64;
         let x: Vec<f64> = (0..n).map(|i| 0.01 * libm::sin(phase(i))).collect();
         let v: Vec<f64> = (0..n).map(|i| 0.01 * TAU * libm::cos(phase(i))).collect();
-        // A viscous damper of 1000 N s/m at 1 Hz, with a spring of 5000 N/m: area π c ω X², gap from the spring alone.
+        // The test damper has 1000 N s/m at 1 Hz and a spring of 5000 N/m. The area is π c ω X², and only the spring
+        // causes a gap.
         let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| 1000.0 * v + 5000.0 * x).collect();
         let wanted = std::f64::consts::PI * 1000.0 * TAU * 0.01 * 0.01;
         assert!((loop_area(&x, &force) / wanted - 1.0).abs() < 1e-3);

@@ -1,7 +1,7 @@
 //! Tests of the window from its user's view, without a screen: they find widgets by their accessible names.
 //!
-//! The tests are part of the crate. As integration tests they would make cargo also build the program, and with it
-//! eframe a second time: the program aborts on a panic, but a test has to unwind.
+//! The tests are part of the crate. For integration tests cargo would also build the program, and with it eframe a
+//! second time. The program aborts on a panic, but a test has to unwind.
 
 mod drawings;
 mod made_up;
@@ -645,8 +645,8 @@ fn everything_that_can_be_used_has_a_name_for_a_screen_reader() {
 
 /// Measures the latency of the window, on the user's own campaign and model.
 ///
-/// The times are: from reading the records to the first loops; from a slider's move to the loops and errors of all
-/// tests; one frame meanwhile, without the graphics card.
+/// The first time is from reading the records to the first loops. The second is from a slider's move to the loops and
+/// errors of all tests. The third is of one frame meanwhile, without the graphics card.
 ///
 /// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-gui latency -- --ignored --nocapture`
 #[test]

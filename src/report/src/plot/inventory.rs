@@ -11,7 +11,7 @@ use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 const SHOWN: usize = 7;
 /// Largest number of bands of one kind, so that both kinds fit half a printed page.
 const BANDS: usize = 6;
-/// Ratio of neighboring values above which a band may end: rigs control an amplitude within 5 %, and test matrices step
+/// Ratio of neighboring values above which a band may end. Rigs control an amplitude within 5 %, and test matrices step
 /// by 20 % or more.
 const APART: f64 = 1.15;
 /// Width of the figure, px, for the full width of a printed page.

@@ -1,7 +1,7 @@
 //! Figures as SVG text: one function per figure, each returning a complete SVG document.
 //!
-//! The crate has its own SVG writer, because engineers read the shape of the loops: coordinates keep a tenth of a
-//! pixel, and thinning a path moves it by less than is visible.
+//! The crate has its own SVG writer, because engineers read the shape of the loops. Coordinates keep a tenth of a
+//! pixel, and thinning a path moves it invisibly.
 //!
 //! | file | figures |
 //! |---|---|

@@ -10,8 +10,8 @@ use tempfile::TempDir;
 
 /// Shared results, computed once.
 ///
-/// They are a campaign of the virtual rig's monotube in `records`, its model without dry friction in `plain.toml`, and
-/// all output of a diagnosis: `better.toml`, `d.json`, `d.html`, `figures`, and the printed text.
+/// `records` is a campaign of the virtual rig's monotube, and `plain.toml` its model without dry friction. The output
+/// of a diagnosis is `better.toml`, `d.json`, `d.html`, `figures`, and the printed text.
 struct Made {
     folder: TempDir,
     told: String,

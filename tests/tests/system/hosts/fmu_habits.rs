@@ -1,7 +1,7 @@
 //! FMUs in importers with unusual behavior.
 //!
-//! The cases are a wrong or missing resources folder, a logger that disappears, start values that are not set, outputs
-//! requested at earlier times, and calls out of order.
+//! The resources folder is wrong or missing, a logger disappears, or start values are not set. Outputs are requested at
+//! earlier times, or calls are out of order.
 
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::fmu::exported;

@@ -80,8 +80,8 @@ fn over_a_setting(at: &std::path::Path) {
         let input = Input::motion(0.01 * (1.0 - (w * t).cos()), 0.01 * w * (w * t).sin());
         let (next, answer) = step(&model, &state, &input, 1e-3);
         state = next;
-        // A family has another step method than an ordinary damper: the difference is 0.03 N at 1 ms, and a twentieth
-        // of that at 0.1 ms.
+        // The step method of a family differs from an ordinary damper's. The difference is 0.03 N at 1 ms, and a
+        // twentieth of that at 0.1 ms.
         assert!((constant - answer.force).abs() < 2e-4 * peak, "sample {k}: {constant} {}", answer.force);
         assert!(k >= 200 || constant == stepped, "sample {k}");
     }
