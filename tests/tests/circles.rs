@@ -4,7 +4,6 @@
 //! Tests inside a file do not count. Neither does the use of names from the `mod.rs` of an enclosing folder, because a
 //! folder and its `mod.rs` form one unit. A name that a folder re-exports (`pub use`) is traced to the file that
 //! defines it.
-//! its files share on the door. A name that a folder hands on (`pub use`) is followed to the file that makes it.
 
 use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};

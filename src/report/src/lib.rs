@@ -74,7 +74,7 @@ pub struct ReportInput<'a> {
     pub tests: &'a [Compared<'a>],
     /// Parameters of the model; the section is left out when empty.
     pub parameters: Vec<ParameterRow>,
-    /// How the model was identified: [`Block::Paragraph`], [`Block::Warning`], tables; left out when empty.
+    /// Description of the identification: [`Block::Paragraph`], [`Block::Warning`], tables; left out when empty.
     pub identification: Vec<Block>,
     /// Further sections, placed before the single tests.
     pub extra: Vec<Section>,

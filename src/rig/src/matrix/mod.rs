@@ -20,8 +20,9 @@ pub struct Matrix {
 impl Matrix {
     /// Makes a matrix of the given tests.
     ///
-    /// # Errors [`RigError::TestPoint`] if a test is outside the rig's limits or two tests share a name (ignoring case,
-    /// as in file names). [`RigError::Option`] if the list is empty.
+    /// # Errors
+    /// [`RigError::TestPoint`] if a test is outside the rig's limits or two tests have equal names (ignoring case, as in
+    /// file names). [`RigError::Option`] if the list is empty.
     pub fn new(points: Vec<TestPoint>) -> Result<Self, RigError> {
         if points.is_empty() {
             return Err(RigError::Option {

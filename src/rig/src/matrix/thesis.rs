@@ -56,8 +56,9 @@ impl Matrix {
     /// Makes the thesis's matrix with `options`: every amplitude at every peak velocity with `f = Vp / (2 pi A)`, then
     /// the slow cycles.
     ///
-    /// # Errors [`RigError::Option`] if a value is not a positive number or is listed twice, or no point remains below
-    /// the frequency limit. [`RigError::TestPoint`] if a point is outside the rig's limits.
+    /// # Errors
+    /// [`RigError::Option`] if a value is not a positive number or is listed twice, or no point remains below the
+    /// frequency limit. [`RigError::TestPoint`] if a point is outside the rig's limits.
     pub fn thesis(options: &MatrixOptions) -> Result<Self, RigError> {
         check_values("amplitudes", "mm", &options.amplitudes_m)?;
         check_values("peak velocities", "mm/s", &options.peak_velocities_m_s)?;

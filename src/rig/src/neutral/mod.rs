@@ -20,7 +20,7 @@ use crate::draw::Draw;
 #[derive(Debug, Clone)]
 pub(crate) struct Neutral {
     pub valves: ValveLaw,
-    /// Series spring and damper at the driven end.
+    /// Series spring and damper at the moving end.
     pub mount: Mount,
     /// Mass between series spring and valves, kg.
     pub mass_kg: f64,
