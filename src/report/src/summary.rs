@@ -97,7 +97,7 @@ fn worst_in_words(validation: &Validation, words: &Words) -> Option<String> {
     ))
 }
 
-/// Describes the noise, the lower bound of any model's error.
+/// Describes the noise, which is the lower bound of any model's error.
 fn noise(validation: &Validation, words: &Words) -> Option<String> {
     let known: Vec<f64> = validation.tests.iter().map(|test| test.noise_rms_n).filter(|rms| *rms > 0.0).collect();
     if known.is_empty() {

@@ -12,15 +12,14 @@ struct Bushing {
     strength: f64,
     /// Working deflection at the stiffness of the series spring, m.
     working_m: f64,
-    /// Additional compliance at strength 1, relative to the series spring: stiffness is divided by `1 + strength *
-    /// softer`.
+    /// Relative additional compliance at strength 1: the spring's stiffness is divided by `1 + strength * softer`.
     softer: f64,
     /// Deflection at which the quintic doubles the force, or at which the stop makes contact, in working deflections.
     hardens: f64,
     /// Friction in the filler (N) and deflection over which the friction builds up (m).
     friction_n: f64,
     friction_m: f64,
-    /// Relaxing stiffnesses relative to the static one, and their times, s.
+    /// Relaxing stiffnesses relative to the static stiffness, and their time constants, s.
     relaxing: [(f64, f64); 2],
     tolerances: Vec<f64>,
 }

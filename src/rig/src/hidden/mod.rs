@@ -95,7 +95,7 @@ pub(crate) struct Recipe<'a> {
     pub draw: Draw,
     wanted: Option<&'a str>,
     name: &'static str,
-    /// The selected form, and the requested form if its name is unknown.
+    /// The selected form; the first form if the requested one is unknown, and `refused` then lists the forms.
     form: &'static str,
     refused: Option<&'static [&'static str]>,
 }
