@@ -8,7 +8,8 @@ use std::sync::OnceLock;
 /// Packages of the hosts.
 const PACKAGES: [&str; 2] = ["fmpy==0.3.32", "mujoco==4.0.0"];
 
-/// Whether the interpreter exists or can be installed. If not, counts the calling test as skipped, with the reason.
+/// Returns whether the interpreter exists or can be installed. If not, counts the calling test as skipped, with the
+/// reason.
 pub fn has_python() -> bool {
     match made() {
         Ok(_) => true,

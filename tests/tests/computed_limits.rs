@@ -4,7 +4,7 @@
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 
-/// Whether a limit is a literal number or a constant.
+/// Returns whether a limit is a literal number or a constant.
 fn is_written(limit: &str) -> bool {
     let limit = limit.trim().trim_start_matches('-');
     let is_number = limit.replace('_', "").parse::<f64>().is_ok();

@@ -129,7 +129,7 @@ fn latin(text: &str) -> impl Iterator<Item = &str> {
         .filter(|w| w.chars().any(|c| c.is_ascii_alphabetic()))
 }
 
-/// Whether a word is a name from a file, a unit or a symbol.
+/// Returns whether a word is a name from a file, a unit or a symbol.
 fn is_name(word: &str) -> bool {
     let is_parameter = || parameter::table().any(|row| row.parameter.name == word);
     // The parameters of heating, and the effect that no rig can identify, are not in the table.
@@ -155,7 +155,7 @@ fn is_name(word: &str) -> bool {
         || is_tried()
 }
 
-/// Whether a text stays English: the meanings of parameters.
+/// Returns whether a text stays English: the meanings of parameters.
 fn stays(text: &str) -> bool {
     parameter::table().any(|row| row.parameter.meaning == text)
 }
@@ -443,7 +443,7 @@ fn without_options(text: &str) -> Vec<&str> {
     words.into_iter().flat_map(latin).collect()
 }
 
-/// Whether a word is a name in the flawed campaign, or a file format.
+/// Returns whether a word is a name in the flawed campaign, or a file format.
 fn is_flawed_name(word: &str) -> bool {
     const FORMATS: &str = "PDF xlsx dB SI PK v2 FV zip campaign.toml";
     let stems = "plain twin both integrated drift spikes holes clipped stamps gap rest swapped repeated wandering short frozen still no_clock \

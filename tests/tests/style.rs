@@ -241,7 +241,7 @@ fn is_test(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|a| a.path().is_ident("cfg") && in_test(a) || a.path().is_ident("test"))
 }
 
-/// Whether a type is serialized, so that its fields are JSON keys.
+/// Returns whether a type is serialized, so that its fields are JSON keys.
 fn is_serialized(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|a| {
         a.path().is_ident("derive") && a.meta.require_list().is_ok_and(|l| l.tokens.to_string().contains("Serialize"))

@@ -52,12 +52,12 @@ impl Ask {
 }
 
 impl Ask {
-    /// Whether the request is for a folder.
+    /// Returns whether the request is for a folder.
     pub fn is_of_folder(&self) -> bool {
         matches!(self, Ask::Folder | Ask::Reference | Ask::Export(Host::Adams))
     }
 
-    /// Whether the file or folder must exist.
+    /// Returns whether the file or folder must exist.
     pub fn is_of_input(&self) -> bool {
         matches!(self, Ask::Folder | Ask::Reference | Ask::Files | Ask::Model | Ask::Dimensions)
     }

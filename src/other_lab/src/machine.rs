@@ -164,8 +164,8 @@ impl Equations for Machine<'_> {
         &self.tolerances
     }
 
-    /// Friction reverses within about a millimeter per second. If it acts in parallel with the mount, no state resolves
-    /// the reversal.
+    /// Limits the step, because friction reverses within about a millimeter per second. If it acts in parallel with the
+    /// mount, no state resolves the reversal.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

@@ -97,7 +97,7 @@ fn holds(kind: &str) {
 
 const WITHOUT: &str = "no cargo-deny (cargo install cargo-deny)";
 
-/// Whether cargo-deny could fetch its data, which not every machine allows.
+/// Returns whether cargo-deny could fetch its data, which not every machine allows.
 fn was_fetched(told: &str) -> bool {
     !["failed to fetch", "unable to fetch", "failed to load advisory database"].iter().any(|sign| told.contains(sign))
 }

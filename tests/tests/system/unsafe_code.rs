@@ -11,7 +11,7 @@ fn code(line: &str) -> &str {
     line.split("//").next().unwrap_or(line)
 }
 
-/// Whether a line begins a block of unsafe code, or an implementation of an unsafe trait.
+/// Returns whether a line begins a block of unsafe code, or an implementation of an unsafe trait.
 fn begins_unsafe(line: &str) -> bool {
     let code = code(line);
     code.contains("unsafe {") || code.contains("unsafe impl")

@@ -70,7 +70,7 @@ impl Dampers {
         }
     }
 
-    /// Whether the values on screen apply to a test: it is at their setting, or has no setting.
+    /// Returns whether the values on screen apply to a test: it is at their setting, or has no setting.
     pub fn is_at_shown(&self, record: &Record) -> bool {
         let Some(over) = &self.over else { return true };
         match OwnSetting::find(&over.damper.axis, record) {
@@ -102,7 +102,7 @@ impl Dampers {
         all.into_iter().map(|value| (value, over.damper.params_at(value))).collect()
     }
 
-    /// Whether the values on screen affect one of these tests.
+    /// Returns whether the values on screen affect one of these tests.
     pub fn uses_shown(&self, records: &[&Record]) -> bool {
         records.iter().any(|record| self.of_test(record) == TestDamper::Shown)
     }

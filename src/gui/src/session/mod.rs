@@ -247,7 +247,7 @@ impl Session {
         let mut records = own.original().records.clone();
         let mut of_reference = others.map_or_else(Vec::new, |others| others.original().records.clone());
         if let Some((axis, _)) = model.over_setting() {
-            // A setting in a unit of another kind does not belong to this damper, so it is discarded.
+            // Ignore an incompatible unit: the setting of such a record is not this damper's.
             let _ = restate_settings(axis, records.iter_mut().chain(&mut of_reference));
         }
         let note = model.identification.right(records.iter_mut().chain(&mut of_reference));
@@ -268,7 +268,7 @@ impl Session {
         folder.is_dir().then_some(folder)
     }
 
-    /// Whether records are open.
+    /// Returns whether records are open.
     pub fn has_records(&self) -> bool {
         self.campaign.is_some()
     }
@@ -305,12 +305,12 @@ impl Session {
         self.campaign.as_ref()?.campaign.records.get(test)
     }
 
-    /// Whether closing would lose a running task or unsaved values.
+    /// Returns whether closing would lose a running task or unsaved values.
     pub fn would_lose(&self) -> bool {
         self.task.is_some() || self.is_unsaved()
     }
 
-    /// Whether the model has unsaved values.
+    /// Returns whether the model has unsaved values.
     pub fn is_unsaved(&self) -> bool {
         self.model.as_ref().is_some_and(Tuned::is_unsaved)
     }
@@ -346,7 +346,7 @@ impl Session {
         Some(model.dampers(model.params(), self.own_settings))
     }
 
-    /// Whether an open test has its own setting of the adjustable damper.
+    /// Returns whether an open test has its own setting of the adjustable damper.
     pub fn has_own_settings(&self) -> bool {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return false };
         let dampers = model.dampers(&model.identified, true);

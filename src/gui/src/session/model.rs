@@ -173,12 +173,12 @@ impl Tuned {
         file
     }
 
-    /// Whether closing would lose values.
+    /// Returns whether closing would lose values.
     pub fn is_unsaved(&self) -> bool {
         self.saved.as_ref() != Some(self.params())
     }
 
-    /// Whether the values differ from the identified values.
+    /// Returns whether the values differ from the identified values.
     pub fn is_tuned(&self) -> bool {
         self.identified != *self.params()
     }
@@ -307,7 +307,7 @@ impl Tuned {
         self.saved = Some(params);
     }
 
-    /// Whether the fit did not identify a parameter or an entry of a list.
+    /// Returns whether the fit did not identify a parameter or an entry of a list.
     pub fn is_loose(&self, name: &str, entry: Option<usize>) -> bool {
         let identifier = entry.map_or_else(|| name.to_owned(), |k| format!("{name}[{k}]"));
         self.identification.not_identified.contains(&identifier)

@@ -40,7 +40,7 @@ pub struct Others {
 }
 
 impl Session {
-    /// Whether manually tuned values are not saved.
+    /// Returns whether manually tuned values are not saved.
     pub fn has_unsaved_tuning(&self) -> bool {
         self.model.as_ref().is_some_and(|m| m.is_tuned() && m.is_unsaved())
     }

@@ -52,7 +52,7 @@ impl<T> Finding<T> {
         Finding { found, basis, now: Session::basis_of_diagnosis }
     }
 
-    /// Whether model, records or ticked tests have changed since.
+    /// Returns whether model, records or ticked tests have changed since.
     pub fn is_old(&self, session: &Session) -> bool {
         (self.now)(session).as_ref() != Some(&self.basis)
     }

@@ -132,7 +132,7 @@ impl Simulator {
         self.shared.desk().done.take()
     }
 
-    /// Whether a request is waiting or running.
+    /// Returns whether a request is waiting or running.
     pub fn is_busy(&self) -> bool {
         let desk = self.shared.desk();
         desk.wanted.is_some() || desk.done.is_some() || self.shared.busy.load(Ordering::Relaxed) > 0

@@ -114,7 +114,7 @@ impl Task {
         self.cancel.ask();
     }
 
-    /// Whether the task was requested to stop.
+    /// Returns whether the task was requested to stop.
     pub fn is_cancelled(&self) -> bool {
         self.cancel.asked()
     }

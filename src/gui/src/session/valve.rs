@@ -18,14 +18,14 @@ pub struct Responses {
 }
 
 impl Responses {
-    /// Whether the computation is running.
+    /// Returns whether the computation is running.
     pub fn is_waiting(&self) -> bool {
         self.task.is_some()
     }
 }
 
 impl Session {
-    /// Whether the model is an adjustable damper whose valve has dynamics.
+    /// Returns whether the model is an adjustable damper whose valve has dynamics.
     pub fn has_valve(&self) -> bool {
         self.model.as_ref().and_then(|model| model.definition()).is_some_and(|damper| has_actuator(&damper.axis))
     }

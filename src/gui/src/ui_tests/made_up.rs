@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The "measured" damper, which differs from the default in its series spring.
+/// Makes the "measured" damper, which differs from the default in its series spring.
 pub fn truth() -> Params {
     let mut params = Params::new();
     params.set(number!("series_stiffness"), 1.6e6).unwrap();

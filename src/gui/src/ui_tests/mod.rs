@@ -73,7 +73,7 @@ fn says(harness: &Harness<'_, App>, text: &str) -> bool {
     harness.query_all(by().label(text)).next().is_some()
 }
 
-/// Whether a label contains this text.
+/// Returns whether a label contains this text.
 fn holds(harness: &Harness<'_, App>, text: &str) -> bool {
     harness.query_all(by().label_contains(text)).next().is_some()
 }

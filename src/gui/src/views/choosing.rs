@@ -52,7 +52,7 @@ impl Choosing {
         if name.is_empty() { self.folder.clone() } else { self.folder.join(name) }
     }
 
-    /// Whether the path is acceptable.
+    /// Returns whether the path is acceptable.
     fn is_complete(&self) -> bool {
         let path = self.path();
         match (self.ask.is_of_input(), self.ask.is_of_folder()) {

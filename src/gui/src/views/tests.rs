@@ -6,13 +6,13 @@ use crate::views::{View, hue};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
-/// Whether a note is of damage. In the list of tests this includes frozen channels and gaps, which the command reports
-/// for the whole campaign.
+/// Returns whether a note is of damage. In the list of tests this includes frozen channels and gaps, which the command
+/// reports for the whole campaign.
 fn is_of_damage(note: &Note) -> bool {
     note.is_of_damage() || ["frozen", "gap"].contains(&note.kind)
 }
 
-/// Whether a test has notes of damage.
+/// Returns whether a test has notes of damage.
 fn is_damaged(record: &Record) -> bool {
     record.notes.iter().any(is_of_damage)
 }

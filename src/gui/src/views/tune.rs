@@ -306,7 +306,7 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) 
         });
 }
 
-/// Whether a point of a curve may move: the point at zero velocity has no force and stays.
+/// Returns whether a point of a curve may move: the point at zero velocity has no force and stays.
 fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
     let Some(model) = model else { return false };
     let velocity = list!("fv_velocity");

@@ -72,7 +72,7 @@ impl Default for Protocol {
 }
 
 impl Protocol {
-    /// A random laboratory protocol.
+    /// Draws a random laboratory protocol.
     ///
     /// It has 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or colored noise, and hum. Channels for velocity
     /// and temperature are optional. Delay and offset are separate options.

@@ -69,7 +69,7 @@ fn candidate(stream: &mut ChaCha8Rng) -> Damper {
     damper
 }
 
-/// Whether the drawn parameters describe a realistic car damper.
+/// Returns whether the drawn parameters describe a realistic car damper.
 fn is_plausible(damper: &Damper) -> bool {
     let gas = (damper.gas.pressure_pa - ATMOSPHERE_PA) * damper.tube.rod_area_m2();
     let flow = damper.tube.annulus_m2() * TOP_VELOCITY_M_S;

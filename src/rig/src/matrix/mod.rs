@@ -51,7 +51,7 @@ impl Matrix {
         &self.points
     }
 
-    /// Whether any test has side force, so that the records need a column for it.
+    /// Returns whether any test has side force, so that the records need a column for it.
     pub fn has_side_force(&self) -> bool {
         self.points.iter().any(|point| point.side_force_n != 0.0)
     }

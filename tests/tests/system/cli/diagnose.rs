@@ -66,7 +66,8 @@ fn assert_span(value: &Value, key: &str) {
     assert!(ends.len() == 2 && ends[0] <= ends[1], "{key} in {value}");
 }
 
-/// Every effect of both models appears once, with its force. A replaced effect names its replacement.
+/// Asserts that every effect of both models appears once, with its force, and that a replaced effect names its
+/// replacement.
 fn assert_inventory(found: &Value) {
     let items = list(found, "inventory");
     let mut effects = BTreeSet::new();
@@ -88,7 +89,7 @@ fn assert_inventory(found: &Value) {
     }
 }
 
-/// Every field of the contract has its type, unit and range.
+/// Asserts that every field of the contract has its type, unit and range.
 fn assert_contract(found: &Value) {
     let verdict = word(found, "verdict");
     assert!(["named", "nothing_missing", "changed", "cannot_tell", "unknown_effect"].contains(&verdict), "{verdict}");

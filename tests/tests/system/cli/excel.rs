@@ -29,7 +29,7 @@ fn first(all: &[(String, Range<Data>)]) -> String {
     all[0].1.rows().flatten().map(|cell| cell.to_string() + "\n").collect()
 }
 
-/// The sheet of the inventory contains the effects of the JSON with their full forces.
+/// Asserts that the sheet of the inventory contains the effects of the JSON with their full forces.
 fn assert_inventory(book: &[(String, Range<Data>)], found: &serde_json::Value) {
     let items = found["inventory"].as_array().expect("an inventory");
     assert!(!items.is_empty());

@@ -94,8 +94,7 @@ const MODELS: [(&str, &str); 19] = [
     ("moving_mass", ""),
 ];
 
-/// The kernel's contract at 1 ms, verified at every host step: errors of 0.1 % rms and at most 1 %, relative to the
-/// largest force.
+/// The kernel's contract at 1 ms holds at every host step: errors of 0.1 % rms and at most 1 % of the largest force.
 #[test]
 fn every_host_step_is_as_exact_as_the_kernels_table_says() {
     let folder = tempfile::tempdir().expect("a directory");

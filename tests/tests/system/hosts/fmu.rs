@@ -88,7 +88,8 @@ fn no_compiler_is_needed_and_sources_may_stay_at_home() {
     }
 }
 
-/// An obfuscated FMU gives the same forces bit for bit, without parameter values in description or resources.
+/// Asserts that an obfuscated FMU gives the same forces bit for bit, without parameter values in description or
+/// resources.
 fn runs_hidden(fmi: &str, four: bool) {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
