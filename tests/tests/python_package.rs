@@ -3,8 +3,8 @@
 //! It is built as a wheel, installed without the source tree on the path, and tested there.
 //!
 //! Building the wheel compiles the workspace again, with unwinding, and the required packages have half a gigabyte.
-//! Therefore `cargo test --release` excludes it: `cargo test --release -p dashpot-tests --test python_package --
-//! --ignored --nocapture`.
+//! Therefore `cargo test --release` excludes it. Run it with
+//! `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::cli::program;

@@ -6,8 +6,8 @@ use crate::neutral::Here;
 
 const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
 const ELEMENTS: usize = 5;
-/// Reduction of creep at standstill with soft bristles: the smoothing velocity of the neutral friction is divided by `1
-/// + CREEP_FADES * strength`.
+/// Reduction of creep at standstill with soft bristles. The smoothing velocity of the neutral friction is divided by
+/// `1 + CREEP_FADES * strength`.
 const CREEP_FADES: f64 = 4.0;
 
 struct Presliding {
