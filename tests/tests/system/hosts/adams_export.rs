@@ -489,10 +489,10 @@ fn spline(dataset: &Dataset, id: u64) -> Vec<(f64, f64)> {
     points
 }
 
-/// The native elements support few elements.
+/// The native elements of Adams represent only some elements of the model.
 ///
-/// For each unsupported element, a message gives it as the reason for the missing native.adm. A native.adm of an
-/// earlier export is reported as outdated.
+/// A message names every other element as the reason for the missing native.adm. A native.adm of an earlier export is
+/// reported as outdated.
 #[test]
 fn no_element_is_left_out_of_the_native_elements_without_a_word() {
     const HELD: [&str; 8] = [
